@@ -1,0 +1,82 @@
+//! From a rough guess to a configuration.
+
+use nalgebra::{Matrix3, Matrix4, Quaternion, SVector, SymmetricEigen, UnitQuaternion, Vector3};
+
+use crate::error::SolveError;
+use crate::linkage::Build;
+use crate::motion::Prescribed;
+use crate::newton::{Converged, Newton};
+use crate::scalar::Real;
+use crate::signal::{ChassisMotion, Inputs};
+
+/// Replaces each body of the guess `q` by the rigid body that fits it best, then solves.
+///
+/// A linkage without bodies is solved from the guess itself and may then end in a mirrored
+/// assembly (its nine distances admit it).
+///
+/// # Errors
+///
+/// See [`SolveError`]; `q` is then unchanged.
+pub fn assemble<T, L, C, const N: usize>(
+    newton: &Newton<T>,
+    linkage: &L,
+    inputs: &Inputs<C, L::Drives>,
+    q: &mut SVector<T, N>,
+) -> Result<Converged<T>, SolveError<T>>
+where
+    T: Real,
+    L: Build<N, Scalar = T>,
+    C: ChassisMotion<L::Fixed>,
+{
+    let prescribed = Prescribed::new(linkage, inputs);
+    let mut fitted = linkage.fit(q, &prescribed.fixed.value);
+    let converged = newton.solve_prescribed(linkage, &prescribed, &mut fitted)?;
+    *q = fitted;
+    Ok(converged)
+}
+
+/// The rigid body `shape` moved, never mirrored, to where it fits `guess` best in the
+/// least-squares sense: Horn 1987, Closed-form solution of absolute orientation using unit
+/// quaternions. A guess that is not finite is returned as it is.
+pub fn best_rigid_fit<T: Real, const K: usize>(
+    shape: &[Vector3<T>; K],
+    guess: &[Vector3<T>; K],
+) -> [Vector3<T>; K] {
+    let (shape_centre, guess_centre) = (centroid(shape), centroid(guess));
+    let mut covariance = Matrix3::zeros();
+    for (from, to) in shape.iter().zip(guess) {
+        covariance += (from - shape_centre) * (to - guess_centre).transpose();
+    }
+    match best_rotation(&covariance) {
+        Some(rotation) => shape.map(|point| guess_centre + rotation * (point - shape_centre)),
+        None => *guess,
+    }
+}
+
+fn centroid<T: Real, const K: usize>(points: &[Vector3<T>; K]) -> Vector3<T> {
+    points.iter().sum::<Vector3<T>>() / T::constant(K as f64)
+}
+
+/// The eigenvector of Horn's matrix that belongs to its largest eigenvalue, as a quaternion.
+fn best_rotation<T: Real>(s: &Matrix3<T>) -> Option<UnitQuaternion<T>> {
+    const EIGEN_ITERATIONS: usize = 100;
+    if !s.iter().all(|entry| entry.is_finite()) {
+        return None;
+    }
+    let (x, y, z) = (s.m23 - s.m32, s.m31 - s.m13, s.m12 - s.m21);
+    #[rustfmt::skip]
+    let horn = Matrix4::new(
+        s.m11 + s.m22 + s.m33, x, y, z,
+        x, s.m11 - s.m22 - s.m33, s.m12 + s.m21, s.m31 + s.m13,
+        y, s.m12 + s.m21, s.m22 - s.m11 - s.m33, s.m23 + s.m32,
+        z, s.m31 + s.m13, s.m23 + s.m32, s.m33 - s.m11 - s.m22,
+    );
+    let eigen = SymmetricEigen::try_new(horn, T::EPSILON, EIGEN_ITERATIONS)?;
+    let column = eigen
+        .eigenvectors
+        .column(eigen.eigenvalues.imax())
+        .into_owned();
+    Some(UnitQuaternion::new_normalize(Quaternion::new(
+        column.x, column.y, column.z, column.w,
+    )))
+}

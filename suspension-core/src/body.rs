@@ -1,0 +1,128 @@
+//! A rigid body from three of its points: pose, angular velocity and acceleration.
+//!
+//! The points may be any three that are not in line; arrays hold their positions, velocities or
+//! accelerations in the same order. Results are in the axes of the points.
+
+use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
+
+use crate::constraint::Frame;
+use crate::error::Indeterminate;
+use crate::scalar::Real;
+
+type Triple<T> = [Vector3<T>; 3];
+
+/// The motion that carries the body from `design` to `now`; `None` where three points are in
+/// line.
+pub fn pose<T: Real>(design: &Triple<T>, now: &Triple<T>) -> Option<Isometry3<T>> {
+    let rotation = axes(now)? * axes(design)?.transpose();
+    let [from, ..] = design;
+    let [to, ..] = now;
+    let translation = Translation3::from(to - rotation * from);
+    let rotation = Rotation3::from_matrix_unchecked(rotation);
+    Some(Isometry3::from_parts(
+        translation,
+        UnitQuaternion::from_rotation_matrix(&rotation),
+    ))
+}
+
+/// Right-handed orthonormal axes, in columns: along the first edge, in the plane, normal to it.
+fn axes<T: Real>([a, b, c]: &Triple<T>) -> Option<Matrix3<T>> {
+    let frame = Frame::new(*a, *b, *c);
+    let normal = frame.normal()?.normalize();
+    let along = frame.u.normalize();
+    Some(Matrix3::from_columns(&[
+        along,
+        normal.cross(&along),
+        normal,
+    ]))
+}
+
+/// Angular velocity, rad/s: the least-squares fit of `v = v0 + omega x r` over three points.
+///
+/// Unlike [`angular_velocity_eq9`] it is defined wherever the points are not in line; `None`
+/// where they are.
+pub fn angular_velocity<T: Real>(at: &Triple<T>, velocities: &Triple<T>) -> Option<Vector3<T>> {
+    fit_rotation(at, velocities)
+}
+
+/// Angular acceleration, rad/s^2: the least-squares fit of
+/// `a = a0 + alpha x r + omega x (omega x r)` over three points; `None` where they are in line.
+pub fn angular_acceleration<T: Real>(
+    at: &Triple<T>,
+    omega: &Vector3<T>,
+    accelerations: &Triple<T>,
+) -> Option<Vector3<T>> {
+    let [a, b, c] = at;
+    let [acc_a, acc_b, acc_c] = accelerations;
+    let tangential = |r: &Vector3<T>, acc: &Vector3<T>| acc - omega.cross(&omega.cross(&(r - a)));
+    fit_rotation(at, &[*acc_a, tangential(b, acc_b), tangential(c, acc_c)])
+}
+
+/// The vector `w` for which `w x r` fits the differences of `rates` best, with `r` measured from
+/// the centroid: `sum (|r|^2 - r r') w = sum r x rate`.
+fn fit_rotation<T: Real>(at: &Triple<T>, rates: &Triple<T>) -> Option<Vector3<T>> {
+    let [a, b, c] = at;
+    Frame::new(*a, *b, *c).normal()?;
+    let centroid = mean(at);
+    let mean_rate = mean(rates);
+    let mut inertia = Matrix3::zeros();
+    let mut moment = Vector3::zeros();
+    for (point, rate) in at.iter().zip(rates) {
+        let r = point - centroid;
+        inertia += Matrix3::from_diagonal_element(r.norm_squared()) - r * r.transpose();
+        moment += r.cross(&(rate - mean_rate));
+    }
+    Some(inertia.try_inverse()? * moment)
+}
+
+fn mean<T: Real>([a, b, c]: &Triple<T>) -> Vector3<T> {
+    (a + b + c) / T::constant(3.0)
+}
+
+/// Angular velocity by Attia 2003, eq. (9): `(a' x b') / (a' . b)` with `a`, `b` the edges from
+/// the first point and `a'`, `b'` their rates.
+///
+/// # Errors
+///
+/// The formula is 0/0 wherever the angular velocity lies in the plane of the three points,
+/// though it is perfectly defined there; [`angular_velocity`] has no such hole.
+pub fn angular_velocity_eq9<T: Real>(
+    at: &Triple<T>,
+    velocities: &Triple<T>,
+) -> Result<Vector3<T>, Indeterminate<T>> {
+    let [edges, rates] = [at, velocities].map(|[a, b, c]| Frame::new(*a, *b, *c));
+    Ok(rates.u.cross(&rates.v) / eq9_denominator(&edges, &rates)?)
+}
+
+/// Angular acceleration by Attia 2003, eq. (10): the time derivative of eq. (9).
+///
+/// # Errors
+///
+/// As [`angular_velocity_eq9`].
+pub fn angular_acceleration_eq10<T: Real>(
+    at: &Triple<T>,
+    velocities: &Triple<T>,
+    accelerations: &Triple<T>,
+) -> Result<Vector3<T>, Indeterminate<T>> {
+    let [edges, rates, seconds] =
+        [at, velocities, accelerations].map(|[a, b, c]| Frame::new(*a, *b, *c));
+    let denominator = eq9_denominator(&edges, &rates)?;
+    let omega = rates.u.cross(&rates.v) / denominator;
+    let numerator_rate = seconds.u.cross(&rates.v) + rates.u.cross(&seconds.v);
+    let denominator_rate = seconds.u.dot(&edges.v) + rates.u.dot(&rates.v);
+    Ok((numerator_rate - omega * denominator_rate) / denominator)
+}
+
+/// `a' . b = omega . (a x b)`, refused where it is zero to rounding.
+fn eq9_denominator<T: Real>(edges: &Frame<T>, rates: &Frame<T>) -> Result<T, Indeterminate<T>> {
+    let denominator = rates.u.dot(&edges.v);
+    let threshold = T::EPSILON.sqrt() * rates.u.norm() * edges.v.norm();
+    if denominator.abs() > threshold {
+        Ok(denominator)
+    } else {
+        Err(Indeterminate {
+            denominator,
+            threshold,
+        })
+    }
+}

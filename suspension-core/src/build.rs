@@ -1,0 +1,120 @@
+//! Building blocks of a model: constants from positions or lengths, each checked.
+
+use nalgebra::Vector3;
+
+use crate::constraint::{Carried, Distance, Frame};
+use crate::error::GeometryError;
+use crate::linkage::Named;
+use crate::scalar::Real;
+
+/// Checks that every coordinate is finite.
+///
+/// # Errors
+///
+/// [`GeometryError::NotFinite`].
+pub fn finite<T: Real>(points: &impl Named<Vector3<T>>) -> Result<(), GeometryError> {
+    check_each(points, |point| point.iter().all(|x| x.is_finite()), |point| {
+        GeometryError::NotFinite { point }
+    })
+}
+
+/// Checks that every length is positive and finite.
+///
+/// # Errors
+///
+/// [`GeometryError::BadLength`].
+pub fn positive<T: Real>(lengths: &impl Named<T>) -> Result<(), GeometryError> {
+    let good = |length: &T| *length > T::zero() && length.is_finite();
+    check_each(lengths, good, |length| GeometryError::BadLength { length })
+}
+
+fn check_each<V, S: Named<V>>(
+    values: &S,
+    good: impl Fn(&V) -> bool,
+    error: impl Fn(&'static str) -> GeometryError,
+) -> Result<(), GeometryError> {
+    match S::NAMES.iter().zip(values.values()).find(|(_, value)| !good(value)) {
+        Some((name, _)) => Err(error(name)),
+        None => Ok(()),
+    }
+}
+
+/// The distance of two points as they stand.
+///
+/// # Errors
+///
+/// [`GeometryError::BadLength`] where they coincide, or are too far apart to square.
+pub fn distance<T: Real>(
+    length: &'static str,
+    a: Vector3<T>,
+    b: Vector3<T>,
+) -> Result<Distance<T>, GeometryError> {
+    let value = (b - a).norm();
+    let usable = value > T::zero() && value.is_finite() && (T::one() / value).is_finite();
+    if usable { Ok(Distance::new(value)) } else { Err(GeometryError::BadLength { length }) }
+}
+
+/// A frame, with `third` the name of its last point.
+///
+/// # Errors
+///
+/// [`GeometryError::Collinear`].
+pub fn frame<T: Real>(third: &'static str, frame: Frame<T>) -> Result<Frame<T>, GeometryError> {
+    match frame.normal() {
+        Some(_) => Ok(frame),
+        None => Err(GeometryError::Collinear { point: third }),
+    }
+}
+
+/// A frame at rest, from the distances first-second, first-third and second-third.
+///
+/// # Errors
+///
+/// [`GeometryError::NotClosed`] where they break the triangle inequality,
+/// [`GeometryError::Collinear`] where they only just meet it.
+pub fn frame_of_lengths<T: Real>(
+    third: &'static str,
+    [first_second, first_third, second_third]: [T; 3],
+) -> Result<Frame<T>, GeometryError> {
+    let at_rest = Frame::from_lengths(first_second, first_third, second_third);
+    frame(third, at_rest.ok_or(GeometryError::NotClosed { point: third })?)
+}
+
+/// The constants of a carried point as it stands.
+///
+/// # Errors
+///
+/// [`GeometryError::Collinear`] where the frame's points are in line.
+pub fn carried<T: Real>(
+    name: &'static str,
+    point: Vector3<T>,
+    frame: &Frame<T>,
+) -> Result<Carried<T>, GeometryError> {
+    Carried::new(point, frame).ok_or(GeometryError::Collinear { point: name })
+}
+
+/// The constants of a carried point from its distances to the frame's points, on the side where
+/// it is now.
+///
+/// # Errors
+///
+/// [`GeometryError::NotClosed`] where no point has these distances.
+pub fn carried_at<T: Real>(
+    name: &'static str,
+    now: &Carried<T>,
+    frame: &Frame<T>,
+    lengths: [T; 3],
+) -> Result<Carried<T>, GeometryError> {
+    now.with_lengths(frame, lengths).ok_or(GeometryError::NotClosed { point: name })
+}
+
+/// The longest of the lengths.
+pub fn longest<T: Real>(lengths: &[T]) -> T {
+    lengths.iter().fold(T::zero(), |longest, length| longest.max(*length))
+}
+
+/// The angle, in `[0, pi]`, whose cosine is `coordinate / length`.
+pub fn angle<T: Real>(coordinate: T, length: T) -> T {
+    let across = ((length - coordinate) * (length + coordinate)).max(T::zero()).sqrt();
+    across.atan2(coordinate)
+}

@@ -1,0 +1,263 @@
+//! The kinds of equation: each with its residual, gradient and curvature side by side.
+//!
+//! Every kind is at most quadratic in the coordinates, so its second derivative is a constant
+//! bilinear form `C(v, w)` and
+//!
+//! ```text
+//! F(q + d) = F(q) + J(q) d + C(d, d) / 2        exactly.
+//! ```
+//!
+//! Residuals are in units of length. Generated code calls these functions; no derivative is
+//! written anywhere else.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::scalar::{Real, Scalar};
+use crate::signal::Signal;
+
+/// A constant length `L` between two points, with `d` the vector from one to the other:
+/// `F = (|d|^2 - L^2) / (2 L)`. Attia 2003, eq. (1.1) to (1.14), divided by `2 L`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Distance<T> {
+    length: T,
+    inverse: T,
+}
+
+impl<T: Scalar> Distance<T> {
+    /// A distance of `length`, which must not be zero.
+    #[inline]
+    pub fn new(length: T) -> Self {
+        Self {
+            length,
+            inverse: T::one() / length,
+        }
+    }
+
+    /// The length `L`.
+    #[inline]
+    pub fn length(&self) -> T {
+        self.length
+    }
+
+    /// `F(d)`: to first order the amount by which `d` is too long.
+    #[inline(always)]
+    pub fn residual(&self, d: Vector3<T>) -> T {
+        (d.dot(&d) - self.length * self.length) * self.inverse * T::constant(0.5)
+    }
+
+    /// `dF/dd = d / L`.
+    #[inline(always)]
+    pub fn gradient(&self, d: Vector3<T>) -> Vector3<T> {
+        d * self.inverse
+    }
+
+    /// `C(v, w) = v . w / L`, with `v` and `w` changes of `d`.
+    #[inline(always)]
+    pub fn curvature(&self, v: Vector3<T>, w: Vector3<T>) -> T {
+        v.dot(&w) * self.inverse
+    }
+}
+
+/// Three points of a body that do not lie in line: an origin and two edges `u`, `v` from it.
+///
+/// The map from points to frame is linear, so rates of three points form a frame of rates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame<T> {
+    /// The first point.
+    pub origin: Vector3<T>,
+    /// From the first point to the second.
+    pub u: Vector3<T>,
+    /// From the first point to the third.
+    pub v: Vector3<T>,
+}
+
+impl<T: Scalar> Frame<T> {
+    /// The frame of three points, or of their rates.
+    #[inline(always)]
+    pub fn new(origin: Vector3<T>, second: Vector3<T>, third: Vector3<T>) -> Self {
+        Self {
+            origin,
+            u: second - origin,
+            v: third - origin,
+        }
+    }
+
+    /// The three points.
+    pub fn points(&self) -> [Vector3<T>; 3] {
+        [self.origin, self.origin + self.u, self.origin + self.v]
+    }
+}
+
+impl<T: Real> Frame<T> {
+    /// A frame at rest with the given distances first-second, first-third and second-third;
+    /// `None` where they break the triangle inequality.
+    pub fn from_lengths(first_second: T, first_third: T, second_third: T) -> Option<Self> {
+        let (a, b, c) = (first_second, first_third, second_third);
+        let along = (a * a + b * b - c * c) / (a + a);
+        let across = (b - along) * (b + along);
+        (across > T::zero()).then(|| Self {
+            origin: Vector3::zeros(),
+            u: Vector3::new(a, T::zero(), T::zero()),
+            v: Vector3::new(along, across.sqrt(), T::zero()),
+        })
+    }
+
+    /// The distances first-second, first-third and second-third.
+    pub fn lengths(&self) -> [T; 3] {
+        [self.u, self.v, self.v - self.u].map(|edge| edge.norm())
+    }
+
+    /// `u x v`, or `None` where the three points lie in line to rounding.
+    pub fn normal(&self) -> Option<Vector3<T>> {
+        let normal = self.u.cross(&self.v);
+        let flat = T::EPSILON.sqrt() * self.u.norm() * self.v.norm();
+        (normal.norm() > flat).then_some(normal)
+    }
+}
+
+/// A point `p` of a rigid body, carried by the body's frame: `F = p - (o + a u + b v + c u x v)`.
+///
+/// Unlike three distances to the frame's points this admits no mirror image of the point and
+/// stays regular where it lies in the frame's plane (`c = 0`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Carried<T> {
+    a: T,
+    b: T,
+    c: T,
+}
+
+/// Jacobian blocks of a [`Carried`] equation with respect to the frame's three points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CarriedGradient<T> {
+    /// `dF/d` first point of the frame.
+    pub origin: Matrix3<T>,
+    /// `dF/d` second point of the frame.
+    pub second: Matrix3<T>,
+    /// `dF/d` third point of the frame.
+    pub third: Matrix3<T>,
+}
+
+impl<T: Scalar> Carried<T> {
+    #[inline(always)]
+    fn combine(&self, u: Vector3<T>, v: Vector3<T>, normal: Vector3<T>) -> Vector3<T> {
+        u * self.a + v * self.b + normal * self.c
+    }
+
+    /// Where the frame carries the point.
+    #[inline(always)]
+    pub fn position(&self, frame: &Frame<T>) -> Vector3<T> {
+        frame.origin + self.combine(frame.u, frame.v, frame.u.cross(&frame.v))
+    }
+
+    /// The point's velocity, from the frame and its rates.
+    #[inline(always)]
+    pub fn velocity(&self, frame: &Frame<T>, rate: &Frame<T>) -> Vector3<T> {
+        let normal_rate = rate.u.cross(&frame.v) + frame.u.cross(&rate.v);
+        rate.origin + self.combine(rate.u, rate.v, normal_rate)
+    }
+
+    /// The point's acceleration, from the frame, its rates and second rates.
+    #[inline(always)]
+    pub fn acceleration(&self, frame: &Frame<T>, rate: &Frame<T>, second: &Frame<T>) -> Vector3<T> {
+        self.velocity(frame, second) - self.curvature(rate, rate)
+    }
+
+    /// `F(p)`, the distance vector from where the frame carries the point to `p`.
+    #[inline(always)]
+    pub fn residual(&self, point: Vector3<T>, frame: &Frame<T>) -> Vector3<T> {
+        (point - frame.origin) - self.combine(frame.u, frame.v, frame.u.cross(&frame.v))
+    }
+
+    /// `dF/d` of the frame's points; `dF/dp` is the identity.
+    #[inline(always)]
+    pub fn gradient(&self, frame: &Frame<T>) -> CarriedGradient<T> {
+        let second = skew_minus(frame.v * self.c, self.a);
+        let third = skew_minus(frame.u * -self.c, self.b);
+        let origin = -(Matrix3::identity() + second + third);
+        CarriedGradient {
+            origin,
+            second,
+            third,
+        }
+    }
+
+    /// `C(v, w)`, with `v` and `w` frames of rates. The point itself enters linearly.
+    #[inline(always)]
+    pub fn curvature(&self, v: &Frame<T>, w: &Frame<T>) -> Vector3<T> {
+        (v.u.cross(&w.v) + w.u.cross(&v.v)) * -self.c
+    }
+}
+
+impl<T: Real> Carried<T> {
+    /// The constants of `point` as it stands in `frame`; `None` where the frame is in line.
+    pub fn new(point: Vector3<T>, frame: &Frame<T>) -> Option<Self> {
+        let normal = frame.normal()?;
+        let area_squared = normal.norm_squared();
+        let d = point - frame.origin;
+        Some(Self {
+            a: d.cross(&frame.v).dot(&normal) / area_squared,
+            b: frame.u.cross(&d).dot(&normal) / area_squared,
+            c: d.dot(&normal) / area_squared,
+        })
+    }
+
+    /// The distances from the point to the three points of its frame.
+    pub fn lengths(&self, frame: &Frame<T>) -> [T; 3] {
+        let point = self.position(frame);
+        frame.points().map(|of_frame| (point - of_frame).norm())
+    }
+
+    /// The constants of a point at the given distances from the frame's three points, on the
+    /// side of the frame on which `self` lies; `None` where no point has these distances.
+    pub fn with_lengths(&self, frame: &Frame<T>, lengths: [T; 3]) -> Option<Self> {
+        let [from_origin, from_second, from_third] = lengths;
+        let (uu, uv, vv) = (
+            frame.u.dot(&frame.u),
+            frame.u.dot(&frame.v),
+            frame.v.dot(&frame.v),
+        );
+        let half = T::constant(0.5);
+        let reach = from_origin * from_origin;
+        let along_u = (reach - from_second * from_second + uu) * half;
+        let along_v = (reach - from_third * from_third + vv) * half;
+        let area_squared = frame.normal()?.norm_squared();
+        let a = (along_u * vv - along_v * uv) / area_squared;
+        let b = (along_v * uu - along_u * uv) / area_squared;
+        let in_plane = frame.u * a + frame.v * b;
+        let height_squared = reach - in_plane.norm_squared();
+        let rounding = reach * T::EPSILON * T::constant(16.0);
+        if height_squared < -rounding {
+            return None;
+        }
+        let c = (height_squared.max(T::zero()) / area_squared).sqrt();
+        Some(Self {
+            a,
+            b,
+            c: if self.c < T::zero() { -c } else { c },
+        })
+    }
+}
+
+/// `[w x] - k I`.
+#[inline(always)]
+fn skew_minus<T: Scalar>(w: Vector3<T>, k: T) -> Matrix3<T> {
+    #[rustfmt::skip]
+    let matrix = Matrix3::new(
+          -k, -w.z,  w.y,
+         w.z,   -k, -w.x,
+        -w.y,  w.x,   -k,
+    );
+    matrix
+}
+
+/// The coordinate that a driving angle prescribes: `h = L cos(theta)` and its rates by the
+/// chain rule. The angle stays outside the algebra (Attia 2003, eq. 1.15).
+#[inline]
+pub fn angle_to_coordinate<T: Scalar>(length: T, angle: Signal<T>) -> Signal<T> {
+    let (sine, cosine) = angle.value.sine_cosine();
+    Signal {
+        value: length * cosine,
+        rate: -length * sine * angle.rate,
+        second_rate: -length * (cosine * angle.rate * angle.rate + sine * angle.second_rate),
+    }
+}

@@ -1,0 +1,175 @@
+//! What can go wrong, as `Copy` values.
+//!
+//! A [`SolveError`] holds row and column numbers, which the name tables of the linkage
+//! ([`Linkage::EQUATIONS`](crate::Linkage::EQUATIONS),
+//! [`Linkage::UNKNOWNS`](crate::Linkage::UNKNOWNS)) turn into the user's names.
+
+use core::fmt;
+
+/// Why no configuration was found. The state that was passed in is unchanged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SolveError<T> {
+    /// A residual is NaN or infinite: so is an input or a start value.
+    NotFinite {
+        /// The equation whose residual it is.
+        equation: usize,
+    },
+    /// `pivot <= threshold`: to rounding, the equations do not determine this unknown.
+    Singular {
+        /// The unknown whose column has no usable pivot.
+        unknown: usize,
+        /// The largest candidate for a pivot.
+        pivot: T,
+        /// What it had to exceed.
+        threshold: T,
+    },
+    /// `step > bound`: the correction of this unknown did not shrink as it does near a root, so
+    /// the root, if any, might belong to another assembly.
+    Diverging {
+        /// The unknown with the largest correction.
+        unknown: usize,
+        /// Its size, in units of length.
+        step: T,
+        /// What it had to stay within.
+        bound: T,
+    },
+    /// `residual > tolerance` after all iterations that were allowed.
+    NotConverged {
+        /// The equation with the largest residual.
+        equation: usize,
+        /// Its size, in units of length.
+        residual: T,
+        /// What it had to reach.
+        tolerance: T,
+        /// Corrections that were made.
+        iterations: usize,
+    },
+}
+
+impl<T> SolveError<T> {
+    /// The name of the equation or unknown concerned, from the linkage's name tables.
+    pub fn culprit<'a>(&self, equations: &'a [&'a str], unknowns: &'a [&'a str]) -> &'a str {
+        let (table, index) = match self {
+            Self::NotFinite { equation } | Self::NotConverged { equation, .. } => {
+                (equations, equation)
+            }
+            Self::Singular { unknown, .. } | Self::Diverging { unknown, .. } => (unknowns, unknown),
+        };
+        table.get(*index).copied().unwrap_or("?")
+    }
+}
+
+impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { equation } => {
+                write!(
+                    f,
+                    "the residual of equation {equation} is not a finite number"
+                )
+            }
+            Self::Singular {
+                unknown,
+                pivot,
+                threshold,
+            } => write!(
+                f,
+                "unknown {unknown} is not determined: pivot {pivot:.1e}, needed more than {threshold:.1e}"
+            ),
+            Self::Diverging {
+                unknown,
+                step,
+                bound,
+            } => write!(
+                f,
+                "no root near by: the correction of unknown {unknown} grew to {step:.1e}, allowed {bound:.1e}"
+            ),
+            Self::NotConverged {
+                equation,
+                residual,
+                tolerance,
+                iterations,
+            } => write!(
+                f,
+                "equation {equation} is off by {residual:.1e} after {iterations} iterations, allowed {tolerance:.1e}"
+            ),
+        }
+    }
+}
+
+impl<T: fmt::Debug + fmt::LowerExp> core::error::Error for SolveError<T> {}
+
+/// Why a linkage cannot be built. Names are those of the listing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GeometryError {
+    /// A coordinate of the point is NaN or infinite.
+    NotFinite {
+        /// The point.
+        point: &'static str,
+    },
+    /// The length is zero, negative, NaN or infinite.
+    BadLength {
+        /// The length.
+        length: &'static str,
+    },
+    /// The three points that should carry the point lie in line.
+    Collinear {
+        /// The point carried, or the last of the three.
+        point: &'static str,
+    },
+    /// No rigid body has the given lengths: they break the triangle inequality, or its like in
+    /// space, at this point.
+    NotClosed {
+        /// The point.
+        point: &'static str,
+    },
+}
+
+impl fmt::Display for GeometryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { point } => write!(
+                f,
+                "point `{point}` has a coordinate that is not a finite number"
+            ),
+            Self::BadLength { length } => {
+                write!(f, "length `{length}` is not a positive finite number")
+            }
+            Self::Collinear { point } => {
+                write!(
+                    f,
+                    "the points that carry `{point}` lie in line; three that form a triangle are needed"
+                )
+            }
+            Self::NotClosed { point } => {
+                write!(
+                    f,
+                    "the lengths to point `{point}` do not fit together in any rigid body"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for GeometryError {}
+
+/// `|denominator| <= threshold`: a formula of the paper is 0/0 here.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Indeterminate<T> {
+    /// The denominator, `omega . n` with `n` the normal of the three points.
+    pub denominator: T,
+    /// What its magnitude had to exceed.
+    pub threshold: T,
+}
+
+impl<T: fmt::LowerExp> fmt::Display for Indeterminate<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "0/0: the angular velocity lies in the plane of the points (denominator {:.1e}, threshold {:.1e})",
+            self.denominator, self.threshold
+        )
+    }
+}
+
+impl<T: fmt::Debug + fmt::LowerExp> core::error::Error for Indeterminate<T> {}

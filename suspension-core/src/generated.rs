@@ -1,0 +1,17 @@
+//! What generated code names. Not for use by hand.
+
+pub use nalgebra::{SMatrix, SVector, Vector3};
+
+pub use crate::assemble::best_rigid_fit;
+pub use crate::build;
+pub use crate::constraint::{Carried, Distance, Frame, angle_to_coordinate};
+pub use crate::error::GeometryError;
+pub use crate::linkage::{Build, DriveKind, HasKingpin, HasWheel, Linkage, Named};
+pub use crate::scalar::{Real, Scalar};
+pub use crate::signal::Signal;
+
+/// A matrix from its columns.
+#[inline(always)]
+pub fn from_columns<T: Scalar, const N: usize>(columns: [[T; N]; N]) -> SMatrix<T, N, N> {
+    SMatrix::from_array_storage(nalgebra::ArrayStorage(columns))
+}

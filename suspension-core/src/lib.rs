@@ -1,0 +1,50 @@
+//! Suspension kinematics in point coordinates, `no_std` and without heap.
+//!
+//! A suspension is a list of at-most-quadratic constraints over points. [`linkage!`] expands the
+//! list at compile time into straight-line, stack-only code (an implementation of [`Linkage`]);
+//! this crate runs Newton's method on it ([`Newton`]), takes velocities and accelerations from
+//! one factorisation ([`Tangent`]), follows a motion in time ([`Tracker`]), and reads off the
+//! wheel what engineers want to know ([`wheel`]).
+#![no_std]
+#![forbid(unsafe_code)]
+// Nothing on the solving path may panic.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing
+    )
+)]
+
+extern crate self as suspension_core;
+
+pub mod assemble;
+pub mod body;
+pub mod build;
+pub mod constraint;
+pub mod error;
+#[doc(hidden)]
+pub mod generated;
+pub mod linkage;
+pub mod linkages;
+pub mod lu;
+pub mod motion;
+pub mod newton;
+pub mod scalar;
+pub mod signal;
+pub mod tracker;
+pub mod wheel;
+
+pub use nalgebra;
+pub use suspension_macros::linkage;
+
+pub use assemble::assemble;
+pub use error::{GeometryError, SolveError};
+pub use linkage::{Build, DriveKind, HasKingpin, HasWheel, Linkage, Named};
+pub use motion::{Motion, Tangent};
+pub use newton::{Converged, Newton};
+pub use scalar::{Real, Scalar};
+pub use signal::{ChassisMotion, Inputs, Signal, Still};
+pub use tracker::{Advanced, Stopped, Tracker};

@@ -1,0 +1,180 @@
+//! The contract between the code that `linkage!` writes and the solvers.
+
+use nalgebra::{SMatrix, SVector, Vector3};
+
+use crate::error::GeometryError;
+use crate::scalar::Scalar;
+use crate::signal::Signal;
+
+/// A struct whose fields have names: points, drives or lengths of a linkage.
+pub trait Named<V>: Copy {
+    /// The fields' names, in order.
+    const NAMES: &'static [&'static str];
+
+    /// Fills each field from its name.
+    fn from_fn(value: impl FnMut(&'static str) -> V) -> Self;
+
+    /// The fields' values, in the order of [`NAMES`](Self::NAMES).
+    fn values(&self) -> impl Iterator<Item = V>;
+}
+
+/// What a drive's value measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DriveKind {
+    /// A coordinate of a point, or the difference of two, in the unit of the hardpoints.
+    Coordinate,
+    /// The angle in radians between a link and the positive direction of an axis.
+    Angle,
+}
+
+/// A linkage of `N` equations in `N` unknowns: the free points' coordinates `q`.
+///
+/// Implemented by the `Model` that `linkage!` writes. All methods are straight-line code without
+/// heap and without branches on the data. `fixed` are positions of the chassis points with the
+/// driven coordinates put in ([`drive_anchors`](Self::drive_anchors)); `drives` are coordinates
+/// ([`coordinates`](Self::coordinates)).
+pub trait Linkage<const N: usize> {
+    /// The number type.
+    type Scalar: Scalar;
+    /// Chassis points, named.
+    type Fixed: Named<Vector3<Self::Scalar>> + Default;
+    /// Drives, named.
+    type Drives: Named<Self::Scalar> + Default;
+    /// Chassis points, free points and markers, named.
+    type Points: Named<Vector3<Self::Scalar>>;
+    /// Names of the equations, rows of the Jacobian.
+    const EQUATIONS: [&'static str; N];
+    /// Names of the unknowns, columns of the Jacobian.
+    const UNKNOWNS: [&'static str; N];
+    /// What each drive measures, in the order of the drives.
+    const DRIVE_KINDS: &'static [DriveKind];
+
+    /// The chassis points at rest.
+    fn fixed(&self) -> &Self::Fixed;
+
+    /// The longest length in the linkage: the measure of its size.
+    fn size(&self) -> Self::Scalar;
+
+    /// Turns driving angles into the coordinates that they prescribe.
+    fn coordinates(&self, drives: &Signal<Self::Drives>) -> Signal<Self::Drives>;
+
+    /// Puts the coordinates that drives prescribe into chassis points, or rates into rates.
+    fn drive_anchors(fixed: Self::Fixed, drives: &Self::Drives) -> Self::Fixed;
+
+    /// `F(q)`, in units of length.
+    fn residual(
+        &self,
+        q: &SVector<Self::Scalar, N>,
+        fixed: &Self::Fixed,
+        drives: &Self::Drives,
+    ) -> SVector<Self::Scalar, N>;
+
+    /// `J = dF/dq`, rows are equations.
+    fn jacobian(
+        &self,
+        q: &SVector<Self::Scalar, N>,
+        fixed: &Self::Fixed,
+    ) -> SMatrix<Self::Scalar, N, N>;
+
+    /// `C(v, w)`: the constant second derivative of `F` applied to two rates of all points,
+    /// the chassis points' included. Attia 2003, eq. (8) is `C(qdot, qdot)`.
+    fn curvature(
+        &self,
+        v: &SVector<Self::Scalar, N>,
+        v_fixed: &Self::Fixed,
+        w: &SVector<Self::Scalar, N>,
+        w_fixed: &Self::Fixed,
+    ) -> SVector<Self::Scalar, N>;
+
+    /// `-dF/du udot` of the drives, driven chassis points included.
+    fn drive_rate(
+        &self,
+        q: &SVector<Self::Scalar, N>,
+        fixed: &Self::Fixed,
+        fixed_rate: &Self::Fixed,
+        drive_rate: &Self::Drives,
+    ) -> SVector<Self::Scalar, N>;
+
+    /// `-dF/du udot` of the chassis points that no drive moves.
+    fn chassis_rate(
+        &self,
+        q: &SVector<Self::Scalar, N>,
+        fixed: &Self::Fixed,
+        fixed_rate: &Self::Fixed,
+    ) -> SVector<Self::Scalar, N>;
+
+    /// All points, from the unknowns.
+    fn points(&self, q: &SVector<Self::Scalar, N>, fixed: &Self::Fixed) -> Self::Points;
+
+    /// Velocities of all points.
+    fn velocities(
+        &self,
+        at: &Self::Points,
+        velocity: &SVector<Self::Scalar, N>,
+        fixed_rate: &Self::Fixed,
+    ) -> Self::Points;
+
+    /// Accelerations of all points.
+    fn accelerations(
+        &self,
+        at: &Self::Points,
+        velocities: &Self::Points,
+        acceleration: &SVector<Self::Scalar, N>,
+        fixed_second_rate: &Self::Fixed,
+    ) -> Self::Points;
+
+    /// The unknowns of a set of points.
+    fn unknowns(points: &Self::Points) -> SVector<Self::Scalar, N>;
+}
+
+/// A linkage that can be built from the positions or the lengths of its parts.
+pub trait Build<const N: usize>: Linkage<N> + Sized {
+    /// The lengths of links and bodies, named.
+    type Lengths: Named<Self::Scalar>;
+
+    /// The linkage whose lengths are those of the points as they stand.
+    ///
+    /// # Errors
+    ///
+    /// Where a coordinate is not finite, a length is zero, or a body's first three points are in
+    /// line.
+    fn new(design: &Self::Points) -> Result<Self, GeometryError>;
+
+    /// The same linkage with other lengths; each body keeps its handedness.
+    ///
+    /// # Errors
+    ///
+    /// Where a length is not positive and finite, or no rigid body has the lengths.
+    fn with_lengths(self, lengths: &Self::Lengths) -> Result<Self, GeometryError>;
+
+    /// The same linkage with its markers attached as they stand in `points`.
+    ///
+    /// # Errors
+    ///
+    /// Where a coordinate is not finite or a carrier's points are in line.
+    fn with_markers(self, points: &Self::Points) -> Result<Self, GeometryError>;
+
+    /// The lengths.
+    fn lengths(&self) -> Self::Lengths;
+
+    /// The drives' values in a configuration.
+    fn drives_at(&self, points: &Self::Points) -> Self::Drives;
+
+    /// Each body of the guess `q` replaced by the rigid body that fits it best.
+    fn fit(&self, q: &SVector<Self::Scalar, N>, fixed: &Self::Fixed) -> SVector<Self::Scalar, N>;
+}
+
+/// A linkage that carries a wheel.
+pub trait HasWheel<const N: usize>: Linkage<N> {
+    /// Two points on the spin axis, the wheel centre last; or their velocities, or accelerations.
+    fn wheel(points: &Self::Points) -> [Vector3<Self::Scalar>; 2];
+
+    /// Three points of the body that carries the wheel, or their rates.
+    fn carrier(points: &Self::Points) -> [Vector3<Self::Scalar>; 3];
+}
+
+/// A linkage with a kingpin.
+pub trait HasKingpin<const N: usize>: Linkage<N> {
+    /// Two points on the kingpin, the lower one first; or their velocities, or accelerations.
+    fn kingpin(points: &Self::Points) -> [Vector3<Self::Scalar>; 2];
+}

@@ -1,0 +1,127 @@
+//! Dense LU factorisation with partial pivoting: `P A = L U`.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::error::SolveError;
+use crate::scalar::Real;
+
+/// The factors of an `N x N` matrix.
+///
+/// Columns are stored contiguously: `L` below the diagonal (its own diagonal of ones left out),
+/// `U` on and above it.
+#[derive(Clone, Copy, Debug)]
+pub struct Lu<T, const N: usize> {
+    columns: [[T; N]; N],
+    swaps: [usize; N],
+}
+
+impl<T: Real, const N: usize> Lu<T, N> {
+    /// Factors `matrix`.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Singular`] where the largest candidate for a pivot is at most
+    /// `N * EPSILON` times the largest entry of the matrix; so is a matrix with a NaN.
+    pub fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, SolveError<T>> {
+        let mut lu = Self {
+            columns: matrix.data.0,
+            swaps: [0; N],
+        };
+        let threshold = matrix.amax() * T::EPSILON * T::constant(N as f64);
+        for k in 0..N {
+            let (row, pivot) = lu.largest_candidate(k);
+            // Written so that a NaN fails it too.
+            if !(pivot > threshold) {
+                return Err(SolveError::Singular {
+                    unknown: k,
+                    pivot,
+                    threshold,
+                });
+            }
+            lu.swap_rows(k, row);
+            lu.eliminate(k);
+        }
+        Ok(lu)
+    }
+
+    /// Row and size of the largest entry of column `k` on or below the diagonal.
+    fn largest_candidate(&self, k: usize) -> (usize, T) {
+        let mut best = (k, T::zero());
+        if let Some(column) = self.columns.get(k) {
+            for (row, entry) in column.iter().enumerate().skip(k) {
+                let size = entry.abs();
+                if size > best.1 {
+                    best = (row, size);
+                }
+            }
+        }
+        best
+    }
+
+    fn swap_rows(&mut self, k: usize, row: usize) {
+        if let Some(swap) = self.swaps.get_mut(k) {
+            *swap = row;
+        }
+        for column in &mut self.columns {
+            swap(column, k, row);
+        }
+    }
+
+    /// Subtracts multiples of row `k` from the rows below it.
+    fn eliminate(&mut self, k: usize) {
+        let mut columns = self.columns.iter_mut().skip(k);
+        let Some(pivot_column) = columns.next() else {
+            return;
+        };
+        let mut below = pivot_column.iter_mut().skip(k);
+        let Some(pivot) = below.next() else { return };
+        let inverse = T::one() / *pivot;
+        below.for_each(|entry| *entry *= inverse);
+        for column in columns {
+            subtract_multiple(column, pivot_column, k);
+        }
+    }
+
+    /// Solves `A x = b`.
+    pub fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
+        let [mut x] = b.data.0;
+        for (k, row) in self.swaps.iter().enumerate() {
+            swap(&mut x, k, *row);
+        }
+        for (k, column) in self.columns.iter().enumerate() {
+            subtract_multiple(&mut x, column, k);
+        }
+        for (k, column) in self.columns.iter().enumerate().rev() {
+            let (Some(pivot), Some(value)) = (column.get(k), x.get_mut(k)) else {
+                continue;
+            };
+            *value /= *pivot;
+            let factor = *value;
+            for (entry, upper) in x.iter_mut().zip(column).take(k) {
+                *entry -= *upper * factor;
+            }
+        }
+        SVector::from(x)
+    }
+}
+
+fn swap<T: Copy, const N: usize>(array: &mut [T; N], i: usize, j: usize) {
+    if let (Some(a), Some(b)) = (array.get(i).copied(), array.get(j).copied()) {
+        if let Some(entry) = array.get_mut(i) {
+            *entry = b;
+        }
+        if let Some(entry) = array.get_mut(j) {
+            *entry = a;
+        }
+    }
+}
+
+/// Below its entry `k`, `target -= target[k] * multipliers`.
+fn subtract_multiple<T: Real, const N: usize>(target: &mut [T; N], multipliers: &[T; N], k: usize) {
+    let Some(factor) = target.get(k).copied() else {
+        return;
+    };
+    for (entry, multiplier) in target.iter_mut().zip(multipliers).skip(k + 1) {
+        *entry -= *multiplier * factor;
+    }
+}

@@ -1,0 +1,129 @@
+//! Velocity and acceleration at a known position, from one factorisation.
+
+use nalgebra::SVector;
+
+use crate::error::SolveError;
+use crate::linkage::Linkage;
+use crate::lu::Lu;
+use crate::scalar::Real;
+use crate::signal::{ChassisMotion, Inputs, Signal};
+
+/// The unknowns and their first and second time derivative.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion<T, const N: usize> {
+    /// `q`, in units of length.
+    pub position: SVector<T, N>,
+    /// `qdot`, per second.
+    pub velocity: SVector<T, N>,
+    /// `qddot`, per second squared.
+    pub acceleration: SVector<T, N>,
+}
+
+impl<T: Real, const N: usize> Motion<T, N> {
+    /// At rest in a position.
+    pub fn at_rest(position: SVector<T, N>) -> Self {
+        Self {
+            position,
+            velocity: SVector::zeros(),
+            acceleration: SVector::zeros(),
+        }
+    }
+
+    /// The second-order prediction `q + qdot dt + qddot dt^2 / 2`.
+    pub fn predict(&self, dt: T) -> SVector<T, N> {
+        self.position + (self.velocity + self.acceleration * (dt * T::constant(0.5))) * dt
+    }
+}
+
+/// Inputs in the form that the equations take them.
+#[derive(Clone, Copy, Debug)]
+pub struct Prescribed<F, D> {
+    /// Chassis points, driven coordinates put in.
+    pub fixed: Signal<F>,
+    /// Drives, angles turned into coordinates.
+    pub drives: Signal<D>,
+}
+
+impl<F, D> Prescribed<F, D> {
+    /// Prepares the inputs of a linkage.
+    #[inline(always)]
+    pub fn new<L, C, const N: usize>(linkage: &L, inputs: &Inputs<C, D>) -> Self
+    where
+        L: Linkage<N, Fixed = F, Drives = D>,
+        C: ChassisMotion<F>,
+    {
+        let drives = linkage.coordinates(&inputs.drives);
+        let chassis = inputs.chassis.signal(linkage.fixed());
+        let fixed = Signal {
+            value: L::drive_anchors(chassis.value, &drives.value),
+            rate: L::drive_anchors(chassis.rate, &drives.rate),
+            second_rate: L::drive_anchors(chassis.second_rate, &drives.second_rate),
+        };
+        Self { fixed, drives }
+    }
+}
+
+/// A linkage in one configuration with its factored Jacobian: the linear equations that
+/// velocities and accelerations solve.
+#[derive(Clone, Copy, Debug)]
+pub struct Tangent<'a, L: Linkage<N>, C, const N: usize> {
+    linkage: &'a L,
+    chassis: core::marker::PhantomData<C>,
+    prescribed: Prescribed<L::Fixed, L::Drives>,
+    position: SVector<L::Scalar, N>,
+    lu: Lu<L::Scalar, N>,
+}
+
+impl<'a, T, L, C, const N: usize> Tangent<'a, L, C, N>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+    C: ChassisMotion<L::Fixed>,
+{
+    /// Factors the Jacobian at a position that solves the linkage for `inputs`.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Singular`] where the velocity is not determined.
+    pub fn new(
+        linkage: &'a L,
+        inputs: &Inputs<C, L::Drives>,
+        position: &SVector<T, N>,
+    ) -> Result<Self, SolveError<T>> {
+        let prescribed = Prescribed::new(linkage, inputs);
+        let lu = Lu::factor(&linkage.jacobian(position, &prescribed.fixed.value))?;
+        Ok(Self {
+            linkage,
+            chassis: core::marker::PhantomData,
+            prescribed,
+            position: *position,
+            lu,
+        })
+    }
+
+    /// `J qdot = -dF/du udot` (Attia 2003, eq. 3).
+    pub fn velocity(&self) -> SVector<T, N> {
+        self.lu
+            .solve(&self.input_terms(&self.prescribed.fixed.rate, &self.prescribed.drives.rate))
+    }
+
+    /// `J qddot = -C(qdot, qdot) - dF/du uddot` (Attia 2003, eq. 7 and 8).
+    pub fn acceleration(&self, velocity: &SVector<T, N>) -> SVector<T, N> {
+        let Signal {
+            rate, second_rate, ..
+        } = &self.prescribed.fixed;
+        let inputs = self.input_terms(second_rate, &self.prescribed.drives.second_rate);
+        self.lu
+            .solve(&(inputs - self.linkage.curvature(velocity, rate, velocity, rate)))
+    }
+
+    fn input_terms(&self, fixed: &L::Fixed, drives: &L::Drives) -> SVector<T, N> {
+        let at = &self.prescribed.fixed.value;
+        let terms = self.linkage.drive_rate(&self.position, at, fixed, drives);
+        if C::MOVES {
+            terms + self.linkage.chassis_rate(&self.position, at, fixed)
+        } else {
+            terms
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! The numbers that the solver computes with.
+
+use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, RealField};
+use num_traits::{One, Zero};
+
+/// What generated code needs of a number: arithmetic without branches.
+///
+/// Met by `f32` and `f64`; lanes of them can meet it too, because nothing here compares.
+pub trait Scalar:
+    nalgebra::Scalar
+    + Copy
+    + Default
+    + Zero
+    + One
+    + core::ops::Neg<Output = Self>
+    + ClosedAddAssign
+    + ClosedSubAssign
+    + ClosedMulAssign
+    + ClosedDivAssign
+{
+    /// The number nearest to `value`.
+    fn constant(value: f64) -> Self;
+
+    /// Sine and cosine of an angle in radians, the same bits on every target.
+    fn sine_cosine(self) -> (Self, Self);
+}
+
+/// A single number that can be compared, and that owns the accuracy which can be asked of it.
+pub trait Real: Scalar + RealField {
+    /// Distance from one to the next larger number.
+    const EPSILON: Self;
+}
+
+impl Scalar for f32 {
+    fn constant(value: f64) -> Self {
+        value as f32
+    }
+
+    fn sine_cosine(self) -> (Self, Self) {
+        libm::sincosf(self)
+    }
+}
+
+impl Real for f32 {
+    const EPSILON: Self = f32::EPSILON;
+}
+
+impl Scalar for f64 {
+    fn constant(value: f64) -> Self {
+        value
+    }
+
+    fn sine_cosine(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
+}
+
+impl Real for f64 {
+    const EPSILON: Self = f64::EPSILON;
+}

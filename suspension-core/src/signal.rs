@@ -1,0 +1,70 @@
+//! What is prescribed from outside: drives and chassis points, each with its rates.
+
+/// A prescribed quantity at one instant, with its first and second time derivative.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Signal<V> {
+    /// The value.
+    pub value: V,
+    /// Its first derivative with respect to time, per second.
+    pub rate: V,
+    /// Its second derivative with respect to time, per second squared.
+    pub second_rate: V,
+}
+
+/// All that a step is given: the paper's `w`, drives and chassis points.
+///
+/// The type of `chassis` chooses the code: with [`Still`] no term of a moving chassis is
+/// compiled in; with `Signal<Fixed<T>>` each chassis point has its own position, velocity and
+/// acceleration, in the axes of the hardpoints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inputs<C, D> {
+    /// How the chassis points move.
+    pub chassis: C,
+    /// The drives, in metres (or the unit of the hardpoints) and radians.
+    pub drives: Signal<D>,
+}
+
+impl<D> Inputs<Still, D> {
+    /// Inputs with the chassis points at rest where the model has them.
+    pub fn still(drives: Signal<D>) -> Self {
+        Self {
+            chassis: Still,
+            drives,
+        }
+    }
+}
+
+/// A chassis whose points rest where the model has them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Still;
+
+/// How the chassis points `F` move.
+pub trait ChassisMotion<F>: Copy {
+    /// Whether undriven chassis points have any velocity or acceleration.
+    const MOVES: bool;
+
+    /// Positions and rates, given the positions `rest` of the model.
+    fn signal(&self, rest: &F) -> Signal<F>;
+}
+
+impl<F: Copy + Default> ChassisMotion<F> for Still {
+    const MOVES: bool = false;
+
+    #[inline(always)]
+    fn signal(&self, rest: &F) -> Signal<F> {
+        Signal {
+            value: *rest,
+            rate: F::default(),
+            second_rate: F::default(),
+        }
+    }
+}
+
+impl<F: Copy> ChassisMotion<F> for Signal<F> {
+    const MOVES: bool = true;
+
+    #[inline(always)]
+    fn signal(&self, _rest: &F) -> Signal<F> {
+        *self
+    }
+}

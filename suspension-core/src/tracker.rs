@@ -1,0 +1,138 @@
+//! Following a motion in time: last good motion in, next motion out.
+
+use crate::error::SolveError;
+use crate::linkage::Linkage;
+use crate::motion::{Motion, Tangent};
+use crate::newton::{Converged, Newton};
+use crate::scalar::Real;
+use crate::signal::{ChassisMotion, Inputs};
+
+/// How to follow a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tracker<T> {
+    /// How each step is solved.
+    pub newton: Newton<T>,
+    /// Steps that one advance may try, the refused ones included.
+    pub max_steps: usize,
+}
+
+/// Where and why an advance ended early. The motion is that of the last good step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stopped<T> {
+    /// The time of the last good motion.
+    pub reached: T,
+    /// The shortest step that was refused.
+    pub refused: T,
+    /// Why; `None` where `max_steps` were used up by good steps.
+    pub cause: Option<SolveError<T>>,
+}
+
+/// What an advance did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Advanced<T> {
+    /// Steps made.
+    pub steps: usize,
+    /// Factorisations of all Newton iterations.
+    pub iterations: usize,
+    /// The last step's residual and tolerance.
+    pub last: Converged<T>,
+}
+
+impl<T: Real> Default for Tracker<T> {
+    fn default() -> Self {
+        Self {
+            newton: Newton::near_by(),
+            max_steps: 200,
+        }
+    }
+}
+
+impl<T: Real> Tracker<T> {
+    /// One step of length `dt` to the configuration of `inputs`, predicted from the last motion.
+    ///
+    /// # Errors
+    ///
+    /// See [`SolveError`]; the motion is then unchanged.
+    pub fn step<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        inputs: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Converged<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let mut position = motion.predict(dt);
+        let converged = self.newton.solve(linkage, inputs, &mut position)?;
+        let tangent = Tangent::new(linkage, inputs, &position)?;
+        let velocity = tangent.velocity();
+        let acceleration = tangent.acceleration(&velocity);
+        *motion = Motion {
+            position,
+            velocity,
+            acceleration,
+        };
+        Ok(converged)
+    }
+
+    /// Follows the motion from time `from` to time `to`, either way, in as few steps as the
+    /// contraction of Newton's method allows: a refused step is halved, a good one doubled.
+    ///
+    /// # Errors
+    ///
+    /// [`Stopped`] where steps have shrunk to rounding or `max_steps` are used up; the motion is
+    /// then the last good one, at [`Stopped::reached`].
+    pub fn advance<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        inputs: impl Fn(T) -> Inputs<C, L::Drives>,
+        from: T,
+        to: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Advanced<T>, Stopped<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let mut reached = from;
+        let mut dt = to - from;
+        let shortest = (from.abs().max(to.abs())) * T::EPSILON * T::constant(4.0);
+        let mut advanced = Advanced {
+            steps: 0,
+            iterations: 0,
+            last: Converged::default(),
+        };
+        let mut cause = None;
+        for _ in 0..self.max_steps {
+            let last_step = (to - reached).abs() <= dt.abs();
+            let next = if last_step { to } else { reached + dt };
+            match self.step(linkage, &inputs(next), next - reached, motion) {
+                Ok(converged) => {
+                    reached = next;
+                    cause = None;
+                    advanced.steps += 1;
+                    advanced.iterations += converged.iterations;
+                    advanced.last = converged;
+                    if last_step {
+                        return Ok(advanced);
+                    }
+                    dt *= T::constant(2.0);
+                }
+                Err(error) => {
+                    cause = Some(error);
+                    dt = (next - reached) * T::constant(0.5);
+                    if dt.abs() <= shortest {
+                        break;
+                    }
+                }
+            }
+        }
+        Err(Stopped {
+            reached,
+            refused: dt,
+            cause,
+        })
+    }
+}

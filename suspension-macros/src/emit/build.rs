@@ -1,0 +1,240 @@
+//! The model from positions or lengths: `impl Build`.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+use syn::Ident;
+
+use super::{readout, types};
+use crate::system::{AXES, Body, Drive, Equation, System, carried_name, frame_name, pair_name};
+
+pub(super) fn build_impl(system: &System) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    let methods = [
+        new(system),
+        with_lengths(system),
+        with_markers(system),
+        lengths(system),
+        drives_at(system),
+        fit(system),
+    ];
+    let sized = sized(system);
+    quote! {
+        #sized
+
+        // Some linkages have no bodies or no markers; their code then takes no notice.
+        #[allow(unused_variables)]
+        impl<T: Real> Build<#n> for Model<T> {
+            type Lengths = Lengths<T>;
+
+            #(#methods)*
+        }
+    }
+}
+
+/// The distances that equations keep, with the points between which they stand.
+fn distances(system: &System) -> Vec<(Ident, [Ident; 2])> {
+    let mut distances = Vec::new();
+    for equation in &system.equations {
+        if let Equation::Distance { named, from, to, .. } = equation {
+            distances.push((named.name.clone(), [from.name.clone(), to.name.clone()]));
+        }
+    }
+    distances
+}
+
+fn new(system: &System) -> TokenStream {
+    let fixed = system.fixed.iter().map(|point| &point.name);
+    let frames = system.bodies.iter().map(|body| {
+        let name = frame_name(&body.name);
+        let [.., third] = &body.frame;
+        let (third, points) = (third.name.to_string(), body.frame.iter().map(|site| &site.name));
+        quote!(let #name = build::frame(#third, Frame::new(#(design.#points),*))?;)
+    });
+    let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
+    let distances = distances(system).into_iter().map(|(name, [from, to])| {
+        let text = name.to_string();
+        quote!(#name: build::distance(#text, design.#from, design.#to)?)
+    });
+    let carried = system.bodies.iter().flat_map(|body| {
+        let frame = frame_name(&body.name);
+        body.carried.iter().map(move |point| {
+            let (name, point) = (carried_name(&body.name, &point.name), &point.name);
+            let text = point.to_string();
+            quote!(#name: build::carried(#text, design.#point, &#frame)?)
+        })
+    });
+    let design = quote!(design);
+    let markers = markers(system, &design);
+    quote! {
+        fn new(design: &Points<T>) -> Result<Self, GeometryError> {
+            build::finite(design)?;
+            #(#frames)*
+            let model = Self {
+                fixed: Fixed { #(#fixed: design.#fixed),* },
+                size: T::zero(),
+                #(#distances,)*
+                #(#frame_names,)*
+                #(#carried,)*
+                #(#markers,)*
+            };
+            Ok(model.sized())
+        }
+    }
+}
+
+fn markers<'a>(system: &'a System, points: &'a TokenStream) -> impl Iterator<Item = TokenStream> {
+    system.markers.iter().map(move |marker| {
+        let (name, frame) = (&marker.named.name, readout::frame_of(marker, points));
+        let text = name.to_string();
+        quote!(#name: build::carried(#text, #points.#name, &#frame)?)
+    })
+}
+
+/// Sets `size`, which depends on all other constants.
+fn sized(system: &System) -> TokenStream {
+    let distances = distances(system).into_iter().map(|(name, _)| name);
+    quote! {
+        impl<T: Real> Model<T> {
+            fn sized(self) -> Self {
+                Self { size: build::longest(&[#(self.#distances.length()),*]), ..self }
+            }
+        }
+    }
+}
+
+/// The length of a frame's edge: given, or where both ends are on the chassis, as it stands.
+fn edge(body: &Body, index: usize, given: &TokenStream) -> TokenStream {
+    let [a, b] = body.frame_pairs()[index];
+    if a.is_free() || b.is_free() {
+        let name = pair_name(&body.name, &a.name, &b.name);
+        quote!(#given.#name)
+    } else {
+        let (a, b) = (&a.name, &b.name);
+        quote!((self.fixed.#b - self.fixed.#a).norm())
+    }
+}
+
+fn with_lengths(system: &System) -> TokenStream {
+    let frames = system.bodies.iter().map(|body| {
+        let name = frame_name(&body.name);
+        let [.., third] = &body.frame;
+        let third = third.name.to_string();
+        let edges = (0..3).map(|index| edge(body, index, &quote!(lengths)));
+        quote!(let #name = build::frame_of_lengths(#third, [#(#edges),*])?;)
+    });
+    let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
+    let distances = distances(system).into_iter().map(|(name, _)| quote!(#name: Distance::new(lengths.#name)));
+    let carried = system.bodies.iter().flat_map(|body| {
+        let frame = frame_name(&body.name);
+        body.carried.iter().map(move |point| {
+            let (name, text) = (carried_name(&body.name, &point.name), point.name.to_string());
+            let lengths = body.frame.iter().map(|site| pair_name(&body.name, &point.name, &site.name));
+            quote!(#name: build::carried_at(#text, &self.#name, &#frame, [#(lengths.#lengths),*])?)
+        })
+    });
+    quote! {
+        fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
+            build::positive(lengths)?;
+            #(#frames)*
+            let model = Self {
+                #(#distances,)*
+                #(#frame_names,)*
+                #(#carried,)*
+                ..self
+            };
+            Ok(model.sized())
+        }
+    }
+}
+
+fn with_markers(system: &System) -> TokenStream {
+    let points = quote!(points);
+    let markers = markers(system, &points);
+    quote! {
+        fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
+            build::finite(points)?;
+            Ok(Self { #(#markers,)* ..self })
+        }
+    }
+}
+
+fn lengths(system: &System) -> TokenStream {
+    let fields = types::length_fields(system);
+    let names: Vec<&Ident> = fields.iter().map(|field| &field.name).collect();
+    let stated: Vec<Ident> = distances(system).into_iter().map(|(name, _)| name).collect();
+    let of_bodies = system.bodies.iter().map(|body| {
+        let frame = frame_name(&body.name);
+        let edges = body.frame_pairs().map(|[a, b]| {
+            let name = pair_name(&body.name, &a.name, &b.name);
+            let wanted = names.iter().any(|field| **field == name) && !stated.contains(&name);
+            if wanted { quote!(#name) } else { quote!(_) }
+        });
+        let reaches = body.carried.iter().map(|point| {
+            let name = carried_name(&body.name, &point.name);
+            let lengths = body.frame.iter().map(|site| pair_name(&body.name, &point.name, &site.name));
+            quote!(let [#(#lengths),*] = self.#name.lengths(&self.#frame);)
+        });
+        quote! {
+            let [#(#edges),*] = self.#frame.lengths();
+            #(#reaches)*
+        }
+    });
+    let values = names.iter().map(|name| {
+        if stated.contains(name) { quote!(#name: self.#name.length()) } else { quote!(#name) }
+    });
+    quote! {
+        fn lengths(&self) -> Lengths<T> {
+            #(#of_bodies)*
+            Lengths { #(#values),* }
+        }
+    }
+}
+
+fn drives_at(system: &System) -> TokenStream {
+    let values = system.drives.iter().map(|Drive { named, axis, of, minus, angle_of }| {
+        let (name, axis, of) = (&named.name, format_ident!("{}", AXES[*axis]), &of.name);
+        let minus = minus.as_ref().map(|minus| quote!(- points.#minus.#axis));
+        let coordinate = quote!(points.#of.#axis #minus);
+        match angle_of {
+            Some(link) => quote!(#name: build::angle(#coordinate, self.#link.length())),
+            None => quote!(#name: #coordinate),
+        }
+    });
+    quote! {
+        fn drives_at(&self, points: &Points<T>) -> Drives<T> {
+            Drives { #(#values),* }
+        }
+    }
+}
+
+fn fit(system: &System) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    let fits = system.bodies.iter().map(|body| {
+        let frame = frame_name(&body.name);
+        let carried = body.carried.iter().map(|point| {
+            let name = carried_name(&body.name, &point.name);
+            quote!(self.#name.position(&self.#frame))
+        });
+        let sites = || body.frame.iter().chain(&body.carried);
+        let guess = sites().map(|site| {
+            let name = &site.name;
+            if site.is_free() { quote!(free.#name) } else { quote!(fixed.#name) }
+        });
+        let targets = sites().map(|site| {
+            let name = &site.name;
+            if site.is_free() { quote!(free.#name) } else { quote!(_) }
+        });
+        quote! {
+            let [origin, second, third] = self.#frame.points();
+            [#(#targets),*] = best_rigid_fit(&[origin, second, third, #(#carried),*], &[#(#guess),*]);
+        }
+    });
+    let mutable = (!system.bodies.is_empty()).then(|| quote!(mut));
+    quote! {
+        fn fit(&self, q: &SVector<T, #n>, fixed: &Fixed<T>) -> SVector<T, #n> {
+            let #mutable free = Free::of(q);
+            #(#fits)*
+            free.unknowns()
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! The `linkage!` macro: from a list of constraints over points to straight-line Rust.
+//!
+//! Use it through `suspension_core::linkage`, where it is documented by its listings.
+
+mod ast;
+mod check;
+mod emit;
+mod errors;
+mod expand;
+mod lower;
+mod parse;
+mod system;
+#[cfg(test)]
+mod tests;
+
+/// Expands a listing into a module with the linkage's points, drives, lengths and equations.
+///
+/// ```text
+/// pub mod name {
+///     fixed: a, b;                 chassis points
+///     free:  c, d, e;              points to solve for, three unknowns each
+///     link rod:   a -> c;          a constant length
+///     body plate: c, d, e;         a rigid body; the first three points are not in line
+///     drive lift: e.z;             prescribes a coordinate: of a free point, an equation;
+///                                  of a fixed point, it moves the anchor
+///     drive gap:  c.z - a.z;       prescribes a difference of coordinates
+///     drive turn: angle(a -> c, z);  prescribes the angle of a link from an axis
+///     point hub:  plate;           a marker carried by a body, or by three points
+///     wheel:   d -> hub;           the spin axis, outboard; its second point is the centre
+///     kingpin: c -> d;             upwards
+/// }
+/// ```
+#[proc_macro]
+pub fn linkage(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    expand::expand(input.into()).into()
+}

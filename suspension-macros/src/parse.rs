@@ -1,0 +1,165 @@
+//! From tokens to the listing. A statement that cannot be read is reported and skipped.
+
+use proc_macro2::{TokenStream, TokenTree};
+use syn::parse::{Parse, ParseStream, Parser};
+use syn::punctuated::Punctuated;
+use syn::{Attribute, Ident, Token, Visibility, braced, parenthesized};
+
+use crate::ast::{Axis, Body, Constraint, Coordinate, Drive, Link, Listing, Marker, Named, Quantity};
+use crate::errors::{self, Errors};
+
+/// Reads a listing and the errors of the statements that could not be read.
+pub(crate) fn listing(tokens: TokenStream) -> syn::Result<(Listing, Errors)> {
+    parse_listing.parse2(tokens)
+}
+
+fn parse_listing(input: ParseStream<'_>) -> syn::Result<(Listing, Errors)> {
+    let docs = input.call(Attribute::parse_outer)?;
+    let vis: Visibility = input.parse()?;
+    input.parse::<Token![mod]>()?;
+    let name: Ident = input.parse()?;
+    let content;
+    braced!(content in input);
+    let mut listing = Listing {
+        docs,
+        vis,
+        free_span: name.span(),
+        name,
+        fixed: Vec::new(),
+        free: Vec::new(),
+        constraints: Vec::new(),
+        drives: Vec::new(),
+        markers: Vec::new(),
+        wheel: Vec::new(),
+        kingpin: Vec::new(),
+    };
+    let mut errors = Errors::default();
+    while !content.is_empty() {
+        if let Err(error) = statement(&content, &mut listing) {
+            errors.push(error);
+            skip_statement(&content)?;
+        }
+    }
+    Ok((listing, errors))
+}
+
+fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
+    let docs = input.call(Attribute::parse_outer)?;
+    if let Some(other) = docs.iter().find(|attribute| !attribute.path().is_ident("doc")) {
+        return Err(errors::not_a_doc_comment(other));
+    }
+    let keyword: Ident = input.parse()?;
+    match keyword.to_string().as_str() {
+        "fixed" => listing.fixed.extend(points(input)?),
+        "free" => {
+            listing.free_span = keyword.span();
+            listing.free.extend(points(input)?);
+        }
+        "link" => {
+            let named = named(input, docs)?;
+            let (from, to) = arrow(input)?;
+            listing.constraints.push(Constraint::Link(Link { named, from, to }));
+        }
+        "body" => {
+            let (named, points) = (named(input, docs)?, names(input)?);
+            listing.constraints.push(Constraint::Body(Body { named, points }));
+        }
+        "drive" => {
+            let (named, quantity) = (named(input, docs)?, input.parse()?);
+            listing.drives.push(Drive { named, quantity });
+        }
+        "point" => {
+            let (named, carriers) = (named(input, docs)?, names(input)?);
+            listing.markers.push(Marker { named, carriers });
+        }
+        "wheel" => listing.wheel.push(axis(input, keyword)?),
+        "kingpin" => listing.kingpin.push(axis(input, keyword)?),
+        _ => return Err(errors::unknown_statement(&keyword)),
+    }
+    input.parse::<Token![;]>().map(drop)
+}
+
+/// Skips to behind the next semicolon.
+fn skip_statement(input: ParseStream<'_>) -> syn::Result<()> {
+    while !input.is_empty() {
+        if let TokenTree::Punct(punct) = input.parse()?
+            && punct.as_char() == ';'
+        {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// `name:` behind a keyword.
+fn named(input: ParseStream<'_>, docs: Vec<Attribute>) -> syn::Result<Named> {
+    let name = input.parse()?;
+    input.parse::<Token![:]>()?;
+    Ok(Named { docs, name })
+}
+
+/// `: a, b, c`, each with its own docs.
+fn points(input: ParseStream<'_>) -> syn::Result<Vec<Named>> {
+    input.parse::<Token![:]>()?;
+    let mut points = Vec::new();
+    while !input.peek(Token![;]) {
+        let docs = input.call(Attribute::parse_outer)?;
+        points.push(Named { docs, name: input.parse()? });
+        if !input.peek(Token![;]) {
+            input.parse::<Token![,]>()?;
+        }
+    }
+    Ok(points)
+}
+
+fn names(input: ParseStream<'_>) -> syn::Result<Vec<Ident>> {
+    let names = Punctuated::<Ident, Token![,]>::parse_separated_nonempty(input)?;
+    Ok(names.into_iter().collect())
+}
+
+fn arrow(input: ParseStream<'_>) -> syn::Result<(Ident, Ident)> {
+    let from = input.parse()?;
+    input.parse::<Token![->]>()?;
+    Ok((from, input.parse()?))
+}
+
+fn axis(input: ParseStream<'_>, keyword: Ident) -> syn::Result<Axis> {
+    input.parse::<Token![:]>()?;
+    let (from, to) = arrow(input)?;
+    Ok(Axis { keyword, from, to })
+}
+
+impl Parse for Quantity {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        if input.peek(syn::token::Paren) || input.peek2(syn::token::Paren) {
+            let function: Ident = input.parse()?;
+            if function != "angle" {
+                return Err(errors::unknown_quantity(&function));
+            }
+            let content;
+            parenthesized!(content in input);
+            let (from, to) = arrow(&content)?;
+            content.parse::<Token![,]>()?;
+            let axis = content.parse()?;
+            return if content.is_empty() {
+                Ok(Self::Angle { from, to, axis })
+            } else {
+                Err(content.error("expected `)`"))
+            };
+        }
+        let of = input.parse()?;
+        let minus = match input.parse::<Option<Token![-]>>()? {
+            Some(_) => Some(input.parse()?),
+            None => None,
+        };
+        Ok(Self::Coordinate { of, minus })
+    }
+}
+
+impl Parse for Coordinate {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        let point = input.parse()?;
+        input.parse::<Token![.]>()?;
+        Ok(Self { point, axis: input.parse()? })
+    }
+}

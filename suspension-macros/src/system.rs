@@ -1,0 +1,165 @@
+//! The intermediate representation: named points, named equations, and which unknowns each
+//! equation depends on. Emission sees nothing else.
+
+use proc_macro2::Span;
+use quote::format_ident;
+use syn::{Attribute, Ident, Visibility};
+
+use crate::ast::Named;
+
+pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
+
+pub(crate) struct System {
+    pub(crate) docs: Vec<Attribute>,
+    pub(crate) vis: Visibility,
+    pub(crate) name: Ident,
+    pub(crate) free_span: Span,
+    pub(crate) fixed: Vec<Named>,
+    pub(crate) free: Vec<Named>,
+    pub(crate) markers: Vec<Marker>,
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) equations: Vec<Equation>,
+    pub(crate) drives: Vec<Drive>,
+    pub(crate) wheel: Option<Wheel>,
+    pub(crate) kingpin: Option<[Ident; 2]>,
+}
+
+/// A point of the mechanism and how it moves.
+#[derive(Clone)]
+pub(crate) struct Site {
+    pub(crate) name: Ident,
+    pub(crate) motion: SiteMotion,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SiteMotion {
+    Free,
+    /// On the chassis.
+    Anchor,
+    /// On the chassis, with a coordinate that a drive prescribes.
+    DrivenAnchor,
+}
+
+impl Site {
+    pub(crate) fn is_free(&self) -> bool {
+        self.motion == SiteMotion::Free
+    }
+}
+
+/// Equations of one kind; each is one row of the Jacobian, or three.
+pub(crate) enum Equation {
+    /// A constant length; where one end is on the chassis, it is `from`.
+    Distance { named: Named, from: Site, to: Site, of_body: bool },
+    /// A point carried by the frame of a body: three rows.
+    Carried { body: Ident, point: Site, frame: [Site; 3] },
+    /// A prescribed coordinate, or difference of two.
+    Coordinate { drive: Ident, axis: usize, of: Site, minus: Option<Site> },
+}
+
+/// A body of three points or more.
+pub(crate) struct Body {
+    pub(crate) name: Ident,
+    pub(crate) frame: [Site; 3],
+    pub(crate) carried: Vec<Site>,
+}
+
+pub(crate) struct Drive {
+    pub(crate) named: Named,
+    pub(crate) axis: usize,
+    pub(crate) of: Site,
+    pub(crate) minus: Option<Ident>,
+    /// The link whose angle it is.
+    pub(crate) angle_of: Option<Ident>,
+}
+
+pub(crate) struct Marker {
+    pub(crate) named: Named,
+    pub(crate) frame: [Site; 3],
+}
+
+pub(crate) struct Wheel {
+    pub(crate) axis: [Ident; 2],
+    pub(crate) carrier: [Ident; 3],
+}
+
+/// The frame of three points under its name in the generated code.
+pub(crate) fn frame_name(owner: &Ident) -> Ident {
+    format_ident!("{owner}_frame")
+}
+
+/// The constants of a carried point under their name in the generated code.
+pub(crate) fn carried_name(body: &Ident, point: &Ident) -> Ident {
+    format_ident!("{body}_{point}", span = point.span())
+}
+
+/// The length between two points of a body under its name in the generated code.
+pub(crate) fn pair_name(body: &Ident, a: &Ident, b: &Ident) -> Ident {
+    format_ident!("{body}_{a}_{b}", span = a.span())
+}
+
+impl Body {
+    /// The frame's three pairs of points: first-second, first-third, second-third.
+    pub(crate) fn frame_pairs(&self) -> [[&Site; 2]; 3] {
+        let [a, b, c] = &self.frame;
+        [[a, b], [a, c], [b, c]]
+    }
+}
+
+impl Equation {
+    /// The rows' names.
+    pub(crate) fn rows(&self) -> Vec<Ident> {
+        match self {
+            Self::Distance { named, .. } => vec![named.name.clone()],
+            Self::Carried { body, point, .. } => {
+                let name = carried_name(body, &point.name);
+                AXES.iter().map(|axis| format_ident!("{name}_{axis}")).collect()
+            }
+            Self::Coordinate { drive, .. } => vec![drive.clone()],
+        }
+    }
+
+    /// For each row, the unknowns on which it depends, as free point and axis.
+    pub(crate) fn columns(&self) -> Vec<Vec<(&Ident, usize)>> {
+        match self {
+            Self::Distance { from, to, .. } => vec![free_axes([from, to])],
+            Self::Carried { point, frame, .. } => (0..3)
+                .map(|row| {
+                    let mut columns = free_axes(frame.iter());
+                    columns.push((&point.name, row));
+                    columns
+                })
+                .collect(),
+            Self::Coordinate { axis, of, minus, .. } => {
+                let ends = [Some(of), minus.as_ref()].into_iter().flatten();
+                vec![ends.filter(|site| site.is_free()).map(|site| (&site.name, *axis)).collect()]
+            }
+        }
+    }
+}
+
+fn free_axes<'a>(sites: impl IntoIterator<Item = &'a Site>) -> Vec<(&'a Ident, usize)> {
+    let free = sites.into_iter().filter(|site| site.is_free());
+    free.flat_map(|site| (0..3).map(move |axis| (&site.name, axis))).collect()
+}
+
+impl System {
+    /// The number of unknowns.
+    pub(crate) fn size(&self) -> usize {
+        3 * self.free.len()
+    }
+
+    /// The rows' names, in order.
+    pub(crate) fn rows(&self) -> Vec<Ident> {
+        self.equations.iter().flat_map(Equation::rows).collect()
+    }
+
+    /// The column of each entry of each row that is not always zero.
+    pub(crate) fn pattern(&self) -> Vec<Vec<usize>> {
+        let column = |(point, axis): (&Ident, usize)| {
+            let index = self.free.iter().position(|free| free.name == *point);
+            index.map(|index| 3 * index + axis)
+        };
+        let rows = self.equations.iter().flat_map(Equation::columns);
+        rows.map(|columns| columns.into_iter().filter_map(column).collect()).collect()
+    }
+}
