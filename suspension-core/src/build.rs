@@ -13,9 +13,11 @@ use crate::scalar::Real;
 ///
 /// [`GeometryError::NotFinite`].
 pub fn finite<T: Real>(points: &impl Named<Vector3<T>>) -> Result<(), GeometryError> {
-    check_each(points, |point| point.iter().all(|x| x.is_finite()), |point| {
-        GeometryError::NotFinite { point }
-    })
+    check_each(
+        points,
+        |point| point.iter().all(|x| x.is_finite()),
+        |point| GeometryError::NotFinite { point },
+    )
 }
 
 /// Checks that every length is positive and finite.
@@ -33,7 +35,11 @@ fn check_each<V, S: Named<V>>(
     good: impl Fn(&V) -> bool,
     error: impl Fn(&'static str) -> GeometryError,
 ) -> Result<(), GeometryError> {
-    match S::NAMES.iter().zip(values.values()).find(|(_, value)| !good(value)) {
+    match S::NAMES
+        .iter()
+        .zip(values.values())
+        .find(|(_, value)| !good(value))
+    {
         Some((name, _)) => Err(error(name)),
         None => Ok(()),
     }
@@ -51,7 +57,11 @@ pub fn distance<T: Real>(
 ) -> Result<Distance<T>, GeometryError> {
     let value = (b - a).norm();
     let usable = value > T::zero() && value.is_finite() && (T::one() / value).is_finite();
-    if usable { Ok(Distance::new(value)) } else { Err(GeometryError::BadLength { length }) }
+    if usable {
+        Ok(Distance::new(value))
+    } else {
+        Err(GeometryError::BadLength { length })
+    }
 }
 
 /// A frame, with `third` the name of its last point.
@@ -77,7 +87,10 @@ pub fn frame_of_lengths<T: Real>(
     [first_second, first_third, second_third]: [T; 3],
 ) -> Result<Frame<T>, GeometryError> {
     let at_rest = Frame::from_lengths(first_second, first_third, second_third);
-    frame(third, at_rest.ok_or(GeometryError::NotClosed { point: third })?)
+    frame(
+        third,
+        at_rest.ok_or(GeometryError::NotClosed { point: third })?,
+    )
 }
 
 /// The constants of a carried point as it stands.
@@ -105,16 +118,21 @@ pub fn carried_at<T: Real>(
     frame: &Frame<T>,
     lengths: [T; 3],
 ) -> Result<Carried<T>, GeometryError> {
-    now.with_lengths(frame, lengths).ok_or(GeometryError::NotClosed { point: name })
+    now.with_lengths(frame, lengths)
+        .ok_or(GeometryError::NotClosed { point: name })
 }
 
 /// The longest of the lengths.
 pub fn longest<T: Real>(lengths: &[T]) -> T {
-    lengths.iter().fold(T::zero(), |longest, length| longest.max(*length))
+    lengths
+        .iter()
+        .fold(T::zero(), |longest, length| longest.max(*length))
 }
 
 /// The angle, in `[0, pi]`, whose cosine is `coordinate / length`.
 pub fn angle<T: Real>(coordinate: T, length: T) -> T {
-    let across = ((length - coordinate) * (length + coordinate)).max(T::zero()).sqrt();
+    let across = ((length - coordinate) * (length + coordinate))
+        .max(T::zero())
+        .sqrt();
     across.atan2(coordinate)
 }

@@ -50,7 +50,10 @@ pub(crate) struct Drive {
 
 pub(crate) enum Quantity {
     /// `of.axis` or `of.axis - minus.axis`.
-    Coordinate { of: Coordinate, minus: Option<Coordinate> },
+    Coordinate {
+        of: Coordinate,
+        minus: Option<Coordinate>,
+    },
     /// `angle(from -> to, axis)`.
     Angle { from: Ident, to: Ident, axis: Ident },
 }
@@ -95,42 +98,60 @@ impl Drive {
     pub(crate) fn prescribes(&self) -> [String; 3] {
         match &self.quantity {
             Quantity::Coordinate { of, minus } => {
-                let minus = minus.as_ref().map_or(String::new(), |minus| minus.point.to_string());
+                let minus = minus
+                    .as_ref()
+                    .map_or(String::new(), |minus| minus.point.to_string());
                 [of.point.to_string(), minus, of.axis.to_string()]
             }
-            Quantity::Angle { from, to, axis } => [to.to_string(), from.to_string(), axis.to_string()],
+            Quantity::Angle { from, to, axis } => {
+                [to.to_string(), from.to_string(), axis.to_string()]
+            }
         }
     }
 }
 
 impl Listing {
     pub(crate) fn link_between(&self, a: &Ident, b: &Ident) -> Option<&Link> {
-        self.constraints.iter().find_map(|constraint| match constraint {
-            Constraint::Link(link) if [[&link.from, &link.to], [&link.to, &link.from]].contains(&[a, b]) => {
-                Some(link)
-            }
-            _ => None,
-        })
+        self.constraints
+            .iter()
+            .find_map(|constraint| match constraint {
+                Constraint::Link(link)
+                    if [[&link.from, &link.to], [&link.to, &link.from]].contains(&[a, b]) =>
+                {
+                    Some(link)
+                }
+                _ => None,
+            })
     }
 
     pub(crate) fn body(&self, name: &Ident) -> Option<&Body> {
-        self.constraints.iter().find_map(|constraint| match constraint {
-            Constraint::Body(body) if body.named.name == *name => Some(body),
-            _ => None,
-        })
+        self.constraints
+            .iter()
+            .find_map(|constraint| match constraint {
+                Constraint::Body(body) if body.named.name == *name => Some(body),
+                _ => None,
+            })
     }
 
     /// The points that carry a point rigidly: of its marker statement, or of a body that lists it.
     fn carriers(&self, point: &Ident) -> impl Iterator<Item = &[Ident]> {
-        let marker = self.markers.iter().find(|marker| marker.named.name == *point);
+        let marker = self
+            .markers
+            .iter()
+            .find(|marker| marker.named.name == *point);
         let carried_by = marker.map(|marker| match marker.carriers.as_slice() {
             [body] => self.body(body).map_or(&[][..], |body| &body.points),
             points => points,
         });
-        let bodies = self.constraints.iter().filter_map(move |constraint| match constraint {
-            Constraint::Body(body) if body.points.contains(point) => Some(body.points.as_slice()),
-            _ => None,
-        });
+        let bodies = self
+            .constraints
+            .iter()
+            .filter_map(move |constraint| match constraint {
+                Constraint::Body(body) if body.points.contains(point) => {
+                    Some(body.points.as_slice())
+                }
+                _ => None,
+            });
         carried_by.into_iter().chain(bodies)
     }
 

@@ -13,7 +13,11 @@ const RESERVED: [&str; 2] = ["fixed", "size"];
 
 /// Checks every name and operand of the listing.
 pub(crate) fn names(listing: &Listing) -> Result<()> {
-    let mut check = Check { listing, taken: BTreeMap::new(), errors: Errors::default() };
+    let mut check = Check {
+        listing,
+        taken: BTreeMap::new(),
+        errors: Errors::default(),
+    };
     check.declarations();
     check.constraints();
     check.lengths_stated_once();
@@ -39,24 +43,35 @@ struct Check<'a> {
 impl<'a> Check<'a> {
     fn declarations(&mut self) {
         let listing = self.listing;
-        for (kind, keyword, points) in
-            [("chassis point", "fixed", &listing.fixed), ("free point", "free", &listing.free)]
-        {
-            points.iter().for_each(|point| self.declare(&point.name, kind));
+        for (kind, keyword, points) in [
+            ("chassis point", "fixed", &listing.fixed),
+            ("free point", "free", &listing.free),
+        ] {
+            points
+                .iter()
+                .for_each(|point| self.declare(&point.name, kind));
             if points.is_empty() {
-                self.errors.push(errors::nothing_declared(&listing.name, keyword));
+                self.errors
+                    .push(errors::nothing_declared(&listing.name, keyword));
             }
         }
-        listing.markers.iter().for_each(|marker| self.declare(&marker.named.name, "marker"));
+        listing
+            .markers
+            .iter()
+            .for_each(|marker| self.declare(&marker.named.name, "marker"));
         for constraint in &listing.constraints {
             match constraint {
                 Constraint::Link(link) => self.declare(&link.named.name, "link"),
                 Constraint::Body(body) => self.declare(&body.named.name, "body"),
             }
         }
-        listing.drives.iter().for_each(|drive| self.declare(&drive.named.name, "drive"));
+        listing
+            .drives
+            .iter()
+            .for_each(|drive| self.declare(&drive.named.name, "drive"));
         if listing.drives.is_empty() {
-            self.errors.push(errors::nothing_declared(&listing.name, "drive"));
+            self.errors
+                .push(errors::nothing_declared(&listing.name, "drive"));
         }
     }
 
@@ -74,7 +89,9 @@ impl<'a> Check<'a> {
     }
 
     fn is(&self, name: &Ident, kind: &str) -> bool {
-        self.taken.get(&name.to_string().to_lowercase()).is_some_and(|taken| *taken == kind)
+        self.taken
+            .get(&name.to_string().to_lowercase())
+            .is_some_and(|taken| *taken == kind)
     }
 
     /// Checks that points exist, with unknowns or on the chassis, and are not repeated.
@@ -110,7 +127,10 @@ impl<'a> Check<'a> {
 
     fn body(&mut self, Body { named, points }: &Body) {
         self.sites(points);
-        let anchors = points.iter().filter(|point| self.is(point, "chassis point")).count();
+        let anchors = points
+            .iter()
+            .filter(|point| self.is(point, "chassis point"))
+            .count();
         if points.len() < 2 {
             self.errors.push(errors::too_few_points(&named.name));
         } else if anchors == points.len() {
@@ -126,10 +146,13 @@ impl<'a> Check<'a> {
         let constraints = &self.listing.constraints;
         for (index, later) in constraints.iter().enumerate() {
             for earlier in constraints.iter().take(index) {
-                let common = later.points().filter(|point| earlier.points().any(|p| p == *point));
+                let common = later
+                    .points()
+                    .filter(|point| earlier.points().any(|p| p == *point));
                 match (later, earlier, common.count()) {
                     (Constraint::Body(a), Constraint::Body(b), 3..) => {
-                        self.errors.push(errors::shared_triangle(&a.named.name, &b.named.name));
+                        self.errors
+                            .push(errors::shared_triangle(&a.named.name, &b.named.name));
                     }
                     (Constraint::Body(_), Constraint::Body(_), _) | (_, _, 0 | 1) => {}
                     (Constraint::Link(_), _, _) => self.stated_twice(later, earlier),
@@ -141,14 +164,18 @@ impl<'a> Check<'a> {
 
     fn stated_twice(&mut self, link: &Constraint, other: &Constraint) {
         let other = other.name().to_string();
-        self.errors.push(errors::length_stated_twice(link.name(), &other));
+        self.errors
+            .push(errors::length_stated_twice(link.name(), &other));
     }
 
     fn drives(&mut self) {
         let drives = &self.listing.drives;
         for (index, drive) in drives.iter().enumerate() {
             self.drive(drive);
-            let same = drives.iter().take(index).find(|earlier| earlier.prescribes() == drive.prescribes());
+            let same = drives
+                .iter()
+                .take(index)
+                .find(|earlier| earlier.prescribes() == drive.prescribes());
             if let Some(earlier) = same {
                 let error = errors::coordinate_driven_twice(&drive.named.name, &earlier.named.name);
                 self.errors.push(error);
@@ -160,13 +187,22 @@ impl<'a> Check<'a> {
         match &drive.quantity {
             Quantity::Coordinate { of, minus } => {
                 self.axis(&of.axis);
-                self.sites([&of.point].into_iter().chain(minus.iter().map(|minus| &minus.point)));
+                self.sites(
+                    [&of.point]
+                        .into_iter()
+                        .chain(minus.iter().map(|minus| &minus.point)),
+                );
                 if let Some(minus) = minus {
                     if minus.axis != of.axis {
-                        self.errors.push(errors::different_axes(&minus.axis, &of.axis));
+                        self.errors
+                            .push(errors::different_axes(&minus.axis, &of.axis));
                     }
-                    if [&of.point, &minus.point].iter().all(|point| self.is(point, "chassis point")) {
-                        self.errors.push(errors::all_fixed(&drive.named.name, "drive"));
+                    if [&of.point, &minus.point]
+                        .iter()
+                        .all(|point| self.is(point, "chassis point"))
+                    {
+                        self.errors
+                            .push(errors::all_fixed(&drive.named.name, "drive"));
                     }
                 }
             }
@@ -188,19 +224,29 @@ impl<'a> Check<'a> {
 
     fn marker(&mut self, marker: &Marker) {
         match marker.carriers.as_slice() {
-            [body] if self.listing.body(body).is_some_and(|body| body.points.len() >= 3) => {}
+            [body]
+                if self
+                    .listing
+                    .body(body)
+                    .is_some_and(|body| body.points.len() >= 3) => {}
             [_, _, _] => self.sites(&marker.carriers),
-            carriers => self.errors.push(errors::bad_carriers(&marker.named.name, carriers)),
+            carriers => self
+                .errors
+                .push(errors::bad_carriers(&marker.named.name, carriers)),
         }
     }
 
     fn role(&mut self, stated: &[Axis]) {
         for repeated in stated.iter().skip(1) {
-            self.errors.push(errors::role_stated_twice(&repeated.keyword));
+            self.errors
+                .push(errors::role_stated_twice(&repeated.keyword));
         }
         for Axis { from, to, .. } in stated {
             for point in [from, to] {
-                if !["free point", "chassis point", "marker"].iter().any(|kind| self.is(point, kind)) {
+                if !["free point", "chassis point", "marker"]
+                    .iter()
+                    .any(|kind| self.is(point, kind))
+                {
                     self.errors.push(errors::unknown_point(point));
                 }
             }
@@ -211,7 +257,9 @@ impl<'a> Check<'a> {
     }
 
     fn wheel_carrier(&mut self, Axis { from, to, .. }: &Axis) {
-        let known = [from, to].iter().all(|point| self.taken.contains_key(&point.to_string()));
+        let known = [from, to]
+            .iter()
+            .all(|point| self.taken.contains_key(&point.to_string()));
         if known && from != to && self.listing.carrier_of(from, to).is_none() {
             self.errors.push(errors::wheel_without_carrier(from, to));
         }
@@ -230,7 +278,11 @@ pub(crate) fn determined(system: &System) -> Result<()> {
         let links = count(|e| matches!(e, Equation::Distance { of_body: false, .. }));
         let drives = count(|e| matches!(e, Equation::Coordinate { .. }));
         let bodies = pattern.len() - links - drives;
-        return Err(errors::wrong_count(system.free_span, system.size(), [links, bodies, drives]));
+        return Err(errors::wrong_count(
+            system.free_span,
+            system.size(),
+            [links, bodies, drives],
+        ));
     }
     let mut row_of = vec![None; system.size()];
     let mut errors = Errors::default();
@@ -240,14 +292,22 @@ pub(crate) fn determined(system: &System) -> Result<()> {
         }
     }
     for column in (0..system.size()).filter(|column| row_of[*column].is_none()) {
-        errors.push(errors::undetermined(&system.free[column / 3].name, AXES[column % 3]));
+        errors.push(errors::undetermined(
+            &system.free[column / 3].name,
+            AXES[column % 3],
+        ));
     }
     errors.into_result()
 }
 
 /// Finds a column for `row`, moving earlier rows to other columns where need be (augmenting path
 /// of a bipartite matching).
-fn augment(row: usize, pattern: &[Vec<usize>], row_of: &mut [Option<usize>], seen: &mut [bool]) -> bool {
+fn augment(
+    row: usize,
+    pattern: &[Vec<usize>],
+    row_of: &mut [Option<usize>],
+    seen: &mut [bool],
+) -> bool {
     pattern[row].iter().any(|&column| {
         if std::mem::replace(&mut seen[column], true) {
             return false;

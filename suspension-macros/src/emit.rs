@@ -15,7 +15,9 @@ use crate::system::System;
 
 /// The whole module.
 pub(crate) fn module(system: &System) -> TokenStream {
-    let System { docs, vis, name, .. } = system;
+    let System {
+        docs, vis, name, ..
+    } = system;
     let header = docs::header(system);
     let types = types::all(system);
     let indices = indices::modules(system);
@@ -39,7 +41,9 @@ pub(crate) fn module(system: &System) -> TokenStream {
 
 /// The errors of a listing, beside the types that can be told from its names.
 pub(crate) fn stub(listing: &Listing, error: &syn::Error) -> TokenStream {
-    let Listing { docs, vis, name, .. } = listing;
+    let Listing {
+        docs, vis, name, ..
+    } = listing;
     let errors = error.to_compile_error();
     let types = types::stub(listing);
     quote! {

@@ -28,7 +28,10 @@ fn at(ident: &Ident, message: impl Display) -> Error {
 }
 
 pub(crate) fn not_a_doc_comment(attribute: &Attribute) -> Error {
-    Error::new(attribute.span(), "only doc comments are allowed on statements; remove the attribute")
+    Error::new(
+        attribute.span(),
+        "only doc comments are allowed on statements; remove the attribute",
+    )
 }
 
 pub(crate) fn unknown_statement(keyword: &Ident) -> Error {
@@ -44,39 +47,61 @@ pub(crate) fn unknown_statement(keyword: &Ident) -> Error {
 pub(crate) fn unknown_quantity(function: &Ident) -> Error {
     at(
         function,
-        format!("a drive cannot prescribe `{function}(..)`; write `p.z`, `p.z - q.z` or `angle(p -> q, z)`"),
+        format!(
+            "a drive cannot prescribe `{function}(..)`; write `p.z`, `p.z - q.z` or `angle(p -> q, z)`"
+        ),
     )
 }
 
 pub(crate) fn duplicate_name(name: &Ident, first: &str) -> Error {
-    at(name, format!("the name `{name}` is already taken by a {first}; choose another"))
+    at(
+        name,
+        format!("the name `{name}` is already taken by a {first}; choose another"),
+    )
 }
 
 pub(crate) fn reserved_name(name: &Ident) -> Error {
-    at(name, format!("the name `{name}` is used by the generated code; choose another"))
+    at(
+        name,
+        format!("the name `{name}` is used by the generated code; choose another"),
+    )
 }
 
 pub(crate) fn unknown_point(name: &Ident) -> Error {
-    at(name, format!("there is no point `{name}`; declare it under `fixed:` or `free:`"))
+    at(
+        name,
+        format!("there is no point `{name}`; declare it under `fixed:` or `free:`"),
+    )
 }
 
 pub(crate) fn marker_in_constraint(name: &Ident) -> Error {
     at(
         name,
-        format!("`{name}` is a marker and has no unknowns; declare it under `free:` and list it in its body"),
+        format!(
+            "`{name}` is a marker and has no unknowns; declare it under `free:` and list it in its body"
+        ),
     )
 }
 
 pub(crate) fn same_point_twice(name: &Ident) -> Error {
-    at(name, format!("point `{name}` is listed twice; name another point or remove it"))
+    at(
+        name,
+        format!("point `{name}` is listed twice; name another point or remove it"),
+    )
 }
 
 pub(crate) fn all_fixed(name: &Ident, kind: &str) -> Error {
-    at(name, format!("{kind} `{name}` joins chassis points only; give it a free point or remove it"))
+    at(
+        name,
+        format!("{kind} `{name}` joins chassis points only; give it a free point or remove it"),
+    )
 }
 
 pub(crate) fn too_few_points(name: &Ident) -> Error {
-    at(name, format!("body `{name}` needs two points or more; list them, or remove the body"))
+    at(
+        name,
+        format!("body `{name}` needs two points or more; list them, or remove the body"),
+    )
 }
 
 pub(crate) fn immovable_body(name: &Ident) -> Error {
@@ -90,26 +115,42 @@ pub(crate) fn immovable_body(name: &Ident) -> Error {
 }
 
 pub(crate) fn length_stated_twice(name: &Ident, other: &str) -> Error {
-    at(name, format!("`{name}` joins two points whose distance `{other}` keeps already; remove one of them"))
+    at(
+        name,
+        format!(
+            "`{name}` joins two points whose distance `{other}` keeps already; remove one of them"
+        ),
+    )
 }
 
 pub(crate) fn shared_triangle(name: &Ident, other: &Ident) -> Error {
     at(
         name,
-        format!("body `{name}` shares three points with body `{other}`: they are one body; list all points in one"),
+        format!(
+            "body `{name}` shares three points with body `{other}`: they are one body; list all points in one"
+        ),
     )
 }
 
 pub(crate) fn unknown_axis(axis: &Ident) -> Error {
-    at(axis, format!("there is no axis `{axis}`; write `x`, `y` or `z`"))
+    at(
+        axis,
+        format!("there is no axis `{axis}`; write `x`, `y` or `z`"),
+    )
 }
 
 pub(crate) fn different_axes(axis: &Ident, expected: &Ident) -> Error {
-    at(axis, format!("both coordinates must be along one axis; write `.{expected}`"))
+    at(
+        axis,
+        format!("both coordinates must be along one axis; write `.{expected}`"),
+    )
 }
 
 pub(crate) fn coordinate_driven_twice(name: &Ident, other: &Ident) -> Error {
-    at(name, format!("drive `{other}` prescribes this coordinate already; remove one of them"))
+    at(
+        name,
+        format!("drive `{other}` prescribes this coordinate already; remove one of them"),
+    )
 }
 
 pub(crate) fn no_such_link(from: &Ident, to: &Ident) -> Error {
@@ -125,7 +166,10 @@ pub(crate) fn no_such_link(from: &Ident, to: &Ident) -> Error {
 pub(crate) fn bad_carriers(marker: &Ident, carriers: &[Ident]) -> Error {
     let message = match carriers {
         [one] => format!("there is no body `{one}` with three points or more to carry `{marker}`"),
-        _ => format!("`{marker}` is carried by one body or by three points; {} names are given", carriers.len()),
+        _ => format!(
+            "`{marker}` is carried by one body or by three points; {} names are given",
+            carriers.len()
+        ),
     };
     at(carriers.first().unwrap_or(marker), message)
 }
@@ -145,15 +189,28 @@ pub(crate) fn wheel_without_carrier(from: &Ident, to: &Ident) -> Error {
 }
 
 pub(crate) fn nothing_declared(module: &Ident, keyword: &str) -> Error {
-    at(module, format!("`{module}` has no `{keyword}` statement; a linkage needs at least one"))
+    at(
+        module,
+        format!("`{module}` has no `{keyword}` statement; a linkage needs at least one"),
+    )
 }
 
-pub(crate) fn wrong_count(span: Span, unknowns: usize, [links, bodies, drives]: [usize; 3]) -> Error {
+pub(crate) fn wrong_count(
+    span: Span,
+    unknowns: usize,
+    [links, bodies, drives]: [usize; 3],
+) -> Error {
     let equations = links + bodies + drives;
     let remedy = if equations < unknowns {
-        format!("{} more needed: add a link, a drive, or list a point in its body", unknowns - equations)
+        format!(
+            "{} more needed: add a link, a drive, or list a point in its body",
+            unknowns - equations
+        )
     } else {
-        format!("{} too many: remove a link or a drive", equations - unknowns)
+        format!(
+            "{} too many: remove a link or a drive",
+            equations - unknowns
+        )
     };
     Error::new(
         span,
@@ -168,10 +225,17 @@ pub(crate) fn wrong_count(span: Span, unknowns: usize, [links, bodies, drives]: 
 pub(crate) fn redundant_equation(name: &Ident) -> Error {
     at(
         name,
-        format!("`{name}` is one equation too many for the points it joins, while others have too few; move it there"),
+        format!(
+            "`{name}` is one equation too many for the points it joins, while others have too few; move it there"
+        ),
     )
 }
 
 pub(crate) fn undetermined(point: &Ident, axis: &str) -> Error {
-    at(point, format!("no equation is left to determine `{point}.{axis}`; join `{point}` by a link or a body"))
+    at(
+        point,
+        format!(
+            "no equation is left to determine `{point}.{axis}`; join `{point}` by a link or a body"
+        ),
+    )
 }

@@ -12,10 +12,12 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
         Err(error) => return error.into_compile_error(),
     };
     let checked = syntax_errors.into_result().and(check::names(&listing));
-    let system = checked.map(|()| lower::system(&listing)).and_then(|system| {
-        check::determined(&system)?;
-        Ok(system)
-    });
+    let system = checked
+        .map(|()| lower::system(&listing))
+        .and_then(|system| {
+            check::determined(&system)?;
+            Ok(system)
+        });
     match system {
         Ok(system) => emit::module(&system),
         Err(error) => emit::stub(&listing, &error),

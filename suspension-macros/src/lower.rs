@@ -11,17 +11,33 @@ use crate::system::{
 
 /// Lowers a listing whose names have been checked.
 pub(crate) fn system(listing: &Listing) -> System {
-    let mut lowering = Lowering { listing, bodies: Vec::new(), equations: Vec::new(), rigid: BTreeSet::new() };
+    let mut lowering = Lowering {
+        listing,
+        bodies: Vec::new(),
+        equations: Vec::new(),
+        rigid: BTreeSet::new(),
+    };
     for constraint in &listing.constraints {
         match constraint {
             Constraint::Link(link) => lowering.link(link),
             Constraint::Body(body) => lowering.body(body),
         }
     }
-    let drives: Vec<Drive> = listing.drives.iter().map(|drive| lowering.drive(drive)).collect();
-    let markers = listing.markers.iter().map(|marker| lowering.marker(marker)).collect();
+    let drives: Vec<Drive> = listing
+        .drives
+        .iter()
+        .map(|drive| lowering.drive(drive))
+        .collect();
+    let markers = listing
+        .markers
+        .iter()
+        .map(|marker| lowering.marker(marker))
+        .collect();
     let wheel = listing.wheel.first().and_then(|axis| wheel(listing, axis));
-    let kingpin = listing.kingpin.first().map(|axis| [axis.from.clone(), axis.to.clone()]);
+    let kingpin = listing
+        .kingpin
+        .first()
+        .map(|axis| [axis.from.clone(), axis.to.clone()]);
     System {
         docs: listing.docs.clone(),
         vis: listing.vis.clone(),
@@ -40,7 +56,10 @@ pub(crate) fn system(listing: &Listing) -> System {
 
 fn wheel(listing: &Listing, Axis { from, to, .. }: &Axis) -> Option<Wheel> {
     let carrier = listing.carrier_of(from, to)?.map(Ident::clone);
-    Some(Wheel { axis: [from.clone(), to.clone()], carrier })
+    Some(Wheel {
+        axis: [from.clone(), to.clone()],
+        carrier,
+    })
 }
 
 struct Lowering<'a> {
@@ -54,26 +73,43 @@ struct Lowering<'a> {
 impl Lowering<'_> {
     fn site(&self, name: &Ident) -> Site {
         let on_chassis = self.listing.fixed.iter().any(|fixed| fixed.name == *name);
-        let driven = self.listing.drives.iter().any(|drive| match &drive.quantity {
-            Quantity::Coordinate { of, minus: None } => of.point == *name,
-            _ => false,
-        });
+        let driven = self
+            .listing
+            .drives
+            .iter()
+            .any(|drive| match &drive.quantity {
+                Quantity::Coordinate { of, minus: None } => of.point == *name,
+                _ => false,
+            });
         let motion = match (on_chassis, driven) {
             (false, _) => SiteMotion::Free,
             (true, false) => SiteMotion::Anchor,
             (true, true) => SiteMotion::DrivenAnchor,
         };
-        Site { name: name.clone(), motion }
+        Site {
+            name: name.clone(),
+            motion,
+        }
     }
 
     fn link(&mut self, link: &ast::Link) {
-        self.distance(link.named.clone(), self.site(&link.from), self.site(&link.to), false);
+        self.distance(
+            link.named.clone(),
+            self.site(&link.from),
+            self.site(&link.to),
+            false,
+        );
     }
 
     fn distance(&mut self, named: Named, a: Site, b: Site, of_body: bool) {
         self.rigid.insert(pair(&a, &b));
         let (from, to) = if b.is_free() { (a, b) } else { (b, a) };
-        self.equations.push(Equation::Distance { named, from, to, of_body });
+        self.equations.push(Equation::Distance {
+            named,
+            from,
+            to,
+            of_body,
+        });
     }
 
     /// A body of two points is a distance. A larger one has the three distances of its frame,
@@ -83,17 +119,26 @@ impl Lowering<'_> {
     fn body(&mut self, body: &ast::Body) {
         let name = &body.named.name;
         let mut sites: Vec<Site> = body.points.iter().map(|point| self.site(point)).collect();
-        let is_shared = |site: &Site| sites.iter().any(|other| self.rigid.contains(&pair(site, other)));
+        let is_shared = |site: &Site| {
+            sites
+                .iter()
+                .any(|other| self.rigid.contains(&pair(site, other)))
+        };
         let shared: Vec<bool> = sites.iter().map(is_shared).collect();
         let rank = |index: usize, site: &Site| (site.is_free(), !shared[index]);
         let mut order: Vec<usize> = (0..sites.len()).collect();
         order.sort_by_key(|&index| rank(index, &sites[index]));
-        sites = order.into_iter().map(|index| sites[index].clone()).collect();
+        sites = order
+            .into_iter()
+            .map(|index| sites[index].clone())
+            .collect();
 
         if let [a, b] = sites.as_slice() {
             self.body_distance(body, a, b);
         }
-        let [a, b, c, carried @ ..] = sites.as_slice() else { return };
+        let [a, b, c, carried @ ..] = sites.as_slice() else {
+            return;
+        };
         let lowered = Body {
             name: name.clone(),
             frame: [a.clone(), b.clone(), c.clone()],
@@ -104,10 +149,12 @@ impl Lowering<'_> {
         }
         for point in carried {
             let (body, point, frame) = (name.clone(), point.clone(), lowered.frame.clone());
-            self.equations.push(Equation::Carried { body, point, frame });
+            self.equations
+                .push(Equation::Carried { body, point, frame });
         }
         for (index, a) in sites.iter().enumerate() {
-            self.rigid.extend(sites.iter().skip(index + 1).map(|b| pair(a, b)));
+            self.rigid
+                .extend(sites.iter().skip(index + 1).map(|b| pair(a, b)));
         }
         self.bodies.push(lowered);
     }
@@ -116,7 +163,10 @@ impl Lowering<'_> {
         let on_chassis = !a.is_free() && !b.is_free();
         if !on_chassis && !self.rigid.contains(&pair(a, b)) {
             let name = pair_name(&body.named.name, &a.name, &b.name);
-            let named = Named { docs: body.named.docs.clone(), name };
+            let named = Named {
+                docs: body.named.docs.clone(),
+                name,
+            };
             self.distance(named, a.clone(), b.clone(), true);
         }
     }
@@ -124,22 +174,44 @@ impl Lowering<'_> {
     fn drive(&mut self, drive: &ast::Drive) -> Drive {
         let named = drive.named.clone();
         let (axis, of, minus, angle_of) = match &drive.quantity {
-            Quantity::Coordinate { of, minus } => {
-                (&of.axis, &of.point, minus.as_ref().map(|minus| &minus.point), None)
-            }
+            Quantity::Coordinate { of, minus } => (
+                &of.axis,
+                &of.point,
+                minus.as_ref().map(|minus| &minus.point),
+                None,
+            ),
             Quantity::Angle { from, to, axis } => {
                 let link = self.listing.link_between(from, to);
-                (axis, to, Some(from), link.map(|link| link.named.name.clone()))
+                (
+                    axis,
+                    to,
+                    Some(from),
+                    link.map(|link| link.named.name.clone()),
+                )
             }
         };
-        let axis = AXES.iter().position(|name| axis == name).unwrap_or_default();
+        let axis = AXES
+            .iter()
+            .position(|name| axis == name)
+            .unwrap_or_default();
         let of = self.site(of);
         if of.is_free() || minus.is_some() {
             let (drive, of) = (named.name.clone(), of.clone());
             let minus = minus.map(|minus| self.site(minus));
-            self.equations.push(Equation::Coordinate { drive, axis, of, minus });
+            self.equations.push(Equation::Coordinate {
+                drive,
+                axis,
+                of,
+                minus,
+            });
         }
-        Drive { named, axis, of, minus: minus.cloned(), angle_of }
+        Drive {
+            named,
+            axis,
+            of,
+            minus: minus.cloned(),
+            angle_of,
+        }
     }
 
     fn marker(&self, marker: &ast::Marker) -> Marker {
@@ -151,7 +223,10 @@ impl Lowering<'_> {
             },
             [] => unreachable!("parsed: markers name a carrier"),
         };
-        Marker { named: marker.named.clone(), frame }
+        Marker {
+            named: marker.named.clone(),
+            frame,
+        }
     }
 }
 

@@ -5,7 +5,9 @@ use syn::parse::{Parse, ParseStream, Parser};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Ident, Token, Visibility, braced, parenthesized};
 
-use crate::ast::{Axis, Body, Constraint, Coordinate, Drive, Link, Listing, Marker, Named, Quantity};
+use crate::ast::{
+    Axis, Body, Constraint, Coordinate, Drive, Link, Listing, Marker, Named, Quantity,
+};
 use crate::errors::{self, Errors};
 
 /// Reads a listing and the errors of the statements that could not be read.
@@ -45,7 +47,10 @@ fn parse_listing(input: ParseStream<'_>) -> syn::Result<(Listing, Errors)> {
 
 fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
     let docs = input.call(Attribute::parse_outer)?;
-    if let Some(other) = docs.iter().find(|attribute| !attribute.path().is_ident("doc")) {
+    if let Some(other) = docs
+        .iter()
+        .find(|attribute| !attribute.path().is_ident("doc"))
+    {
         return Err(errors::not_a_doc_comment(other));
     }
     let keyword: Ident = input.parse()?;
@@ -58,11 +63,15 @@ fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
         "link" => {
             let named = named(input, docs)?;
             let (from, to) = arrow(input)?;
-            listing.constraints.push(Constraint::Link(Link { named, from, to }));
+            listing
+                .constraints
+                .push(Constraint::Link(Link { named, from, to }));
         }
         "body" => {
             let (named, points) = (named(input, docs)?, names(input)?);
-            listing.constraints.push(Constraint::Body(Body { named, points }));
+            listing
+                .constraints
+                .push(Constraint::Body(Body { named, points }));
         }
         "drive" => {
             let (named, quantity) = (named(input, docs)?, input.parse()?);
@@ -104,7 +113,10 @@ fn points(input: ParseStream<'_>) -> syn::Result<Vec<Named>> {
     let mut points = Vec::new();
     while !input.peek(Token![;]) {
         let docs = input.call(Attribute::parse_outer)?;
-        points.push(Named { docs, name: input.parse()? });
+        points.push(Named {
+            docs,
+            name: input.parse()?,
+        });
         if !input.peek(Token![;]) {
             input.parse::<Token![,]>()?;
         }
@@ -160,6 +172,9 @@ impl Parse for Coordinate {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let point = input.parse()?;
         input.parse::<Token![.]>()?;
-        Ok(Self { point, axis: input.parse()? })
+        Ok(Self {
+            point,
+            axis: input.parse()?,
+        })
     }
 }

@@ -49,11 +49,25 @@ impl Site {
 /// Equations of one kind; each is one row of the Jacobian, or three.
 pub(crate) enum Equation {
     /// A constant length; where one end is on the chassis, it is `from`.
-    Distance { named: Named, from: Site, to: Site, of_body: bool },
+    Distance {
+        named: Named,
+        from: Site,
+        to: Site,
+        of_body: bool,
+    },
     /// A point carried by the frame of a body: three rows.
-    Carried { body: Ident, point: Site, frame: [Site; 3] },
+    Carried {
+        body: Ident,
+        point: Site,
+        frame: [Site; 3],
+    },
     /// A prescribed coordinate, or difference of two.
-    Coordinate { drive: Ident, axis: usize, of: Site, minus: Option<Site> },
+    Coordinate {
+        drive: Ident,
+        axis: usize,
+        of: Site,
+        minus: Option<Site>,
+    },
 }
 
 /// A body of three points or more.
@@ -112,7 +126,9 @@ impl Equation {
             Self::Distance { named, .. } => vec![named.name.clone()],
             Self::Carried { body, point, .. } => {
                 let name = carried_name(body, &point.name);
-                AXES.iter().map(|axis| format_ident!("{name}_{axis}")).collect()
+                AXES.iter()
+                    .map(|axis| format_ident!("{name}_{axis}"))
+                    .collect()
             }
             Self::Coordinate { drive, .. } => vec![drive.clone()],
         }
@@ -129,9 +145,15 @@ impl Equation {
                     columns
                 })
                 .collect(),
-            Self::Coordinate { axis, of, minus, .. } => {
+            Self::Coordinate {
+                axis, of, minus, ..
+            } => {
                 let ends = [Some(of), minus.as_ref()].into_iter().flatten();
-                vec![ends.filter(|site| site.is_free()).map(|site| (&site.name, *axis)).collect()]
+                vec![
+                    ends.filter(|site| site.is_free())
+                        .map(|site| (&site.name, *axis))
+                        .collect(),
+                ]
             }
         }
     }
@@ -139,7 +161,8 @@ impl Equation {
 
 fn free_axes<'a>(sites: impl IntoIterator<Item = &'a Site>) -> Vec<(&'a Ident, usize)> {
     let free = sites.into_iter().filter(|site| site.is_free());
-    free.flat_map(|site| (0..3).map(move |axis| (&site.name, axis))).collect()
+    free.flat_map(|site| (0..3).map(move |axis| (&site.name, axis)))
+        .collect()
 }
 
 impl System {
@@ -160,6 +183,7 @@ impl System {
             index.map(|index| 3 * index + axis)
         };
         let rows = self.equations.iter().flat_map(Equation::columns);
-        rows.map(|columns| columns.into_iter().filter_map(column).collect()).collect()
+        rows.map(|columns| columns.into_iter().filter_map(column).collect())
+            .collect()
     }
 }

@@ -35,7 +35,10 @@ pub(super) fn build_impl(system: &System) -> TokenStream {
 fn distances(system: &System) -> Vec<(Ident, [Ident; 2])> {
     let mut distances = Vec::new();
     for equation in &system.equations {
-        if let Equation::Distance { named, from, to, .. } = equation {
+        if let Equation::Distance {
+            named, from, to, ..
+        } = equation
+        {
             distances.push((named.name.clone(), [from.name.clone(), to.name.clone()]));
         }
     }
@@ -47,7 +50,10 @@ fn new(system: &System) -> TokenStream {
     let frames = system.bodies.iter().map(|body| {
         let name = frame_name(&body.name);
         let [.., third] = &body.frame;
-        let (third, points) = (third.name.to_string(), body.frame.iter().map(|site| &site.name));
+        let (third, points) = (
+            third.name.to_string(),
+            body.frame.iter().map(|site| &site.name),
+        );
         quote!(let #name = build::frame(#third, Frame::new(#(design.#points),*))?;)
     });
     let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
@@ -123,12 +129,20 @@ fn with_lengths(system: &System) -> TokenStream {
         quote!(let #name = build::frame_of_lengths(#third, [#(#edges),*])?;)
     });
     let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
-    let distances = distances(system).into_iter().map(|(name, _)| quote!(#name: Distance::new(lengths.#name)));
+    let distances = distances(system)
+        .into_iter()
+        .map(|(name, _)| quote!(#name: Distance::new(lengths.#name)));
     let carried = system.bodies.iter().flat_map(|body| {
         let frame = frame_name(&body.name);
         body.carried.iter().map(move |point| {
-            let (name, text) = (carried_name(&body.name, &point.name), point.name.to_string());
-            let lengths = body.frame.iter().map(|site| pair_name(&body.name, &point.name, &site.name));
+            let (name, text) = (
+                carried_name(&body.name, &point.name),
+                point.name.to_string(),
+            );
+            let lengths = body
+                .frame
+                .iter()
+                .map(|site| pair_name(&body.name, &point.name, &site.name));
             quote!(#name: build::carried_at(#text, &self.#name, &#frame, [#(lengths.#lengths),*])?)
         })
     });
@@ -161,7 +175,10 @@ fn with_markers(system: &System) -> TokenStream {
 fn lengths(system: &System) -> TokenStream {
     let fields = types::length_fields(system);
     let names: Vec<&Ident> = fields.iter().map(|field| &field.name).collect();
-    let stated: Vec<Ident> = distances(system).into_iter().map(|(name, _)| name).collect();
+    let stated: Vec<Ident> = distances(system)
+        .into_iter()
+        .map(|(name, _)| name)
+        .collect();
     let of_bodies = system.bodies.iter().map(|body| {
         let frame = frame_name(&body.name);
         let edges = body.frame_pairs().map(|[a, b]| {
@@ -171,7 +188,10 @@ fn lengths(system: &System) -> TokenStream {
         });
         let reaches = body.carried.iter().map(|point| {
             let name = carried_name(&body.name, &point.name);
-            let lengths = body.frame.iter().map(|site| pair_name(&body.name, &point.name, &site.name));
+            let lengths = body
+                .frame
+                .iter()
+                .map(|site| pair_name(&body.name, &point.name, &site.name));
             quote!(let [#(#lengths),*] = self.#name.lengths(&self.#frame);)
         });
         quote! {
@@ -180,7 +200,11 @@ fn lengths(system: &System) -> TokenStream {
         }
     });
     let values = names.iter().map(|name| {
-        if stated.contains(name) { quote!(#name: self.#name.length()) } else { quote!(#name) }
+        if stated.contains(name) {
+            quote!(#name: self.#name.length())
+        } else {
+            quote!(#name)
+        }
     });
     quote! {
         fn lengths(&self) -> Lengths<T> {
@@ -191,15 +215,23 @@ fn lengths(system: &System) -> TokenStream {
 }
 
 fn drives_at(system: &System) -> TokenStream {
-    let values = system.drives.iter().map(|Drive { named, axis, of, minus, angle_of }| {
-        let (name, axis, of) = (&named.name, format_ident!("{}", AXES[*axis]), &of.name);
-        let minus = minus.as_ref().map(|minus| quote!(- points.#minus.#axis));
-        let coordinate = quote!(points.#of.#axis #minus);
-        match angle_of {
-            Some(link) => quote!(#name: build::angle(#coordinate, self.#link.length())),
-            None => quote!(#name: #coordinate),
-        }
-    });
+    let values = system.drives.iter().map(
+        |Drive {
+             named,
+             axis,
+             of,
+             minus,
+             angle_of,
+         }| {
+            let (name, axis, of) = (&named.name, format_ident!("{}", AXES[*axis]), &of.name);
+            let minus = minus.as_ref().map(|minus| quote!(- points.#minus.#axis));
+            let coordinate = quote!(points.#of.#axis #minus);
+            match angle_of {
+                Some(link) => quote!(#name: build::angle(#coordinate, self.#link.length())),
+                None => quote!(#name: #coordinate),
+            }
+        },
+    );
     quote! {
         fn drives_at(&self, points: &Points<T>) -> Drives<T> {
             Drives { #(#values),* }

@@ -57,9 +57,10 @@ pub(super) fn header(system: &System) -> TokenStream {
         n * n,
     );
     let [residual, jacobian, curvature] = operations(system).map(
-        |Operations { multiplications, additions }| {
-            format!("{multiplications} multiplications and {additions} additions")
-        },
+        |Operations {
+             multiplications,
+             additions,
+         }| { format!("{multiplications} multiplications and {additions} additions") },
     );
     let counts = format!(
         " Residual: {residual}. Jacobian: {jacobian}. Curvature: {curvature}. No division, no branch."
@@ -75,5 +76,8 @@ pub(super) fn header(system: &System) -> TokenStream {
 }
 
 fn list<'a>(names: impl Iterator<Item = &'a syn::Ident>) -> String {
-    names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+    names
+        .map(|name| format!("`{name}`"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }

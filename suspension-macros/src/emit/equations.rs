@@ -60,7 +60,11 @@ fn tables(system: &System) -> TokenStream {
 
 /// Angles to coordinates, and driven coordinates into anchors.
 fn inputs(system: &System) -> TokenStream {
-    let angles: Vec<_> = system.drives.iter().filter(|drive| drive.angle_of.is_some()).collect();
+    let angles: Vec<_> = system
+        .drives
+        .iter()
+        .filter(|drive| drive.angle_of.is_some())
+        .collect();
     let conversions = angles.iter().map(|drive| {
         let (name, link) = (&drive.named.name, &drive.angle_of);
         quote! {
@@ -75,9 +79,16 @@ fn inputs(system: &System) -> TokenStream {
         }
     });
     let names: Vec<&Ident> = angles.iter().map(|drive| &drive.named.name).collect();
-    let anchors = system.drives.iter().filter(|drive| !drive.of.is_free() && drive.minus.is_none());
+    let anchors = system
+        .drives
+        .iter()
+        .filter(|drive| !drive.of.is_free() && drive.minus.is_none());
     let anchors = anchors.map(|drive| {
-        let (name, point, axis) = (&drive.named.name, &drive.of.name, format_ident!("{}", AXES[drive.axis]));
+        let (name, point, axis) = (
+            &drive.named.name,
+            &drive.of.name,
+            format_ident!("{}", AXES[drive.axis]),
+        );
         quote!(fixed.#point.#axis = drives.#name;)
     });
     let anchors: Vec<TokenStream> = anchors.collect();
@@ -113,7 +124,11 @@ impl Site {
     /// The point's value in one of two structs, by where it belongs.
     fn of(&self, free: &Ident, fixed: &Ident) -> TokenStream {
         let Self { name, .. } = self;
-        if self.is_free() { quote!(#free.#name) } else { quote!(#fixed.#name) }
+        if self.is_free() {
+            quote!(#free.#name)
+        } else {
+            quote!(#fixed.#name)
+        }
     }
 }
 
@@ -124,7 +139,12 @@ fn vector(from: &Site, to: &Site, free: &Ident, fixed: &Ident) -> TokenStream {
 }
 
 /// `let body_frame = Frame::new(..);` for each body that carries points.
-fn frames<'a>(system: &'a System, suffix: &'a str, free: &'a Ident, fixed: &'a Ident) -> impl Iterator<Item = TokenStream> {
+fn frames<'a>(
+    system: &'a System,
+    suffix: &'a str,
+    free: &'a Ident,
+    fixed: &'a Ident,
+) -> impl Iterator<Item = TokenStream> {
     let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
     bodies.map(move |body| {
         let name = format_ident!("{}{suffix}", frame_name(&body.name));
@@ -154,14 +174,17 @@ fn ident(name: &str) -> Ident {
 
 /// The rows of a vector with one entry for each equation.
 fn rows(system: &System, entry: impl Fn(&Equation) -> Option<TokenStream>) -> TokenStream {
-    let rows = system.equations.iter().flat_map(|equation| match (equation, entry(equation)) {
-        (Equation::Carried { .. }, Some(vector)) => {
-            vec![quote!(#vector.x), quote!(#vector.y), quote!(#vector.z)]
-        }
-        (Equation::Carried { .. }, None) => vec![quote!(T::zero()); 3],
-        (_, Some(entry)) => vec![entry],
-        (_, None) => vec![quote!(T::zero())],
-    });
+    let rows = system
+        .equations
+        .iter()
+        .flat_map(|equation| match (equation, entry(equation)) {
+            (Equation::Carried { .. }, Some(vector)) => {
+                vec![quote!(#vector.x), quote!(#vector.y), quote!(#vector.z)]
+            }
+            (Equation::Carried { .. }, None) => vec![quote!(T::zero()); 3],
+            (_, Some(entry)) => vec![entry],
+            (_, None) => vec![quote!(T::zero())],
+        });
     quote!(SVector::from([#(#rows),*]))
 }
 
@@ -173,23 +196,32 @@ fn residual(system: &System) -> TokenStream {
         let (point, frame) = (point.of(free, fixed), frame_name(&body.name));
         quote!(residual(#point, &#frame))
     });
-    let rows = rows(system, |equation| Some(match equation {
-        Equation::Distance { named, from, to, .. } => {
-            let (name, vector) = (&named.name, vector(from, to, free, fixed));
-            quote!(self.#name.residual(#vector))
-        }
-        Equation::Carried { body, point, .. } => {
-            let name = carried_name(body, &point.name);
-            quote!(#name)
-        }
-        Equation::Coordinate { drive, axis, of, minus } => {
-            let axis = ident(AXES[*axis]);
-            let of = of.of(free, fixed);
-            let minus = minus.as_ref().map(|minus| minus.of(free, fixed));
-            let minus = minus.map(|minus| quote!(- #minus.#axis));
-            quote!(#of.#axis #minus - drives.#drive)
-        }
-    }));
+    let rows = rows(system, |equation| {
+        Some(match equation {
+            Equation::Distance {
+                named, from, to, ..
+            } => {
+                let (name, vector) = (&named.name, vector(from, to, free, fixed));
+                quote!(self.#name.residual(#vector))
+            }
+            Equation::Carried { body, point, .. } => {
+                let name = carried_name(body, &point.name);
+                quote!(#name)
+            }
+            Equation::Coordinate {
+                drive,
+                axis,
+                of,
+                minus,
+            } => {
+                let axis = ident(AXES[*axis]);
+                let of = of.of(free, fixed);
+                let minus = minus.as_ref().map(|minus| minus.of(free, fixed));
+                let minus = minus.map(|minus| quote!(- #minus.#axis));
+                quote!(#of.#axis #minus - drives.#drive)
+            }
+        })
+    });
     quote! {
         #[inline(always)]
         fn residual(&self, q: &SVector<T, #n>, fixed: &Fixed<T>, drives: &Drives<T>) -> SVector<T, #n> {
@@ -208,7 +240,9 @@ fn jacobian(system: &System) -> TokenStream {
     let entries = system.equations.iter().map(|equation| {
         let rows: Vec<TokenStream> = equation.rows().iter().map(indices::equation).collect();
         match equation {
-            Equation::Distance { named, from, to, .. } => {
+            Equation::Distance {
+                named, from, to, ..
+            } => {
                 let (name, vector) = (&named.name, vector(from, to, free, fixed));
                 let to = gradient_entries(to, &rows[0], &quote!());
                 let from = gradient_entries(from, &rows[0], &quote!(-));
@@ -229,14 +263,19 @@ fn jacobian(system: &System) -> TokenStream {
                     #(#blocks)*
                 }
             }
-            Equation::Coordinate { axis, of, minus, .. } => {
+            Equation::Coordinate {
+                axis, of, minus, ..
+            } => {
                 let row = &rows[0];
                 let entry = |site: &Site, value: TokenStream| {
                     let column = &indices::unknowns(&site.name)[*axis];
-                    site.is_free().then(|| quote!(columns[#column][#row] = #value;))
+                    site.is_free()
+                        .then(|| quote!(columns[#column][#row] = #value;))
                 };
                 let of = entry(of, quote!(T::one()));
-                let minus = minus.as_ref().and_then(|minus| entry(minus, quote!(-T::one())));
+                let minus = minus
+                    .as_ref()
+                    .and_then(|minus| entry(minus, quote!(-T::one())));
                 quote!(#of #minus)
             }
         }
@@ -255,16 +294,19 @@ fn jacobian(system: &System) -> TokenStream {
 
 fn gradient_entries(site: &Site, row: &TokenStream, sign: &TokenStream) -> Option<TokenStream> {
     let [x, y, z] = indices::unknowns(&site.name);
-    site.is_free().then(|| quote! {
-        columns[#x][#row] = #sign gradient.x;
-        columns[#y][#row] = #sign gradient.y;
-        columns[#z][#row] = #sign gradient.z;
+    site.is_free().then(|| {
+        quote! {
+            columns[#x][#row] = #sign gradient.x;
+            columns[#y][#row] = #sign gradient.y;
+            columns[#z][#row] = #sign gradient.z;
+        }
     })
 }
 
 fn identity_entries(site: &Site, rows: &[TokenStream]) -> Option<TokenStream> {
     let columns = indices::unknowns(&site.name);
-    site.is_free().then(|| quote!(#(columns[#columns][#rows] = T::one();)*))
+    site.is_free()
+        .then(|| quote!(#(columns[#columns][#rows] = T::one();)*))
 }
 
 fn block_entries(site: &Site, rows: &[TokenStream], block: &Ident) -> Option<TokenStream> {
@@ -290,7 +332,9 @@ fn curvature(system: &System) -> TokenStream {
         quote!(curvature(&#v, &#w))
     });
     let rows = rows(system, |equation| match equation {
-        Equation::Distance { named, from, to, .. } => {
+        Equation::Distance {
+            named, from, to, ..
+        } => {
             let name = &named.name;
             let (v, w) = (vector(from, to, v, v_fixed), vector(from, to, w, w_fixed));
             Some(quote!(self.#name.curvature(#v, #w)))
@@ -320,7 +364,9 @@ fn curvature(system: &System) -> TokenStream {
 
 fn drive_rate(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    let body = anchor_terms(system, SiteMotion::DrivenAnchor, |drive| Some(quote!(drive_rate.#drive)));
+    let body = anchor_terms(system, SiteMotion::DrivenAnchor, |drive| {
+        Some(quote!(drive_rate.#drive))
+    });
     quote! {
         #[inline(always)]
         fn drive_rate(
@@ -348,23 +394,35 @@ fn chassis_rate(system: &System) -> TokenStream {
 
 /// `-dF/du udot` for the chassis points with the given motion and, where `drive` gives one, the
 /// drive's own rate.
-fn anchor_terms(system: &System, motion: SiteMotion, drive_rate: impl Fn(&Ident) -> Option<TokenStream>) -> TokenStream {
+fn anchor_terms(
+    system: &System,
+    motion: SiteMotion,
+    drive_rate: impl Fn(&Ident) -> Option<TokenStream>,
+) -> TokenStream {
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let moves = |site: &&Site| site.motion == motion;
     let frames = frames(system, "", free, fixed);
-    let moved = system.bodies.iter().filter(|body| body.frame.iter().any(|site| moves(&site)));
+    let moved = system
+        .bodies
+        .iter()
+        .filter(|body| body.frame.iter().any(|site| moves(&site)));
     let gradients = carried(moved, |body, _| {
         let frame = frame_name(&body.name);
         quote!(gradient(&#frame))
     });
     let rows = rows(system, |equation| match equation {
-        Equation::Distance { named, from, to, .. } => moves(&from).then(|| {
+        Equation::Distance {
+            named, from, to, ..
+        } => moves(&from).then(|| {
             let (name, vector, from) = (&named.name, vector(from, to, free, fixed), &from.name);
             quote!(self.#name.gradient(#vector).dot(&fixed_rate.#from))
         }),
         Equation::Carried { body, point, frame } => {
             let name = carried_name(body, &point.name);
-            let blocks = ["origin", "second", "third"].map(ident).into_iter().zip(frame);
+            let blocks = ["origin", "second", "third"]
+                .map(ident)
+                .into_iter()
+                .zip(frame);
             let terms = blocks.filter(|(_, site)| moves(site)).map(|(block, site)| {
                 let site = &site.name;
                 quote!(- #name.#block * fixed_rate.#site)
@@ -372,10 +430,18 @@ fn anchor_terms(system: &System, motion: SiteMotion, drive_rate: impl Fn(&Ident)
             let terms: Vec<TokenStream> = terms.collect();
             (!terms.is_empty()).then(|| quote!((#(#terms)*)))
         }
-        Equation::Coordinate { drive, axis, of, minus } => {
+        Equation::Coordinate {
+            drive,
+            axis,
+            of,
+            minus,
+        } => {
             let axis = ident(AXES[*axis]);
             let of = Some(of).filter(moves).map(|site| (&site.name, quote!(-)));
-            let minus = minus.as_ref().filter(moves).map(|site| (&site.name, quote!(+)));
+            let minus = minus
+                .as_ref()
+                .filter(moves)
+                .map(|site| (&site.name, quote!(+)));
             let ends = of.into_iter().chain(minus);
             let ends = ends.map(|(site, sign)| quote!(#sign fixed_rate.#site.#axis));
             let ends: Vec<TokenStream> = ends.collect();

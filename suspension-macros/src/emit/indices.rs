@@ -8,7 +8,11 @@ use crate::system::{AXES, System};
 
 pub(super) fn modules(system: &System) -> TokenStream {
     let equations = constants(&system.rows());
-    let unknowns: Vec<Ident> = system.free.iter().flat_map(|point| unknown_names(&point.name)).collect();
+    let unknowns: Vec<Ident> = system
+        .free
+        .iter()
+        .flat_map(|point| unknown_names(&point.name))
+        .collect();
     let unknowns = constants(&unknowns);
     quote! {
         /// Rows of the residual and the Jacobian.
@@ -38,7 +42,10 @@ fn constants(names: &[Ident]) -> TokenStream {
 }
 
 fn upper(name: &Ident) -> Ident {
-    Ident::new(&name.to_string().to_uppercase(), proc_macro2::Span::call_site())
+    Ident::new(
+        &name.to_string().to_uppercase(),
+        proc_macro2::Span::call_site(),
+    )
 }
 
 /// `equation::NAME`.

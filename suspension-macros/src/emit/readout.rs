@@ -19,7 +19,10 @@ pub(super) fn points(system: &System) -> TokenStream {
         quote!(velocity(&#at, &#rate))
     });
     let accelerations = all_points(system, |marker| {
-        let (at, rate) = (frame_of(marker, &quote!(at)), frame_of(marker, &quote!(velocities)));
+        let (at, rate) = (
+            frame_of(marker, &quote!(at)),
+            frame_of(marker, &quote!(velocities)),
+        );
         let second_rate = frame_of_sites(marker);
         quote!(acceleration(&#at, &#rate, &#second_rate))
     });
@@ -83,7 +86,11 @@ pub(super) fn frame_of(marker: &Marker, points: &TokenStream) -> TokenStream {
 fn frame_of_sites(marker: &Marker) -> TokenStream {
     let points = marker.frame.iter().map(|site| {
         let name = &site.name;
-        if site.is_free() { quote!(free.#name) } else { quote!(fixed.#name) }
+        if site.is_free() {
+            quote!(free.#name)
+        } else {
+            quote!(fixed.#name)
+        }
     });
     quote!(Frame::new(#(#points),*))
 }

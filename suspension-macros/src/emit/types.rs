@@ -17,25 +17,48 @@ pub(super) struct Field {
 
 impl Field {
     pub(super) fn new(docs: &[Attribute], name: &Ident, fallback: String) -> Self {
-        Self { docs: docs.to_vec(), name: name.clone(), fallback }
+        Self {
+            docs: docs.to_vec(),
+            name: name.clone(),
+            fallback,
+        }
     }
 
     fn docs(&self) -> TokenStream {
         let Self { docs, fallback, .. } = self;
-        if docs.is_empty() { quote!(#[doc = #fallback]) } else { quote!(#(#docs)*) }
+        if docs.is_empty() {
+            quote!(#[doc = #fallback])
+        } else {
+            quote!(#(#docs)*)
+        }
     }
 }
 
 pub(super) fn all(system: &System) -> TokenStream {
-    let points = named("Points", " Every point, with a position, velocity or acceleration each.", &quote!(Vector3<T>), &point_fields(system));
-    let fixed = named("Fixed", " Chassis points.", &quote!(Vector3<T>), &fixed_fields(system));
+    let points = named(
+        "Points",
+        " Every point, with a position, velocity or acceleration each.",
+        &quote!(Vector3<T>),
+        &point_fields(system),
+    );
+    let fixed = named(
+        "Fixed",
+        " Chassis points.",
+        &quote!(Vector3<T>),
+        &fixed_fields(system),
+    );
     let drives = named(
         "Drives",
         " The drives' values, or rates: coordinates in the unit of the points, angles in radians.",
         &quote!(T),
         &drive_fields(system),
     );
-    let lengths = named("Lengths", " The constant lengths of links and bodies.", &quote!(T), &length_fields(system));
+    let lengths = named(
+        "Lengths",
+        " The constant lengths of links and bodies.",
+        &quote!(T),
+        &length_fields(system),
+    );
     let free = free(system);
     let model = model(system);
     quote!(#points #fixed #drives #lengths #free #model)
@@ -75,18 +98,30 @@ fn named(name: &str, doc: &str, value: &TokenStream, fields: &[Field]) -> TokenS
 }
 
 fn point_fields(system: &System) -> Vec<Field> {
-    let free = system.free.iter().map(|p| Field::new(&p.docs, &p.name, format!(" Free point `{}`.", p.name)));
+    let free = system
+        .free
+        .iter()
+        .map(|p| Field::new(&p.docs, &p.name, format!(" Free point `{}`.", p.name)));
     let markers = system.markers.iter().map(|marker| {
         let [a, b, c] = &marker.frame;
-        let fallback = format!(" Marker, carried by `{}`, `{}`, `{}`.", a.name, b.name, c.name);
+        let fallback = format!(
+            " Marker, carried by `{}`, `{}`, `{}`.",
+            a.name, b.name, c.name
+        );
         Field::new(&marker.named.docs, &marker.named.name, fallback)
     });
-    fixed_fields(system).into_iter().chain(free).chain(markers).collect()
+    fixed_fields(system)
+        .into_iter()
+        .chain(free)
+        .chain(markers)
+        .collect()
 }
 
 fn fixed_fields(system: &System) -> Vec<Field> {
     let fixed = system.fixed.iter();
-    fixed.map(|p| Field::new(&p.docs, &p.name, format!(" Chassis point `{}`.", p.name))).collect()
+    fixed
+        .map(|p| Field::new(&p.docs, &p.name, format!(" Chassis point `{}`.", p.name)))
+        .collect()
 }
 
 fn drive_fields(system: &System) -> Vec<Field> {
@@ -108,14 +143,27 @@ pub(super) fn length_fields(system: &System) -> Vec<Field> {
     let between = |a: &Ident, b: &Ident| format!(" From `{a}` to `{b}`.");
     let mut fields = Vec::new();
     for equation in &system.equations {
-        if let Equation::Distance { named, from, to, .. } = equation
-            && !system.bodies.iter().any(|body| body.frame_lengths().any(|name| name == named.name))
+        if let Equation::Distance {
+            named, from, to, ..
+        } = equation
+            && !system
+                .bodies
+                .iter()
+                .any(|body| body.frame_lengths().any(|name| name == named.name))
         {
-            fields.push(Field::new(&named.docs, &named.name, between(&from.name, &to.name)));
+            fields.push(Field::new(
+                &named.docs,
+                &named.name,
+                between(&from.name, &to.name),
+            ));
         }
     }
     for body in &system.bodies {
-        for [a, b] in body.frame_pairs().into_iter().filter(|[a, b]| a.is_free() || b.is_free()) {
+        for [a, b] in body
+            .frame_pairs()
+            .into_iter()
+            .filter(|[a, b]| a.is_free() || b.is_free())
+        {
             let name = pair_name(&body.name, &a.name, &b.name);
             fields.push(Field::new(&[], &name, between(&a.name, &b.name)));
         }
@@ -131,7 +179,9 @@ pub(super) fn length_fields(system: &System) -> Vec<Field> {
 
 impl Body {
     fn frame_lengths(&self) -> impl Iterator<Item = Ident> {
-        self.frame_pairs().into_iter().map(|[a, b]| pair_name(&self.name, &a.name, &b.name))
+        self.frame_pairs()
+            .into_iter()
+            .map(|[a, b]| pair_name(&self.name, &a.name, &b.name))
     }
 }
 
@@ -140,7 +190,10 @@ fn free(system: &System) -> TokenStream {
     let n = proc_macro2::Literal::usize_unsuffixed(system.size());
     let names: Vec<&Ident> = system.free.iter().map(|point| &point.name).collect();
     let coordinate = |axis: &'static str| {
-        names.iter().map(move |name| quote::format_ident!("{name}_{axis}")).collect::<Vec<_>>()
+        names
+            .iter()
+            .map(move |name| quote::format_ident!("{name}_{axis}"))
+            .collect::<Vec<_>>()
     };
     let [x, y, z] = AXES.map(coordinate);
     quote! {
@@ -168,13 +221,24 @@ fn free(system: &System) -> TokenStream {
 
 /// Names and types of the model's constants: one for each length and each carried point.
 fn model(system: &System) -> TokenStream {
-    let links = system.equations.iter().filter_map(|equation| match equation {
-        Equation::Distance { named, .. } => Some(&named.name),
-        _ => None,
-    });
-    let frames: Vec<Ident> = system.bodies.iter().map(|body| frame_name(&body.name)).collect();
+    let links = system
+        .equations
+        .iter()
+        .filter_map(|equation| match equation {
+            Equation::Distance { named, .. } => Some(&named.name),
+            _ => None,
+        });
+    let frames: Vec<Ident> = system
+        .bodies
+        .iter()
+        .map(|body| frame_name(&body.name))
+        .collect();
     let bodies = system.bodies.iter();
-    let carried = bodies.flat_map(|b| b.carried.iter().map(|point| carried_name(&b.name, &point.name)));
+    let carried = bodies.flat_map(|b| {
+        b.carried
+            .iter()
+            .map(|point| carried_name(&b.name, &point.name))
+    });
     let markers = system.markers.iter().map(|marker| &marker.named.name);
     quote! {
         /// The geometry: chassis points at rest and the constants of every equation.
@@ -195,15 +259,26 @@ pub(super) fn stub(listing: &Listing) -> TokenStream {
     let field = |name: &Ident| Field::new(&[], name, String::new());
     let unique = |names: Vec<&Ident>| -> Vec<Field> {
         let mut seen = std::collections::BTreeSet::new();
-        names.into_iter().filter(|name| seen.insert(name.to_string())).map(field).collect()
+        names
+            .into_iter()
+            .filter(|name| seen.insert(name.to_string()))
+            .map(field)
+            .collect()
     };
     let fixed: Vec<&Ident> = listing.fixed.iter().map(|point| &point.name).collect();
     let free = listing.free.iter().map(|point| &point.name);
     let markers = listing.markers.iter().map(|marker| &marker.named.name);
     let points = fixed.iter().copied().chain(free).chain(markers).collect();
-    let links = listing.constraints.iter().filter(|c| matches!(c, Constraint::Link(_)));
+    let links = listing
+        .constraints
+        .iter()
+        .filter(|c| matches!(c, Constraint::Link(_)));
     let lengths = links.map(Constraint::name).collect();
-    let drives = listing.drives.iter().map(|drive| &drive.named.name).collect();
+    let drives = listing
+        .drives
+        .iter()
+        .map(|drive| &drive.named.name)
+        .collect();
     let vector = quote!(Vector3<T>);
     let structs = [
         ("Points", &vector, unique(points)),
