@@ -23,6 +23,7 @@ extern crate self as suspension_core;
 pub mod assemble;
 pub mod body;
 pub mod build;
+pub mod chassis;
 pub mod constraint;
 pub mod error;
 #[doc(hidden)]
@@ -41,6 +42,7 @@ pub use nalgebra;
 pub use suspension_macros::linkage;
 
 pub use assemble::assemble;
+pub use chassis::RigidMotion;
 pub use error::{GeometryError, SolveError};
 pub use linkage::{Build, DriveKind, HasKingpin, HasWheel, Linkage, Named};
 pub use motion::{Motion, Tangent};

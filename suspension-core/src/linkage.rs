@@ -16,6 +16,15 @@ pub trait Named<V>: Copy {
 
     /// The fields' values, in the order of [`NAMES`](Self::NAMES).
     fn values(&self) -> impl Iterator<Item = V>;
+
+    /// The same names with other values.
+    fn map(&self, value: impl Fn(V) -> V) -> Self
+    where
+        V: Default,
+    {
+        let mut values = self.values();
+        Self::from_fn(|_| value(values.next().unwrap_or_default()))
+    }
 }
 
 /// What a drive's value measures.

@@ -1,0 +1,63 @@
+//! A chassis in rigid motion.
+//!
+//! A simulator usually solves the linkage in chassis axes, where the chassis points rest
+//! ([`Still`](crate::Still)), and carries the result into the world ([`RigidMotion::carry`]).
+//! That is the cheapest way and keeps coordinates small. The other way, chassis points that move
+//! in world axes ([`RigidMotion::anchors`] as inputs), gives the same motion; drives then
+//! prescribe world coordinates.
+
+use nalgebra::{Isometry3, Vector3};
+
+use crate::linkage::Named;
+use crate::scalar::Real;
+use crate::signal::Signal;
+
+/// Pose, velocity and acceleration of a rigid body, all in world axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RigidMotion<T: Real> {
+    /// From body axes to world axes.
+    pub pose: Isometry3<T>,
+    /// Velocity of the body's origin, per second.
+    pub velocity: Vector3<T>,
+    /// Angular velocity, rad/s.
+    pub omega: Vector3<T>,
+    /// Acceleration of the body's origin, per second squared.
+    pub acceleration: Vector3<T>,
+    /// Angular acceleration, rad/s^2.
+    pub alpha: Vector3<T>,
+}
+
+impl<T: Real> RigidMotion<T> {
+    /// Carries a point that moves in body axes into the world.
+    pub fn carry(&self, point: Signal<Vector3<T>>) -> Signal<Vector3<T>> {
+        let [r, v, a] =
+            [point.value, point.rate, point.second_rate].map(|x| self.pose.rotation * x);
+        let turning = self.omega.cross(&r);
+        let coriolis = self.omega.cross(&v) * T::constant(2.0);
+        Signal {
+            value: self.pose.translation.vector + r,
+            rate: self.velocity + turning + v,
+            second_rate: self.acceleration
+                + self.alpha.cross(&r)
+                + self.omega.cross(&turning)
+                + coriolis
+                + a,
+        }
+    }
+
+    /// Chassis points that rest in body axes, as inputs of a linkage solved in world axes.
+    pub fn anchors<F: Named<Vector3<T>>>(&self, at_rest: &F) -> Signal<F> {
+        let carry = |point| {
+            self.carry(Signal {
+                value: point,
+                rate: Vector3::zeros(),
+                second_rate: Vector3::zeros(),
+            })
+        };
+        Signal {
+            value: at_rest.map(|point| carry(point).value),
+            rate: at_rest.map(|point| carry(point).rate),
+            second_rate: at_rest.map(|point| carry(point).second_rate),
+        }
+    }
+}

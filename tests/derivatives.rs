@@ -1,0 +1,224 @@
+//! Every entry of every Jacobian and curvature against central differences.
+//!
+//! The equations are at most quadratic, so a central difference is exact but for rounding and the
+//! step may be large.
+
+mod support;
+
+use nalgebra::{SVector, Vector3};
+use suspension_core::constraint::{Carried, Distance, Frame, angle_to_coordinate};
+use suspension_core::{Linkage, Named, Real, Signal};
+
+const STEP: f64 = 0.125;
+
+/// A number in [-0.4, 0.4], the same for the same seed: coordinates of no special geometry.
+fn crooked<T: Real>(seed: usize) -> T {
+    T::constant(((seed * 7919 + 17) % 1009) as f64 / 1009.0 * 0.8 - 0.4)
+}
+
+fn crooked_vector<T: Real>(seed: usize) -> Vector3<T> {
+    Vector3::new(
+        crooked(3 * seed),
+        crooked(3 * seed + 1),
+        crooked(3 * seed + 2),
+    )
+}
+
+fn assert_near<T: Real>(found: T, expected: T, what: &str) {
+    let bound = T::EPSILON * T::constant(400.0);
+    assert!(
+        (found - expected).abs() <= bound,
+        "{what}: {found} instead of {expected}"
+    );
+}
+
+fn axis<T: Real, const N: usize>(index: usize) -> SVector<T, N> {
+    SVector::from_fn(|row, _| if row == index { T::one() } else { T::zero() })
+}
+
+fn distance<T: Real>() {
+    let constraint = Distance::new(T::constant(0.3));
+    let d = crooked_vector::<T>(1);
+    let step = T::constant(STEP);
+    for i in 0..3 {
+        let e = axis::<T, 3>(i);
+        let difference = constraint.residual(d + e * step) - constraint.residual(d - e * step);
+        assert_near(
+            constraint.gradient(d)[i],
+            difference / (step + step),
+            "distance gradient",
+        );
+        for j in 0..3 {
+            let w = axis::<T, 3>(j);
+            let change = constraint.gradient(d + e * step) - constraint.gradient(d - e * step);
+            let expected = change.dot(&w) / (step + step);
+            assert_near(constraint.curvature(e, w), expected, "distance curvature");
+        }
+    }
+}
+
+fn carried<T: Real>() {
+    let rest = Frame::new(crooked_vector(2), crooked_vector(3), crooked_vector(4));
+    let constraint = Carried::new(crooked_vector(5), &rest).expect("a triangle");
+    let points = [crooked_vector::<T>(6), crooked_vector(7), crooked_vector(8)];
+    let frame = |p: [Vector3<T>; 3]| Frame::new(p[0], p[1], p[2]);
+    let moved = |which: usize, by: Vector3<T>| {
+        let mut points = points;
+        points[which] += by;
+        frame(points)
+    };
+    let blocks = |at: &Frame<T>| {
+        let gradient = constraint.gradient(at);
+        [gradient.origin, gradient.second, gradient.third]
+    };
+    let point = crooked_vector::<T>(9);
+    let step = T::constant(STEP);
+    let unit = |which: usize, i: usize| {
+        let mut rates = [Vector3::zeros(); 3];
+        rates[which] = axis::<T, 3>(i);
+        frame(rates)
+    };
+    for (which, i) in (0..3).flat_map(|which| (0..3).map(move |i| (which, i))) {
+        let e = axis::<T, 3>(i);
+        let (ahead, behind) = (moved(which, e * step), moved(which, e * -step));
+        let difference = constraint.residual(point, &ahead) - constraint.residual(point, &behind);
+        let column = blocks(&frame(points))[which].column(i).into_owned();
+        for row in 0..3 {
+            let expected = difference[row] / (step + step);
+            assert_near(column[row], expected, "carried gradient");
+        }
+        for (other, j) in (0..3).flat_map(|other| (0..3).map(move |j| (other, j))) {
+            let change = blocks(&ahead)[other].column(j) - blocks(&behind)[other].column(j);
+            let curvature = constraint.curvature(&unit(which, i), &unit(other, j));
+            for row in 0..3 {
+                assert_near(
+                    curvature[row],
+                    change[row] / (step + step),
+                    "carried curvature",
+                );
+            }
+        }
+    }
+}
+
+/// Jacobian, input rates and curvature of a whole linkage.
+fn listing<T: Real, L: Linkage<15, Scalar = T>>(model: &L) {
+    let q = SVector::<T, 15>::from_fn(|i, _| crooked(100 + i));
+    let fixed = L::Fixed::from_fn(|name| crooked_vector(200 + 3 * name.len()));
+    let mut seed = 300;
+    let fixed_rate = fixed.map(|_| crooked_vector::<T>(301));
+    let drives = L::Drives::from_fn(|_| {
+        seed += 1;
+        crooked(seed)
+    });
+    let zero = L::Fixed::default();
+    let step = T::constant(STEP);
+    let two_steps = step + step;
+    let jacobian = model.jacobian(&q, &fixed);
+    for column in 0..15 {
+        let e = axis::<T, 15>(column);
+        let ahead = model.residual(&(q + e * step), &fixed, &drives);
+        let behind = model.residual(&(q - e * step), &fixed, &drives);
+        let change =
+            model.jacobian(&(q + e * step), &fixed) - model.jacobian(&(q - e * step), &fixed);
+        for row in 0..15 {
+            let what = format!("dF/dq of {} by {}", L::EQUATIONS[row], L::UNKNOWNS[column]);
+            assert_near(
+                jacobian[(row, column)],
+                (ahead[row] - behind[row]) / two_steps,
+                &what,
+            );
+        }
+        for other in 0..15 {
+            let curvature = model.curvature(&e, &zero, &axis(other), &zero);
+            for row in 0..15 {
+                let what = format!("C of {} by {column} and {other}", L::EQUATIONS[row]);
+                assert_near(curvature[row], change[(row, other)] / two_steps, &what);
+            }
+        }
+    }
+    inputs(model, &q, [&fixed, &fixed_rate], &drives);
+}
+
+/// `-dF/du udot` of moving chassis points and drives, and the curvature with moving chassis.
+fn inputs<T: Real, L: Linkage<15, Scalar = T>>(
+    model: &L,
+    q: &SVector<T, 15>,
+    [fixed, fixed_rate]: [&L::Fixed; 2],
+    drives: &L::Drives,
+) {
+    let step = T::constant(STEP);
+    let drive_rate = drives.map(|_| T::constant(0.7));
+    let v = SVector::<T, 15>::from_fn(|i, _| crooked(400 + i));
+    let at = |s: T, v: &SVector<T, 15>| {
+        let mut rates = fixed_rate.values();
+        let mut points = fixed.values();
+        let fixed = L::Fixed::from_fn(|_| {
+            points.next().unwrap_or_default() + rates.next().unwrap_or_default() * s
+        });
+        let drives = drives.map(|drive| drive + T::constant(0.7) * s);
+        model.residual(&(q + v * s), &fixed, &drives)
+    };
+    let zero = SVector::zeros();
+    let expected = (at(step, &zero) - at(-step, &zero)) / (step + step);
+    let found = model.drive_rate(q, fixed, fixed_rate, &drive_rate)
+        + model.chassis_rate(q, fixed, fixed_rate);
+    let second =
+        (at(step, &v) - at(T::zero(), &v) * T::constant(2.0) + at(-step, &v)) / (step * step);
+    let curvature = model.curvature(&v, fixed_rate, &v, fixed_rate);
+    for row in 0..15 {
+        assert_near(
+            found[row],
+            -expected[row],
+            &format!("-dF/du of {}", L::EQUATIONS[row]),
+        );
+        let what = format!("second rate of {}", L::EQUATIONS[row]);
+        assert_near(curvature[row], second[row], &what);
+    }
+}
+
+#[test]
+fn distances_in_both_precisions() {
+    distance::<f64>();
+    distance::<f32>();
+}
+
+#[test]
+fn carried_points_in_both_precisions() {
+    carried::<f64>();
+    carried::<f32>();
+}
+
+#[test]
+fn the_papers_list_in_both_precisions() {
+    listing(&support::attia_model::<f64>());
+    listing(&support::attia_model::<f32>());
+}
+
+#[test]
+fn the_rigid_knuckle_in_both_precisions() {
+    listing(&support::five_link_model::<f64>());
+    listing(&support::five_link_model::<f32>());
+}
+
+/// The chain rule of a driving angle against differences of `L cos(theta)` in time.
+#[test]
+fn a_driving_angle() {
+    let at = |t: f64| angle_to_coordinate(0.45, support::theta(t));
+    let (t, h) = (0.8, 1e-4);
+    let rate = (at(t + h).value - at(t - h).value) / (2.0 * h);
+    let second_rate = (at(t + h).rate - at(t - h).rate) / (2.0 * h);
+    let Signal {
+        rate: found_rate,
+        second_rate: found_second,
+        ..
+    } = at(t);
+    assert!(
+        (found_rate - rate).abs() < 1e-8,
+        "{found_rate} instead of {rate}"
+    );
+    assert!(
+        (found_second - second_rate).abs() < 1e-8,
+        "{found_second} instead of {second_rate}"
+    );
+}
