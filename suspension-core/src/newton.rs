@@ -9,6 +9,9 @@ use crate::motion::Prescribed;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 
+/// Rounding alone leaves residuals of up to about 2; see [`Newton::tolerance`].
+const DEFAULT_TOLERANCE: f64 = 8.0;
+
 /// How to iterate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Newton<T> {
@@ -23,6 +26,8 @@ pub struct Newton<T> {
     /// of the one before, so a ratio of 1/2 refuses roots of other assemblies (Deuflhard 2011,
     /// Newton Methods for Nonlinear Problems, section 2.1).
     pub contraction: Option<T>,
+    /// How often a correction may be halved until the residual falls; 0 is plain Newton.
+    pub max_halvings: usize,
 }
 
 /// What a successful iteration did.
@@ -37,21 +42,26 @@ pub struct Converged<T> {
 }
 
 impl<T: Real> Newton<T> {
-    /// From a rough guess: many iterations, any path.
+    /// From a rough guess: many iterations, damped, any path.
     pub fn from_afar() -> Self {
+        let tolerance = T::constant(DEFAULT_TOLERANCE);
         Self {
-            tolerance: T::constant(8.0),
-            max_iterations: 50,
+            tolerance,
+            max_iterations: 60,
             contraction: None,
+            max_halvings: 20,
         }
     }
 
     /// From a start near the root: few iterations, each correction at most half of the last.
     pub fn near_by() -> Self {
+        let tolerance = T::constant(DEFAULT_TOLERANCE);
+        let contraction = Some(T::constant(0.5));
         Self {
-            tolerance: T::constant(8.0),
+            tolerance,
             max_iterations: 10,
-            contraction: Some(T::constant(0.5)),
+            contraction,
+            max_halvings: 0,
         }
     }
 
@@ -83,43 +93,66 @@ impl<T: Real> Newton<T> {
     where
         L: Linkage<N, Scalar = T>,
     {
-        let (fixed, drives) = (&prescribed.fixed.value, &prescribed.drives.value);
-        let mut x = *q;
-        let mut residual = linkage.residual(&x, fixed, drives);
-        let mut worst = largest(&residual)?;
+        let residual_at = |x: &SVector<T, N>| {
+            linkage.residual(x, &prescribed.fixed.value, &prescribed.drives.value)
+        };
+        let mut at = Iterate::new(*q, residual_at(q))?;
         let mut last_step = None;
         let mut tolerance = T::zero();
         for iterations in 1..=self.max_iterations {
-            let lu = Lu::factor(&linkage.jacobian(&x, fixed))?;
-            let step = lu.solve(&residual);
-            let rounding = T::EPSILON * linkage.size().max(x.amax());
-            last_step = Some(self.contracting(&step, last_step, rounding)?);
+            let lu = Lu::factor(&linkage.jacobian(&at.q, &prescribed.fixed.value))?;
+            let step = lu.solve(&at.residual);
+            let rounding = T::EPSILON * linkage.size().max(at.q.amax());
             tolerance = self.tolerance * rounding;
-            x -= step;
-            residual = linkage.residual(&x, fixed, drives);
-            worst = largest(&residual)?;
-            if worst.1 <= tolerance {
+            last_step = Some(self.contracting(&step, last_step, rounding)?);
+            at = self.damped(&at, &step, tolerance, residual_at)?;
+            if at.worst <= tolerance {
                 // One more correction with the same factors takes off what the square of the
                 // step has left. It is kept only where the residual agrees.
-                let polished = x - lu.solve(&residual);
-                let polished_worst = largest(&linkage.residual(&polished, fixed, drives))?;
-                let better = polished_worst.1 < worst.1;
-                *q = if better { polished } else { x };
-                let residual = if better { polished_worst.1 } else { worst.1 };
+                let polished = at.q - lu.solve(&at.residual);
+                let polished = Iterate::new(polished, residual_at(&polished))?;
+                let best = if polished.worst < at.worst {
+                    polished
+                } else {
+                    at
+                };
+                *q = best.q;
                 return Ok(Converged {
                     iterations,
-                    residual,
+                    residual: best.worst,
                     tolerance,
                 });
             }
         }
-        let (equation, residual) = worst;
         Err(SolveError::NotConverged {
-            equation,
-            residual,
+            equation: at.equation,
+            residual: at.worst,
             tolerance,
             iterations: self.max_iterations,
         })
+    }
+
+    /// The correction, halved until the residual falls at least a quarter as fast as its
+    /// linear model does, or no halving is left.
+    fn damped<const N: usize>(
+        &self,
+        from: &Iterate<T, N>,
+        step: &SVector<T, N>,
+        tolerance: T,
+        residual_at: impl Fn(&SVector<T, N>) -> SVector<T, N>,
+    ) -> Result<Iterate<T, N>, SolveError<T>> {
+        let mut fraction = T::one();
+        for _ in 0..self.max_halvings {
+            let q = from.q - step * fraction;
+            let residual = residual_at(&q);
+            let bound = (T::one() - fraction * T::constant(0.25)) * from.residual.norm();
+            if residual.norm() <= bound || residual.amax() <= tolerance {
+                return Iterate::new(q, residual);
+            }
+            fraction *= T::constant(0.5);
+        }
+        let q = from.q - step * fraction;
+        Iterate::new(q, residual_at(&q))
     }
 
     /// Checks that a correction is small enough beside the one before it, and returns its size.
@@ -148,6 +181,27 @@ impl<T: Real> Newton<T> {
 impl<T: Real> Default for Newton<T> {
     fn default() -> Self {
         Self::near_by()
+    }
+}
+
+/// A point on the way, with its residual and the largest entry of it.
+#[derive(Clone, Copy)]
+struct Iterate<T, const N: usize> {
+    q: SVector<T, N>,
+    residual: SVector<T, N>,
+    equation: usize,
+    worst: T,
+}
+
+impl<T: Real, const N: usize> Iterate<T, N> {
+    fn new(q: SVector<T, N>, residual: SVector<T, N>) -> Result<Self, SolveError<T>> {
+        let (equation, worst) = largest(&residual)?;
+        Ok(Self {
+            q,
+            residual,
+            equation,
+            worst,
+        })
     }
 }
 

@@ -1,0 +1,134 @@
+//! Which assembly the paper's printed initial guess leads to, and where a motion ends.
+
+mod support;
+
+use nalgebra::{SVector, Vector3};
+use support::Reference;
+use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::{
+    Build, Inputs, Linkage, Motion, Named, Newton, Signal, SolveError, Still, Tracker, assemble,
+};
+
+/// The signed volume spanned by points 6, 7, 8 and 9: its sign tells a knuckle from its mirror
+/// image.
+fn handedness(q: &SVector<f64, 15>) -> f64 {
+    let point = |index: usize| q.fixed_rows::<3>(3 * index).into_owned();
+    let [u, v, w] = [1, 2, 3].map(|index| point(index) - point(0));
+    u.cross(&v).dot(&w)
+}
+
+fn printed_guess() -> SVector<f64, 15> {
+    let points: Vec<Vector3<f64>> = (6..=10)
+        .map(|number| support::printed_guess(&format!("p{number}")))
+        .collect();
+    SVector::from_iterator(points.iter().flat_map(|point| point.iter().copied()))
+}
+
+/// Nine distances admit a mirrored knuckle, and Newton's method finds it: residual zero, wrong.
+#[test]
+fn nine_distances_converge_to_a_mirrored_knuckle() {
+    let model: attia2003::Model<f64> = support::attia_model();
+    let mut q = printed_guess();
+    let plain = Newton {
+        max_halvings: 0,
+        ..Newton::from_afar()
+    };
+    let converged = plain
+        .solve(&model, &support::attia_inputs(0.0), &mut q)
+        .expect("a root, though not the published one");
+    let published = Reference::load().unknowns(0, "");
+    assert!(converged.residual < 1e-15);
+    assert!(handedness(&published) < 0.0 && handedness(&q) > 0.0);
+    assert!((q - published).amax() > 0.01, "a different configuration");
+}
+
+/// The best rigid fit and the orientation-keeping closure lead to Table 2.
+#[test]
+fn the_rigid_knuckle_assembles_as_published() {
+    let model: five_link::Model<f64> = support::five_link_model();
+    let mut q = printed_guess();
+    let inputs = support::five_link_inputs(0.0);
+    assemble(&Newton::from_afar(), &model, &inputs, &mut q).expect("Table 2's configuration");
+    let published = Reference::load().unknowns(0, "");
+    assert!((q - published).amax() < 5e-15);
+}
+
+/// The published two seconds end at a turning point of the drive (extended system, 40 digits).
+#[test]
+fn the_motion_ends_where_the_mechanism_locks() {
+    let limit = 1.978367769183329863307713;
+    let model: attia2003::Model<f64> = support::attia_model();
+    let mut motion = *support::motions(&model, &support::attia_rough(), support::attia_inputs)
+        .last()
+        .expect("nine motions");
+    let stopped = Tracker::default()
+        .advance(&model, support::attia_inputs, 1.95, 2.0, &mut motion)
+        .expect_err("no configuration beyond the turning point");
+    assert!(
+        (stopped.reached - limit).abs() < 1e-9,
+        "stopped at {}",
+        stopped.reached
+    );
+    let inputs = support::attia_inputs(stopped.reached).drives;
+    let coordinates = model.coordinates(&inputs);
+    let residual = model.residual(&motion.position, model.fixed(), &coordinates.value);
+    assert!(residual.amax() < 1e-14, "the motion is the last good one");
+}
+
+/// A failed solve leaves the state as it was and says why.
+#[test]
+fn failures_leave_the_state_untouched() {
+    let model: attia2003::Model<f64> = support::attia_model();
+    let start = Reference::load().unknowns(4, "");
+    let attempt = |drive: f64| {
+        let mut q = start;
+        let drives = attia2003::Drives { theta: drive };
+        let inputs: Inputs<Still, _> = Inputs::still(Signal {
+            value: drives,
+            ..Signal::default()
+        });
+        let error = Newton::near_by()
+            .solve(&model, &inputs, &mut q)
+            .expect_err("no root");
+        assert_eq!(q, start);
+        error
+    };
+    assert!(matches!(
+        attempt(f64::NAN),
+        SolveError::NotFinite { equation: 14 }
+    ));
+    assert!(matches!(attempt(2.3), SolveError::Diverging { .. }));
+    let far = SolveError::<f64>::Diverging {
+        unknown: 2,
+        step: 1.0,
+        bound: 0.5,
+    };
+    let culprit = far.culprit(
+        &<attia2003::Model<f64> as Linkage<15>>::EQUATIONS,
+        &<attia2003::Model<f64> as Linkage<15>>::UNKNOWNS,
+    );
+    assert_eq!(culprit, "p6.z");
+}
+
+/// At theta = 0 the cosine has no slope: the drive does not determine the motion.
+#[test]
+fn a_singular_drive_is_an_error() {
+    let design = attia2003::Points::from_fn(|name| match name {
+        "p6" => support::chassis_point("p1") + Vector3::new(0.0, 0.0, 0.4),
+        "p11" => support::table2_point("p8", 4) + Vector3::new(0.0, 0.1, 0.0),
+        "p1" | "p2" | "p3" | "p4" | "p5" => support::chassis_point(name),
+        _ => support::table2_point(name, 4),
+    });
+    let model = attia2003::Model::new(&design).expect("a geometry");
+    let drives = model.drives_at(&design);
+    assert!(drives.theta.abs() < 1e-7);
+    let inputs = Inputs::still(Signal {
+        value: drives,
+        ..Signal::default()
+    });
+    let mut motion = Motion::at_rest(attia2003::Model::unknowns(&design));
+    let error = Tracker::default()
+        .step(&model, &inputs, 0.0, &mut motion)
+        .expect_err("singular");
+    assert!(matches!(error, SolveError::Singular { .. }), "{error}");
+}

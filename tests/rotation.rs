@@ -1,0 +1,153 @@
+//! Angular velocity, acceleration and pose of a body, and the wheel's spin.
+
+use nalgebra::{Isometry3, Vector3};
+use suspension_core::body::{
+    angular_acceleration, angular_acceleration_eq10, angular_velocity, angular_velocity_eq9, pose,
+};
+use suspension_core::wheel::{
+    Spin, camber, camber_to_ground, caster, kingpin_angle, toe, wheel_angular_acceleration,
+    wheel_angular_velocity,
+};
+use suspension_core::{RigidMotion, Signal};
+
+/// Three points of a body (m), crooked on purpose.
+fn body() -> [Vector3<f64>; 3] {
+    [
+        Vector3::new(-1.2, 0.18, 0.26),
+        Vector3::new(-1.11, -0.01, 0.3),
+        Vector3::new(-1.1, -0.02, 0.22),
+    ]
+}
+
+fn turning(omega: Vector3<f64>, alpha: Vector3<f64>) -> [[Vector3<f64>; 3]; 3] {
+    let motion = RigidMotion {
+        pose: Isometry3::identity(),
+        velocity: Vector3::new(0.3, -1.0, 2.0),
+        omega,
+        acceleration: Vector3::new(-4.0, 0.2, 1.0),
+        alpha,
+    };
+    let carried = body().map(|value| {
+        motion.carry(Signal {
+            value,
+            rate: Vector3::zeros(),
+            second_rate: Vector3::zeros(),
+        })
+    });
+    [
+        carried.map(|p| p.value),
+        carried.map(|p| p.rate),
+        carried.map(|p| p.second_rate),
+    ]
+}
+
+fn assert_rotation(omega: Vector3<f64>, alpha: Vector3<f64>) {
+    let [at, velocities, accelerations] = turning(omega, alpha);
+    let found = angular_velocity(&at, &velocities).expect("a triangle");
+    assert!(
+        (found - omega).norm() <= 1e-11 * omega.norm(),
+        "{found} instead of {omega}"
+    );
+    let found = angular_acceleration(&at, &found, &accelerations).expect("a triangle");
+    assert!(
+        (found - alpha).norm() <= 1e-11 * alpha.norm(),
+        "{found} instead of {alpha}"
+    );
+}
+
+#[test]
+fn eq9_and_eq10_agree_where_they_are_defined() {
+    let (omega, alpha) = (
+        Vector3::new(-3.47, -0.36, 0.43),
+        Vector3::new(18.7, 1.4, -7.7),
+    );
+    assert_rotation(omega, alpha);
+    let [at, velocities, accelerations] = turning(omega, alpha);
+    let found = angular_velocity_eq9(&at, &velocities).expect("omega . n is not zero");
+    assert!((found - omega).norm() < 1e-12 * omega.norm());
+    let found = angular_acceleration_eq10(&at, &velocities, &accelerations).expect("nor here");
+    assert!((found - alpha).norm() < 1e-11 * alpha.norm());
+}
+
+#[test]
+fn where_eq9_is_zero_over_zero_the_fit_is_exact() {
+    let [a, b, c] = body();
+    let alpha = Vector3::new(2.0, -5.0, 1.0);
+    // In the plane of the three points: along either edge, or any mixture of the two.
+    for (along_u, along_v) in [(1.0, 0.0), (0.0, 1.0), (3.0, -2.0), (1e-3, 5.0)] {
+        let omega = (b - a) * along_u + (c - a) * along_v;
+        assert_rotation(omega, alpha);
+        let [at, velocities, accelerations] = turning(omega, alpha);
+        assert!(angular_velocity_eq9(&at, &velocities).is_err());
+        assert!(angular_acceleration_eq10(&at, &velocities, &accelerations).is_err());
+    }
+    assert!(
+        angular_velocity_eq9(&body(), &[Vector3::zeros(); 3]).is_err(),
+        "a body at rest"
+    );
+}
+
+#[test]
+fn a_line_has_no_rotation() {
+    let [a, b, _] = body();
+    let line = [a, b, a + (b - a) * 2.0];
+    assert!(angular_velocity(&line, &body()).is_none());
+    assert!(pose(&line, &body()).is_none());
+}
+
+#[test]
+fn pose_carries_design_to_now() {
+    let motion = Isometry3::new(Vector3::new(0.1, 0.7, -0.3), Vector3::new(1.0, -2.0, 0.5));
+    let now = body()
+        .map(|point| motion * nalgebra::Point3::from(point))
+        .map(|p| p.coords);
+    let found = pose(&body(), &now).expect("triangles");
+    assert!((found.to_homogeneous() - motion.to_homogeneous()).amax() < 1e-13);
+}
+
+/// The wheel's spin adds to the knuckle's rate, and swinging the axis round adds to its
+/// acceleration: against the derivative of the wheel's angular velocity in time.
+#[test]
+fn spin_about_a_swinging_axis() {
+    let knuckle = Vector3::new(0.4, -0.2, 0.9);
+    let spin = Spin {
+        rate: 50.0,
+        second_rate: -8.0,
+    };
+    let axis = Vector3::new(0.02, 0.995, -0.05).normalize();
+    let at = |t: f64| {
+        let axis = nalgebra::Rotation3::new(knuckle * t) * axis;
+        let now = Spin {
+            rate: spin.rate + spin.second_rate * t,
+            ..spin
+        };
+        wheel_angular_velocity(&knuckle, &axis, &now)
+    };
+    let h = 1e-5;
+    let expected = (at(h) - at(-h)) / (2.0 * h);
+    let found = wheel_angular_acceleration(&Vector3::zeros(), &knuckle, &axis, &spin);
+    assert!(
+        (found - expected).norm() < 1e-6,
+        "{found} instead of {expected}"
+    );
+}
+
+/// Signs of the angles on both sides of a vehicle (ISO 8855: x forward, y left, z up).
+#[test]
+fn signs_mean_the_same_left_and_right() {
+    for side in [1.0, -1.0] {
+        let top_outboard = Vector3::new(0.0, side, -0.1);
+        assert!(camber(&top_outboard) > 0.0 && camber_to_ground(&top_outboard) > 0.0);
+        let toed_in = Vector3::new(0.1, side, 0.0);
+        assert!(toe(&toed_in) > 0.0 && camber(&toed_in) == 0.0);
+        let top_inboard_and_rearwards = Vector3::new(-0.1, -0.2 * side, 1.0);
+        let spin_axis = Vector3::new(0.0, side, 0.0);
+        assert!(
+            (kingpin_angle(&top_inboard_and_rearwards, &spin_axis) - 0.2_f64.atan()).abs() < 1e-15
+        );
+        assert!((caster(&top_inboard_and_rearwards) - 0.1_f64.atan()).abs() < 1e-15);
+    }
+    // A knuckle laid over beyond the horizontal keeps its quadrant.
+    let upside_down = Vector3::new(0.0, -1.0, -0.5);
+    assert!(kingpin_angle(&upside_down, &Vector3::y()) > std::f64::consts::FRAC_PI_2);
+}
