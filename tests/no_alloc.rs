@@ -8,10 +8,10 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;
 
-use nalgebra::SVector;
+use nalgebra::{Isometry3, SVector, Vector3};
 use suspension_core::wheel::{Kingpin, Wheel};
 use suspension_core::{
-    Build, ChassisMotion, HasKingpin, HasWheel, Inputs, Motion, Newton, Real, Still, Tangent,
+    Build, HasKingpin, HasWheel, Inputs, Motion, Newton, Real, RigidMotion, Still, Tangent,
     Tracker, assemble,
 };
 
@@ -121,12 +121,18 @@ impl<T: Real, L: HasKingpin<15> + HasWheel<15> + Build<15, Scalar = T>> Case<T, 
     }
 
     fn moving_chassis(&self, motion: &Motion<T, 15>) {
-        let inputs = Inputs {
-            chassis: Still.signal(self.model.fixed()),
-            drives: (self.inputs)(T::constant(0.501)).drives,
+        let chassis = RigidMotion {
+            pose: Isometry3::identity(),
+            velocity: Vector3::x(),
+            omega: Vector3::zeros(),
+            acceleration: Vector3::zeros(),
+            alpha: Vector3::z(),
         };
+        let drives = (self.inputs)(T::constant(0.501)).drives;
         let mut motion = *motion;
         without_allocating("Tracker::step with a moving chassis", || {
+            let chassis = chassis.anchors(self.model.fixed());
+            let inputs = Inputs { chassis, drives };
             Tracker::default().step(&self.model, &inputs, T::constant(0.001), &mut motion)
         })
         .expect("a regular motion");

@@ -1,11 +1,11 @@
-//! The solving path.
+//! The solving path. All settings come from outside, so that no branch is folded away.
 
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
-    ChassisMotion, HasKingpin, HasWheel, Inputs, Linkage, Motion, Named, Newton, Real, Signal,
-    Tangent, Tracker,
+    ChassisMotion, HasKingpin, HasWheel, Inputs, Linkage, Motion, Named, Newton, Real, RigidMotion,
+    Signal, Still, Tangent, Tracker,
 };
 
 /// Value, rate and second rate of the drive.
@@ -46,15 +46,18 @@ pub struct Readout<T> {
     alpha: [T; 3],
 }
 
-fn solve<T, L>(linkage: &L, drive: &Drive<T>, motion: &mut Motion<T, 15>) -> bool
+fn solve<T, L>(
+    newton: &Newton<T>,
+    linkage: &L,
+    drive: &Drive<T>,
+    motion: &mut Motion<T, 15>,
+) -> bool
 where
     T: Real,
     L: Linkage<15, Scalar = T>,
 {
     let inputs = Inputs::still(drive.signal());
-    Newton::default()
-        .solve(linkage, &inputs, &mut motion.position)
-        .is_ok()
+    newton.solve(linkage, &inputs, &mut motion.position).is_ok()
 }
 
 fn rates<T, L>(linkage: &L, drive: &Drive<T>, motion: &mut Motion<T, 15>) -> bool
@@ -73,6 +76,7 @@ where
 }
 
 fn step<T, L, C>(
+    tracker: &Tracker<T>,
     linkage: &L,
     chassis: C,
     drive: &Drive<T>,
@@ -88,18 +92,22 @@ where
         chassis,
         drives: drive.signal(),
     };
-    Tracker::default()
-        .step(linkage, &inputs, dt, motion)
-        .is_ok()
+    tracker.step(linkage, &inputs, dt, motion).is_ok()
 }
 
-fn advance<T, L>(linkage: &L, drive: &Drive<T>, dt: T, motion: &mut Motion<T, 15>) -> bool
+fn advance<T, L>(
+    tracker: &Tracker<T>,
+    linkage: &L,
+    drive: &Drive<T>,
+    dt: T,
+    motion: &mut Motion<T, 15>,
+) -> bool
 where
     T: Real,
     L: Linkage<15, Scalar = T>,
 {
     let inputs = |time| Inputs::still(drive.after(time));
-    Tracker::default()
+    tracker
         .advance(linkage, inputs, T::zero(), dt, motion)
         .is_ok()
 }
@@ -149,11 +157,12 @@ macro_rules! export {
      $advance:ident, $read:ident) => {
         #[unsafe(no_mangle)]
         extern "C" fn $solve(
+            newton: &Newton<$number>,
             linkage: &$linkage::Model<$number>,
             drive: &Drive<$number>,
             motion: &mut Motion<$number, 15>,
         ) -> bool {
-            solve(linkage, drive, motion)
+            solve(newton, linkage, drive, motion)
         }
 
         #[unsafe(no_mangle)]
@@ -167,33 +176,37 @@ macro_rules! export {
 
         #[unsafe(no_mangle)]
         extern "C" fn $step(
+            tracker: &Tracker<$number>,
             linkage: &$linkage::Model<$number>,
             drive: &Drive<$number>,
             dt: $number,
             motion: &mut Motion<$number, 15>,
         ) -> bool {
-            step(linkage, suspension_core::Still, drive, dt, motion)
+            step(tracker, linkage, Still, drive, dt, motion)
         }
 
         #[unsafe(no_mangle)]
         extern "C" fn $moving_step(
+            tracker: &Tracker<$number>,
             linkage: &$linkage::Model<$number>,
-            chassis: &Signal<$linkage::Fixed<$number>>,
+            chassis: &RigidMotion<$number>,
             drive: &Drive<$number>,
             dt: $number,
             motion: &mut Motion<$number, 15>,
         ) -> bool {
-            step(linkage, *chassis, drive, dt, motion)
+            let anchors = chassis.anchors(linkage.fixed());
+            step(tracker, linkage, anchors, drive, dt, motion)
         }
 
         #[unsafe(no_mangle)]
         extern "C" fn $advance(
+            tracker: &Tracker<$number>,
             linkage: &$linkage::Model<$number>,
             drive: &Drive<$number>,
             dt: $number,
             motion: &mut Motion<$number, 15>,
         ) -> bool {
-            advance(linkage, drive, dt, motion)
+            advance(tracker, linkage, drive, dt, motion)
         }
 
         #[unsafe(no_mangle)]
