@@ -1,0 +1,206 @@
+//! No solving call allocates, whether it succeeds or fails.
+// A global allocator cannot be written without `unsafe`.
+#![allow(unsafe_code)]
+
+mod support;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::hint::black_box;
+
+use nalgebra::{Isometry3, SVector, Vector3};
+use suspension_core::wheel::{Kingpin, Wheel};
+use suspension_core::{
+    Build, HasKingpin, HasWheel, Inputs, Motion, Newton, Real, RigidMotion, Still, Tangent,
+    Tracker, assemble,
+};
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+/// The system's allocator, counting the allocations of each thread.
+struct Counting;
+
+// SAFETY: every call is passed on to the system's allocator as it came. The rest of the trait is
+// provided in terms of these two, so no allocation escapes the count.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
+        // SAFETY: the caller keeps the contract of `alloc`.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: the caller keeps the contract of `dealloc`.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// The result of `work`, which must not allocate.
+fn without_allocating<R>(what: &str, work: impl FnOnce() -> R) -> R {
+    let before = ALLOCATIONS.get();
+    let result = black_box(work());
+    let allocations = ALLOCATIONS.get() - before;
+    assert_eq!(allocations, 0, "{what} allocates");
+    result
+}
+
+/// A linkage, a rough guess of its first configuration, and its inputs by time.
+struct Case<T, L: Build<15, Scalar = T>> {
+    model: L,
+    rough: L::Points,
+    inputs: fn(T) -> Inputs<Still, L::Drives>,
+}
+
+impl<T: Real, L: HasKingpin<15> + HasWheel<15> + Build<15, Scalar = T>> Case<T, L> {
+    fn check(&self) {
+        let q = self.first_configuration();
+        let motion = self.motion(q);
+        self.readings(&motion);
+        self.moving_chassis(&motion);
+        self.failures(&motion);
+    }
+
+    fn first_configuration(&self) -> SVector<T, 15> {
+        let mut q = L::unknowns(&self.rough);
+        let inputs = (self.inputs)(T::zero());
+        without_allocating("assemble", || {
+            assemble(&Newton::from_afar(), &self.model, &inputs, &mut q)
+        })
+        .expect("assembles");
+        q
+    }
+
+    fn motion(&self, mut q: SVector<T, 15>) -> Motion<T, 15> {
+        let dt = T::constant(0.001);
+        let inputs = (self.inputs)(dt);
+        without_allocating("Newton::solve", || {
+            Newton::near_by().solve(&self.model, &inputs, &mut q)
+        })
+        .expect("a root near by");
+        let mut motion = Motion::at_rest(q);
+        without_allocating("Tangent", || {
+            let tangent = Tangent::new(&self.model, &inputs, &motion.position)?;
+            motion.velocity = tangent.velocity();
+            motion.acceleration = tangent.acceleration(&motion.velocity);
+            Ok::<_, suspension_core::SolveError<T>>(())
+        })
+        .expect("regular");
+        let tracker = Tracker::default();
+        let next = (self.inputs)(dt + dt);
+        without_allocating("Tracker::step", || {
+            tracker.step(&self.model, &next, dt, &mut motion)
+        })
+        .expect("a regular motion");
+        without_allocating("Tracker::advance", || {
+            let end = T::constant(0.5);
+            tracker.advance(&self.model, self.inputs, dt + dt, end, &mut motion)
+        })
+        .expect("a regular motion");
+        motion
+    }
+
+    fn readings(&self, motion: &Motion<T, 15>) {
+        let (model, still) = (&self.model, L::Fixed::default());
+        let points = without_allocating("points", || {
+            let points = model.points(&motion.position, model.fixed());
+            let velocities = model.velocities(&points, &motion.velocity, &still);
+            model.accelerations(&points, &velocities, &motion.acceleration, &still);
+            points
+        });
+        without_allocating("Wheel", || Wheel::of::<L, 15>(&points)).expect("a spin axis");
+        without_allocating("Kingpin", || Kingpin::of::<L, 15>(&points));
+        without_allocating("CarrierRotation", || {
+            support::carrier_rotation(model, motion)
+        })
+        .expect("a rigid carrier");
+    }
+
+    fn moving_chassis(&self, motion: &Motion<T, 15>) {
+        let chassis = RigidMotion {
+            pose: Isometry3::identity(),
+            velocity: Vector3::x(),
+            omega: Vector3::zeros(),
+            acceleration: Vector3::zeros(),
+            alpha: Vector3::z(),
+        };
+        let drives = (self.inputs)(T::constant(0.501)).drives;
+        let mut motion = *motion;
+        without_allocating("Tracker::step with a moving chassis", || {
+            let chassis = chassis.anchors(self.model.fixed());
+            let inputs = Inputs { chassis, drives };
+            Tracker::default().step(&self.model, &inputs, T::constant(0.001), &mut motion)
+        })
+        .expect("a regular motion");
+    }
+
+    fn failures(&self, motion: &Motion<T, 15>) {
+        let mut motion = *motion;
+        let nowhere = (self.inputs)(T::constant(f64::NAN));
+        let (model, dt) = (&self.model, T::constant(0.001));
+        without_allocating("a solve that is not finite", || {
+            Newton::near_by().solve(model, &nowhere, &mut motion.position)
+        })
+        .expect_err("not finite");
+        let all_in_one = || SVector::repeat(T::one());
+        without_allocating("a singular solve", || {
+            Newton::from_afar().solve(model, &(self.inputs)(dt), &mut all_in_one())
+        })
+        .expect_err("singular");
+        without_allocating("a singular tangent", || {
+            Tangent::new(model, &(self.inputs)(dt), &all_in_one()).map(|_| ())
+        })
+        .expect_err("singular");
+        without_allocating("an assembly that fails", || {
+            let impatient = Newton {
+                max_iterations: 0,
+                ..Newton::from_afar()
+            };
+            assemble(&impatient, model, &(self.inputs)(dt), &mut motion.position)
+        })
+        .expect_err("no iterations allowed");
+        without_allocating("an advance that stops", || {
+            let far = T::constant(100.0);
+            Tracker::default().advance(model, self.inputs, T::constant(0.5), far, &mut motion)
+        })
+        .expect_err("the end of the travel");
+    }
+}
+
+fn attia<T: Real>() -> Case<T, suspension_core::linkages::attia2003::Model<T>> {
+    Case {
+        model: support::attia_model(),
+        rough: support::attia_rough(),
+        inputs: support::attia_inputs,
+    }
+}
+
+fn five_link<T: Real>() -> Case<T, suspension_core::linkages::five_link::Model<T>> {
+    Case {
+        model: support::five_link_model(),
+        rough: support::five_link_rough(),
+        inputs: support::five_link_inputs,
+    }
+}
+
+#[test]
+fn attia2003_does_not_allocate() {
+    attia::<f64>().check();
+    attia::<f32>().check();
+}
+
+#[test]
+fn five_link_does_not_allocate() {
+    five_link::<f64>().check();
+    five_link::<f32>().check();
+}
+
+#[test]
+#[should_panic(expected = "a box allocates")]
+fn an_allocation_is_seen() {
+    without_allocating("a box", || Box::new(black_box(1.0)));
+}
