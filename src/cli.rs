@@ -7,14 +7,13 @@ use clap::{Parser, Subcommand};
 use crate::csv_file::Target;
 use crate::job::Wanted;
 
-/// Suspension kinematics: positions, velocities and accelerations of a suspension that is driven
-/// through its motion.
+/// Suspension kinematics: positions, velocities and accelerations of a driven suspension.
 ///
 /// Without a command, solves the multi-link five-point suspension of Attia 2003 over its
 /// published motion, prints the paper's Tables 2 and 3 beside our results, and writes
 /// out/attia2003.csv, out/attia2003_height.svg and out/attia2003_angles.svg.
 #[derive(Debug, Parser)]
-#[command(name = "suspension", version, after_long_help = NOTES)]
+#[command(name = "suspension", version, verbatim_doc_comment, after_long_help = NOTES)]
 pub struct Options {
     /// What to do instead of the published motion.
     #[command(subcommand)]
@@ -60,15 +59,15 @@ impl Command {
 }
 
 const NOTES: &str = "\
-Units: lengths in metres, times in seconds, angles in radians; tables and plots in degrees where \
-they say so.
+Units: lengths in metres, times in seconds, angles in radians; tables and plots are in
+millimetres or degrees where they say so.
 
-Point 11, the wheel centre: the paper prints no coordinates for it. It is assumed to lie 0.10 m \
-outboard (+y) of point 8, on a spin axis through both that is parallel to y, where theta = pi/2. \
-Camber, toe and the wheel-centre height rest on this assumption; Tables 2 and 3 do not.
+Point 11, the wheel centre: the paper prints no coordinates for it. It is assumed to lie 0.10 m
+outboard (+y) of point 8, on a spin axis through both that is parallel to y, where theta = pi/2.
+Camber, toe and the height of the wheel centre rest on this assumption; Tables 2 and 3 do not.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the solver stopped, 130 \
-interrupted.";
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the solver stopped,
+130 interrupted.";
 
 const MOTION_NOTES: &str = r#"The file:
 
@@ -88,15 +87,15 @@ const MOTION_NOTES: &str = r#"The file:
   [drives]                           # polynomials of time in seconds, constant first,
   theta = [0.7, 0.5, 0.125]          # in rad (angles) or the unit (coordinates)
 
-Results: one row an instant. t_s is in s, drives in rad or the unit, _x _y _z in the unit, _vx and \
-_ax per s and s^2, omega in rad/s, alpha in rad/s^2; kingpin, caster, camber and toe in rad; \
-iterations of Newton's method and the largest residual, in the unit. Axes x forward, y left, z up.
+Results, one row an instant: t_s in s; drives in rad or the unit; points _x _y _z in the unit,
+_vx per s, _ax per s^2; omega in rad/s, alpha in rad/s^2; kingpin, caster, camber and toe in rad;
+iterations of Newton's method; the largest residual in the unit. Axes: x forward, y left, z up.
 
-In examples/attia2003.toml the wheel centre, point 11, is an assumption: the paper prints no \
-coordinates for it. It is put 0.10 m outboard (+y) of point 8, on a spin axis parallel to y, where \
-theta = pi/2.
+In examples/attia2003.toml the wheel centre, point 11, is an assumption: the paper prints no
+coordinates for it. It is put 0.10 m outboard (+y) of point 8, on a spin axis parallel to y,
+where theta = pi/2.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input (file:line:column says where), \
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input (file:line:column says where),
 3 the solver stopped, 130 interrupted. After 3 and 130 the rows up to there are in the CSV file.
 
 Example:

@@ -9,11 +9,9 @@ pub enum Instants {
     Even {
         /// The first.
         first: f64,
-        /// From one to the next.
-        step: f64,
         /// How many, at least one.
         count: usize,
-        /// The last, exact where `first + (count - 1) step` is rounded.
+        /// The last.
         last: f64,
     },
 }
@@ -30,22 +28,13 @@ impl Instants {
         } else {
             first + whole * step
         };
-        Self::Even {
-            first,
-            step,
-            count: whole as usize + 1,
-            last,
-        }
+        let count = whole as usize + 1;
+        Self::Even { first, count, last }
     }
 
     /// `count` instants, at least two, from `first` to `last`.
     pub fn dense(first: f64, last: f64, count: usize) -> Self {
-        Self::Even {
-            first,
-            step: (last - first) / (count - 1) as f64,
-            count,
-            last,
-        }
+        Self::Even { first, count, last }
     }
 
     /// How many there are.
@@ -70,7 +59,10 @@ impl Instants {
         match self {
             Self::Listed(instants) => instants[index],
             Self::Even { count, last, .. } if index + 1 == *count => *last,
-            Self::Even { first, step, .. } => first + index as f64 * step,
+            // Rounded less than multiples of a step, most of which no f64 holds.
+            Self::Even { first, count, last } => {
+                first + (last - first) * index as f64 / (count - 1) as f64
+            }
         }
     }
 }
@@ -84,6 +76,7 @@ mod tests {
         let instants = Instants::stepped(0.0, 1.95, 0.05);
         assert_eq!(instants.count(), 40);
         assert_eq!(instants.ends(), [0.0, 1.95]);
+        assert_eq!(instants.iter().nth(3), Some(0.15));
     }
 
     #[test]

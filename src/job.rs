@@ -12,7 +12,7 @@ use crate::plot::{Chart, Curve};
 use crate::published::Paper;
 use crate::setup;
 use crate::source::Source;
-use crate::study::{Study, Timing};
+use crate::study::{End, Study, Timing};
 use crate::summary;
 use crate::sweep::{Outcome, Rows, run};
 
@@ -55,7 +55,6 @@ pub fn published(interrupted: &AtomicBool) -> Result<(), Failure> {
             folder: Path::new("out"),
             stem: "attia2003",
         },
-        interrupted,
     )?);
     let mut report = comparison::text(&Paper::built_in(), &outcome.kept);
     report.push('\n');
@@ -108,7 +107,7 @@ pub fn motion(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> 
             folder,
             stem: &stem.to_string_lossy(),
         };
-        written.extend(plots(&*study, &outcome, &instants, &files, interrupted)?);
+        written.extend(plots(&*study, &outcome, &instants, &files)?);
     }
     if wanted.csv.is_none() && wanted.plots.is_none() {
         print(&summary::text(&*study, &outcome))?;
@@ -128,21 +127,21 @@ struct Files<'a> {
     stem: &'a str,
 }
 
-/// Draws the part of the motion that was solved; no file where nothing was.
+/// Draws the part of the motion that was solved; no file where nothing was, or where the user
+/// has no time.
 fn plots(
     study: &dyn Study,
     outcome: &Outcome,
     instants: &Instants,
     files: &Files<'_>,
-    interrupted: &AtomicBool,
 ) -> Result<Vec<PathBuf>, Failure> {
     const DENSE: usize = 401;
     let [first, _] = instants.ends();
-    if outcome.solved == 0 {
+    if outcome.solved == 0 || outcome.end == End::Cut {
         return Ok(Vec::new());
     }
     let dense = Instants::dense(first, outcome.farthest(), DENSE);
-    let line = run(study, &dense, None, DENSE, interrupted)?.kept;
+    let line = run(study, &dense, None, DENSE, &AtomicBool::new(false))?.kept;
     let every_instant_kept = outcome.kept.rows.len() == outcome.solved;
     let marks = if every_instant_kept {
         outcome.kept.clone()

@@ -44,8 +44,15 @@ impl Curve {
     }
 }
 
+/// Width and height as shown.
 const SIZE: (u32, u32) = (900, 560);
+/// Drawing units to one of those: plotters rounds to whole units, which would be seen as steps.
+const FINE: u32 = 8;
 const FONT: &str = "sans-serif";
+fn font(size: u32) -> (&'static str, u32) {
+    (FONT, size * FINE)
+}
+
 const COLOURS: [RGBColor; 3] = [
     RGBColor(31, 90, 160),
     RGBColor(200, 80, 20),
@@ -57,11 +64,14 @@ impl Chart {
     pub fn svg(&self) -> Option<String> {
         let [x, y] = self.ranges()?;
         let mut text = String::new();
-        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        let size = (SIZE.0 * FINE, SIZE.1 * FINE);
+        let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
         // Drawing into memory has no way to fail but a mistake in this file.
         self.draw(&area, x, y).ok()?;
         drop(area);
-        Some(text)
+        let [drawn, shown] =
+            [size, SIZE].map(|(width, height)| format!("width=\"{width}\" height=\"{height}\""));
+        Some(text.replacen(&drawn, &shown, 1))
     }
 
     fn draw(
@@ -72,11 +82,11 @@ impl Chart {
     ) -> Result<(), Box<dyn std::error::Error>> {
         area.fill(&WHITE)?;
         let mut chart = ChartBuilder::on(area)
-            .caption(&self.title, (FONT, 22))
-            .margin(14)
-            .margin_right(28)
-            .x_label_area_size(48)
-            .y_label_area_size(72)
+            .caption(&self.title, font(22))
+            .margin(14 * FINE)
+            .margin_right(28 * FINE)
+            .x_label_area_size(48 * FINE)
+            .y_label_area_size(72 * FINE)
             .build_cartesian_2d(x[0]..x[1], y[0]..y[1])?;
         let [x_digits, y_digits] = [x, y].map(digits);
         chart
@@ -87,29 +97,35 @@ impl Chart {
             .y_labels(10)
             .x_label_formatter(&|t| format!("{t:.x_digits$}"))
             .y_label_formatter(&|v| format!("{v:.y_digits$}"))
-            .axis_desc_style((FONT, 17))
-            .label_style((FONT, 15))
-            .bold_line_style(BLACK.mix(0.15))
+            .axis_desc_style(font(17))
+            .label_style(font(15))
+            .bold_line_style(BLACK.mix(0.15).stroke_width(FINE))
             .light_line_style(TRANSPARENT)
+            .axis_style(BLACK.stroke_width(FINE))
+            .set_all_tick_mark_size(5 * FINE)
             .draw()?;
         for (curve, colour) in self.curves.iter().zip(COLOURS.iter().cycle()) {
-            let line = LineSeries::new(curve.line.iter().copied(), colour.stroke_width(2));
+            let line = LineSeries::new(curve.line.iter().copied(), colour.stroke_width(2 * FINE));
             chart
                 .draw_series(line)?
                 .label(&curve.name)
                 .legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 24, y)], colour.stroke_width(2))
+                    PathElement::new(
+                        [(x, y), (x + 24 * FINE as i32, y)],
+                        colour.stroke_width(2 * FINE),
+                    )
                 });
             let marks = curve.marks.iter();
-            chart.draw_series(marks.map(|mark| Circle::new(*mark, 4, colour.filled())))?;
+            chart.draw_series(marks.map(|mark| Circle::new(*mark, 4 * FINE, colour.filled())))?;
         }
         chart
             .configure_series_labels()
             .position(SeriesLabelPosition::UpperMiddle)
-            .legend_area_size(34)
-            .label_font((FONT, 15))
+            .legend_area_size(34 * FINE)
+            .label_font(font(15))
+            .margin(8 * FINE)
             .background_style(WHITE.mix(0.85))
-            .border_style(BLACK.mix(0.3))
+            .border_style(BLACK.mix(0.3).stroke_width(FINE))
             .draw()?;
         area.present()?;
         Ok(())
