@@ -46,9 +46,9 @@ pub fn names<V>(
 ///
 /// [`Failure::Input`] at the first that is not.
 pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<(), Failure> {
-    for (name, value) in table.get_ref() {
+    for (name, value) in in_file_order(table) {
         if !value.get_ref().is_finite() {
-            let message = format!("{kind} `{}` is not a finite number", name.get_ref());
+            let message = format!("{kind} `{name}` is not a finite number");
             return Err(source.refuse(&value.span(), message));
         }
     }
@@ -61,10 +61,9 @@ pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<
 ///
 /// [`Failure::Input`] at the first that is not.
 pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
-    for (name, value) in table.get_ref() {
+    for (name, value) in in_file_order(table) {
         let length = *value.get_ref();
         if !(length > 0.0 && length.is_finite()) {
-            let name = name.get_ref();
             let message = format!("length `{name}` is {length}, not a positive finite number");
             return Err(source.refuse(&value.span(), message));
         }
@@ -205,7 +204,7 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
             "the time step {step} s leads away from the stop at {stop} s"
         ));
     }
-    if !(steps < MOST_INSTANTS) {
+    if steps.is_nan() || steps >= MOST_INSTANTS {
         return refuse(format!(
             "the time step {step} s makes {steps:.3e} steps; at most {MOST_INSTANTS:.0e} are allowed"
         ));

@@ -19,7 +19,7 @@ struct Block<'a> {
 pub fn text(paper: &Paper, rows: &Rows) -> String {
     let mut out = String::from(
         "Multi-link five-point suspension, Attia 2003: the printed tables and ours, difference = \
-         ours - printed\n\nTable 2: knuckle points in m, differences in mm\n",
+         ours - printed\n\nTable 2: drive angle in degrees; knuckle points in m, differences in mm\n",
     );
     for block in table2(paper) {
         out.push_str(&block.text(paper, rows));
@@ -37,7 +37,7 @@ fn table2(paper: &Paper) -> Vec<Block<'_>> {
     let (angles, points): (Vec<_>, Vec<_>) =
         paper.table2.iter().partition(|c| c.name.ends_with("_deg"));
     let angles = Block {
-        title: "Drive angle, difference in degrees".to_owned(),
+        title: "Drive angle".to_owned(),
         columns: angles,
         digits: 4,
         difference: (1.0, 4),
@@ -150,13 +150,14 @@ fn largest(paper: &Paper, rows: &Rows) -> String {
         let rounded = pairs.iter().filter(|pair| pair.units() <= 0.5).count();
         let _ = writeln!(
             out,
-            "  {name}: {:.2} units of the last printed digit ({} at t = {} s: printed {}, ours {:.5});\n\
-             \x20          {rounded} of {} entries within half a unit",
+            "  {name}: {:.2} units of the last printed digit, {} at t = {} s: printed {}, ours {:.5}\n  \
+             {:9}{rounded} of {} entries within half a unit",
             worst.units(),
             worst.column,
             worst.t,
             worst.entry.printed,
             worst.ours,
+            "",
             pairs.len(),
         );
     }

@@ -101,9 +101,11 @@ impl CsvFile {
     }
 
     fn record<'a>(&mut self, fields: impl Iterator<Item = &'a str>) -> Result<(), Failure> {
-        self.writer
-            .write_record(fields)
-            .map_err(|error| Failure::writing(&self.name, &error.into()))
+        let written = self.writer.write_record(fields);
+        written.map_err(|error| match error.into_kind() {
+            csv::ErrorKind::Io(error) => Failure::writing(&self.name, &error),
+            other => Failure::Output(format!("{}: cannot be written: {other:?}", self.name)),
+        })
     }
 }
 

@@ -69,11 +69,10 @@ pub fn published(interrupted: &AtomicBool) -> Result<(), Failure> {
 
 fn time_in_words(timing: &Timing) -> String {
     format!(
-        "Time a step: {:.2} us for position, velocity and acceleration (the whole motion in {} \
-         steps of 1 ms, median of {} passes)\n",
+        "Time a step: {:.2} us for position, velocity and acceleration\n             (median of {} passes through the motion in {} steps of 1 ms)\n",
         timing.per_step.as_secs_f64() * 1e6,
-        timing.steps,
         timing.passes,
+        timing.steps,
     )
 }
 

@@ -97,6 +97,8 @@ fn column(
     times: &[f64],
     misprints: &[Misprint],
 ) -> Column {
+    let most_decimals = list(entries, name).map(|value| decimals(literal(value)));
+    let most_decimals = most_decimals.max().unwrap_or_default();
     let entry = |(value, t): (&Spanned<DeValue<'_>>, &f64)| {
         let printed = literal(value);
         let misprint = misprints.iter().find(|misprint| {
@@ -104,7 +106,11 @@ fn column(
             column == format!("{table}.{name}") && time.parse() == Ok(*t)
         });
         let correct = misprint.map_or(printed, |misprint| &misprint.corrected);
-        let decimals = correct.split_once('.').map_or(0, |(_, after)| after.len());
+        // Table 2 has a fixed number of decimals, Table 3 of digits.
+        let decimals = match table {
+            "table2" => most_decimals,
+            _ => decimals(correct),
+        };
         Entry {
             printed: printed.to_owned(),
             misprinted: misprint.is_some(),
@@ -154,6 +160,10 @@ fn list<'a, 'i>(
 fn literal<'a>(value: &'a Spanned<DeValue<'_>>) -> &'a str {
     let float = value.get_ref().as_float().expect("a number with a point");
     float.as_str()
+}
+
+fn decimals(literal: &str) -> usize {
+    literal.split_once('.').map_or(0, |(_, after)| after.len())
 }
 
 fn number(literal: &str) -> f64 {
