@@ -1,0 +1,102 @@
+//! The command line's options and help.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand};
+
+use crate::csv_file::Target;
+use crate::job::Wanted;
+
+/// Suspension kinematics: positions, velocities and accelerations of a driven suspension.
+///
+/// Without a command, solves the multi-link five-point suspension of Attia 2003 over its
+/// published motion, prints the paper's Tables 2 and 3 beside our results, and writes
+/// out/attia2003.csv, out/attia2003_height.svg and out/attia2003_angles.svg.
+#[derive(Debug, Parser)]
+#[command(name = "suspension", version, verbatim_doc_comment, after_long_help = NOTES)]
+pub struct Options {
+    /// What to do instead of the published motion.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Solves the motion that a file describes.
+    ///
+    /// Without --csv and --plots, prints a summary.
+    #[command(after_long_help = MOTION_NOTES)]
+    Motion {
+        /// The motion file (TOML): linkage, points, lengths, instants, drives.
+        file: PathBuf,
+        /// Write every row as comma-separated values to PATH, or to standard output for `-`.
+        #[arg(long, value_name = "PATH")]
+        csv: Option<PathBuf>,
+        /// Draw wheel-centre height, kingpin and camber angle as SVG into the folder DIR.
+        #[arg(long, value_name = "DIR")]
+        plots: Option<PathBuf>,
+    },
+}
+
+impl Command {
+    /// The job that the command asks for.
+    pub fn wanted(self) -> Wanted {
+        let Self::Motion { file, csv, plots } = self;
+        let target = |path: PathBuf| {
+            if path.as_os_str() == "-" {
+                Target::Stdout
+            } else {
+                Target::File(path)
+            }
+        };
+        Wanted {
+            file,
+            csv: csv.map(target),
+            plots,
+        }
+    }
+}
+
+const NOTES: &str = "\
+Units: lengths in metres, times in seconds, angles in radians; tables and plots are in
+millimetres or degrees where they say so.
+
+Point 11, the wheel centre: the paper prints no coordinates for it. It is assumed to lie 0.10 m
+outboard (+y) of point 8, on a spin axis through both that is parallel to y, where theta = pi/2.
+Camber, toe and the height of the wheel centre rest on this assumption; Tables 2 and 3 do not.
+
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the solver stopped,
+130 interrupted.";
+
+const MOTION_NOTES: &str = r#"The file:
+
+  linkage = "attia2003"              # or "five_link"
+  unit = "m"                         # or "mm"; results are in the same unit
+  [points]                           # chassis points, free points and markers, each by name
+  p1 = [-1.396, -0.025, -0.082]
+  p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, off another point
+  [lengths]                          # optional: all lengths; the points are then a rough guess
+  d6_1 = 0.445872
+  [design]                           # optional: the drives' values at which the mechanism is
+  theta = 1.5707963267948966         # assembled and markers are attached; else as the points are
+  [time]                             # in seconds; or: instants = [0.0, 0.25, 0.5]
+  start = 0.0
+  stop = 1.95
+  step = 0.05
+  [drives]                           # polynomials of time in seconds, constant first,
+  theta = [0.7, 0.5, 0.125]          # in rad (angles) or the unit (coordinates)
+
+Results, one row an instant: t_s in s; drives in rad or the unit; points _x _y _z in the unit,
+_vx per s, _ax per s^2; omega in rad/s, alpha in rad/s^2; kingpin, caster, camber and toe in rad;
+iterations of Newton's method; the largest residual in the unit. Axes: x forward, y left, z up.
+
+In examples/attia2003.toml the wheel centre, point 11, is an assumption: the paper prints no
+coordinates for it. It is put 0.10 m outboard (+y) of point 8, on a spin axis parallel to y,
+where theta = pi/2.
+
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input (file:line:column says where),
+3 the solver stopped, 130 interrupted. After 3 and 130 the rows up to there are in the CSV file.
+
+Example:
+  suspension motion examples/five_link.toml --csv sweep.csv --plots plots"#;

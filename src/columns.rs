@@ -1,0 +1,119 @@
+//! The results of one instant as a row of numbers, and the names of its columns.
+
+use nalgebra::Vector3;
+use suspension_core::motion::Prescribed;
+use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
+use suspension_core::{Advanced, Inputs, Linkage, Motion, Named, Still};
+
+use crate::drives::unit_of;
+use crate::file::Unit;
+use crate::study::Suspension;
+
+/// The names of a linkage's points, by what they are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointNames {
+    /// Free points, the unknowns.
+    pub free: Vec<&'static str>,
+    /// Markers carried by bodies.
+    pub markers: Vec<&'static str>,
+    /// The wheel centre.
+    pub wheel_centre: &'static str,
+    /// The kingpin's lower and upper point.
+    pub kingpin: [&'static str; 2],
+}
+
+impl PointNames {
+    /// Of a linkage. [`Linkage::Points`] lists chassis points, free points, markers.
+    pub fn of<L: Suspension<N>, const N: usize>() -> Self {
+        let names = <L::Points as Named<Vector3<f64>>>::NAMES;
+        let chassis = <L::Fixed as Named<Vector3<f64>>>::NAMES.len();
+        let (free, markers) = names[chassis..].split_at(N / 3);
+        // The roles are given as positions: let each point's position be its number.
+        let mut numbers = (0..names.len()).map(|number| number as f64);
+        let tags = L::Points::from_fn(|_| Vector3::repeat(numbers.next().unwrap_or_default()));
+        let name_of = |tag: Vector3<f64>| names[tag.x as usize];
+        let [_, centre] = L::wheel(&tags);
+        Self {
+            free: free.to_vec(),
+            markers: markers.to_vec(),
+            wheel_centre: name_of(centre),
+            kingpin: L::kingpin(&tags).map(name_of),
+        }
+    }
+}
+
+/// The columns' names; velocities are per second, accelerations per second squared, angular
+/// velocities in rad/s, angular accelerations in rad/s^2.
+pub fn names<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
+    let points = PointNames::of::<L, N>();
+    let unit = |kind| unit_of(kind, unit);
+    let drives = <L::Drives as Named<f64>>::NAMES.iter().zip(L::DRIVE_KINDS);
+    let mut columns = vec!["t_s".to_owned()];
+    columns.extend(drives.map(|(name, kind)| format!("{name}_{}", unit(*kind))));
+    for kind in ["", "v", "a"] {
+        columns.extend(points.free.iter().flat_map(|name| triple(name, kind)));
+    }
+    columns.extend(["omega", "alpha"].iter().flat_map(|name| triple(name, "")));
+    for marker in &points.markers {
+        columns.extend(["", "v", "a"].iter().flat_map(|kind| triple(marker, kind)));
+    }
+    let scalars = ["kingpin_rad", "caster_rad", "camber_rad", "toe_rad"];
+    columns.extend(scalars.map(String::from));
+    columns.push("iterations".to_owned());
+    let length = unit(suspension_core::DriveKind::Coordinate);
+    columns.push(format!("residual_{length}"));
+    columns
+}
+
+fn triple(name: &str, kind: &str) -> [String; 3] {
+    ["x", "y", "z"].map(|axis| format!("{name}_{kind}{axis}"))
+}
+
+/// The row of one instant, in the order of [`names`]. What is undefined in a configuration (the
+/// wheel's angles where its axis has no direction) is NaN.
+pub fn row<L: Suspension<N>, const N: usize>(
+    linkage: &L,
+    t: f64,
+    inputs: &Inputs<Still, L::Drives>,
+    motion: &Motion<f64, N>,
+    advanced: &Advanced<f64>,
+) -> Vec<f64> {
+    let [at, velocities, accelerations] = all_points(linkage, inputs, motion);
+    let mut row = vec![t];
+    row.extend(inputs.drives.value.values());
+    row.extend(&motion.position);
+    row.extend(&motion.velocity);
+    row.extend(&motion.acceleration);
+    let undefined = Vector3::repeat(f64::NAN);
+    let turning = CarrierRotation::of::<L, N>(&at, &velocities, &accelerations);
+    let [omega, alpha] = turning.map_or([undefined; 2], |turning| [turning.omega, turning.alpha]);
+    row.extend(&omega);
+    row.extend(&alpha);
+    let markers = PointNames::of::<L, N>().markers.len();
+    let first_marker = <L::Points as Named<Vector3<f64>>>::NAMES.len() - markers;
+    for marker in 0..markers {
+        for points in [&at, &velocities, &accelerations] {
+            row.extend(points.values().nth(first_marker + marker).iter().flatten());
+        }
+    }
+    let kingpin = Kingpin::of::<L, N>(&at);
+    let wheel = Wheel::of::<L, N>(&at);
+    let [camber, toe] = wheel.map_or([f64::NAN; 2], |wheel| [wheel.camber, wheel.toe]);
+    row.extend([kingpin.angle, kingpin.caster, camber, toe]);
+    row.extend([advanced.iterations as f64, advanced.last.residual]);
+    row
+}
+
+/// Positions, velocities and accelerations of all points.
+fn all_points<L: Linkage<N, Scalar = f64>, const N: usize>(
+    linkage: &L,
+    inputs: &Inputs<Still, L::Drives>,
+    motion: &Motion<f64, N>,
+) -> [L::Points; 3] {
+    let fixed = Prescribed::new(linkage, inputs).fixed;
+    let at = linkage.points(&motion.position, &fixed.value);
+    let velocities = linkage.velocities(&at, &motion.velocity, &fixed.rate);
+    let accelerations =
+        linkage.accelerations(&at, &velocities, &motion.acceleration, &fixed.second_rate);
+    [at, velocities, accelerations]
+}

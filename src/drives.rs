@@ -1,0 +1,60 @@
+//! From polynomials of time to what the solver is given.
+
+use suspension_core::{DriveKind, Inputs, Linkage, Named, Signal, Still};
+
+use crate::file::Unit;
+use crate::polynomial::Polynomial;
+
+/// The drives of a linkage over time, in the order of its drives.
+#[derive(Clone, Debug)]
+pub struct DriveLaws {
+    laws: Vec<[Polynomial; 3]>,
+}
+
+impl DriveLaws {
+    /// One polynomial for each drive.
+    pub fn new(polynomials: impl IntoIterator<Item = Polynomial>) -> Self {
+        let with_rates = |value: Polynomial| {
+            let rate = value.derivative();
+            let second_rate = rate.derivative();
+            [value, rate, second_rate]
+        };
+        Self {
+            laws: polynomials.into_iter().map(with_rates).collect(),
+        }
+    }
+
+    /// The inputs at time `t`, the chassis at rest.
+    pub fn inputs<D: Named<f64>>(&self, t: f64) -> Inputs<Still, D> {
+        let [value, rate, second_rate] = [0, 1, 2].map(|order| {
+            let mut laws = self.laws.iter();
+            D::from_fn(|_| laws.next().map_or(0.0, |law| law[order].at(t)))
+        });
+        Inputs::still(Signal {
+            value,
+            rate,
+            second_rate,
+        })
+    }
+}
+
+/// A drive's unit.
+pub fn unit_of(kind: DriveKind, unit: Unit) -> &'static str {
+    match kind {
+        DriveKind::Angle => "rad",
+        DriveKind::Coordinate => unit.symbol(),
+    }
+}
+
+/// The drives' values in words, as `theta = 0.700000000000 rad`.
+pub fn in_words<L: Linkage<N, Scalar = f64>, const N: usize>(
+    drives: &L::Drives,
+    unit: Unit,
+) -> String {
+    let names = <L::Drives as Named<f64>>::NAMES;
+    let each = names.iter().zip(drives.values()).zip(L::DRIVE_KINDS);
+    let words: Vec<String> = each
+        .map(|((name, value), kind)| format!("{name} = {value:.12} {}", unit_of(*kind, unit)))
+        .collect();
+    words.join(", ")
+}

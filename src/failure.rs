@@ -1,0 +1,55 @@
+//! Why the program ends early, and its exit codes.
+
+use std::fmt;
+use std::io;
+
+/// Why the program ends before its work is done. Each kind has its own exit code.
+#[derive(Debug)]
+pub enum Failure {
+    /// A result could not be written: exit code 1.
+    Output(String),
+    /// The input is wrong, and where: exit code 2.
+    Input(String),
+    /// The solver found no configuration: exit code 3.
+    Solver(String),
+    /// The user asked to stop: exit code 130.
+    Interrupted(String),
+    /// Whoever read standard output has gone; nothing is left to tell: exit code 0.
+    ReaderGone,
+}
+
+impl Failure {
+    /// The exit code of the process.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::ReaderGone => 0,
+            Self::Output(_) => 1,
+            Self::Input(_) => 2,
+            Self::Solver(_) => 3,
+            Self::Interrupted(_) => 130,
+        }
+    }
+
+    /// A failure to write to `place`.
+    pub fn writing(place: impl fmt::Display, error: &io::Error) -> Self {
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            Self::ReaderGone
+        } else {
+            Self::Output(format!("{place}: cannot be written: {error}"))
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Output(text)
+            | Self::Input(text)
+            | Self::Solver(text)
+            | Self::Interrupted(text) => f.write_str(text),
+            Self::ReaderGone => f.write_str("nobody reads standard output"),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}

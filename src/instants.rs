@@ -1,0 +1,89 @@
+//! The instants of a motion.
+
+/// Instants in seconds, in order, forwards or backwards.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Instants {
+    /// One by one.
+    Listed(Vec<f64>),
+    /// From a first to a last, evenly spaced.
+    Even {
+        /// The first.
+        first: f64,
+        /// How many, at least one.
+        count: usize,
+        /// The last.
+        last: f64,
+    },
+}
+
+impl Instants {
+    /// From `first` towards `stop` in steps of `step`, which points there and is not zero.
+    pub fn stepped(first: f64, stop: f64, step: f64) -> Self {
+        /// Of a step: how far `stop` may lie from a multiple of it and still be one.
+        const SLACK: f64 = 1e-6;
+        let steps = (stop - first) / step;
+        let whole = (steps + SLACK).floor();
+        let last = if (steps - whole).abs() <= SLACK {
+            stop
+        } else {
+            first + whole * step
+        };
+        let count = whole as usize + 1;
+        Self::Even { first, count, last }
+    }
+
+    /// `count` instants, at least two, from `first` to `last`.
+    pub fn dense(first: f64, last: f64, count: usize) -> Self {
+        Self::Even { first, count, last }
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        match self {
+            Self::Listed(instants) => instants.len(),
+            Self::Even { count, .. } => *count,
+        }
+    }
+
+    /// The first and the last.
+    pub fn ends(&self) -> [f64; 2] {
+        [0, self.count() - 1].map(|index| self.at(index))
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl Iterator<Item = f64> {
+        (0..self.count()).map(|index| self.at(index))
+    }
+
+    fn at(&self, index: usize) -> f64 {
+        match self {
+            Self::Listed(instants) => instants[index],
+            Self::Even { count, last, .. } if index + 1 == *count => *last,
+            // Rounded less than multiples of a step, most of which no f64 holds.
+            Self::Even { first, count, last } => {
+                first + (last - first) * index as f64 / (count - 1) as f64
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stop_that_is_a_multiple_of_the_step_is_met_exactly() {
+        let instants = Instants::stepped(0.0, 1.95, 0.05);
+        assert_eq!(instants.count(), 40);
+        assert_eq!(instants.ends(), [0.0, 1.95]);
+        assert_eq!(instants.iter().nth(3), Some(0.15));
+    }
+
+    #[test]
+    fn a_stop_between_two_steps_is_not_passed() {
+        let instants = Instants::stepped(1.0, 0.0, -0.4);
+        let all: Vec<f64> = instants.iter().collect();
+        assert_eq!(all.len(), 3);
+        assert!((all[2] - 0.2).abs() < 1e-15);
+    }
+}

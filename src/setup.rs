@@ -1,0 +1,247 @@
+//! From a motion file to a mechanism in the configuration of the first instant.
+
+use nalgebra::{SVector, Vector3};
+use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::wheel::Wheel;
+use suspension_core::{GeometryError, Linkage, Motion, Named, Newton, assemble};
+use toml::Spanned;
+
+use crate::check;
+use crate::columns::PointNames;
+use crate::drives::{DriveLaws, in_words};
+use crate::failure::Failure;
+use crate::file::{MotionFile, Offset, Position};
+use crate::instants::Instants;
+use crate::polynomial::Polynomial;
+use crate::source::Source;
+use crate::study::{Assembled, Study, Suspension, cause, follow};
+
+type Prepare = fn(&Task<'_>) -> Result<Box<dyn Study>, Failure>;
+
+/// The catalogue: each linkage under the name that files use.
+const CATALOGUE: [(&str, Prepare); 2] = [
+    ("attia2003", prepare::<attia2003::Model<f64>, 15>),
+    ("five_link", prepare::<five_link::Model<f64>, 15>),
+];
+
+/// A file that is being prepared.
+struct Task<'a> {
+    source: &'a Source,
+    file: &'a MotionFile,
+    linkage: &'static str,
+    first: f64,
+}
+
+/// Reads a motion file and brings its mechanism to the first instant.
+///
+/// # Errors
+///
+/// [`Failure::Input`] with a place where the file is wrong, [`Failure::Solver`] where the
+/// mechanism does not assemble or does not reach the first instant.
+pub fn load(source: &Source) -> Result<(Box<dyn Study>, Instants), Failure> {
+    let file = MotionFile::parse(source)?;
+    let wanted = file.linkage.get_ref();
+    let Some((linkage, prepare)) = CATALOGUE.iter().find(|(name, _)| name == wanted) else {
+        let message = format!("unknown linkage `{wanted}`; known are {}", linkages());
+        return Err(source.refuse(&file.linkage.span(), message));
+    };
+    let instants = check::instants(source, &file.time)?;
+    let study = prepare(&Task {
+        source,
+        file: &file,
+        linkage,
+        first: instants.ends()[0],
+    })?;
+    Ok((study, instants))
+}
+
+/// The names of the catalogue's linkages.
+pub fn linkages() -> String {
+    CATALOGUE.map(|(name, _)| name).join(", ")
+}
+
+fn prepare<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<Box<dyn Study>, Failure> {
+    check_names::<L, N>(task)?;
+    let guess = guess::<L, N>(task);
+    let model = model::<L, N>(task, &guess)?;
+    let (model, q, design) = at_design::<L, N>(task, model, &guess)?;
+    let drives = drive_laws::<L, N>(task);
+    let start = to_first_instant(task, &model, q, &design, &drives)?;
+    Ok(Box::new(Assembled {
+        linkage: task.linkage,
+        unit: task.file.unit,
+        model,
+        start,
+        drives,
+    }))
+}
+
+fn check_names<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<(), Failure> {
+    let Task { source, file, .. } = task;
+    let drives = <L::Drives as Named<f64>>::NAMES;
+    let points = <L::Points as Named<Vector3<f64>>>::NAMES;
+    check::names(source, &file.points, "point", points)?;
+    check::points(source, file, &PointNames::of::<L, N>().markers)?;
+    if let Some(lengths) = &file.lengths {
+        check::names(source, lengths, "length", L::Lengths::NAMES)?;
+        check::lengths(source, lengths)?;
+    }
+    if let Some(design) = &file.design {
+        check::names(source, design, "drive", drives)?;
+        check::finite_values(source, design, "drive")?;
+    }
+    check::names(source, &file.drives, "drive", drives)?;
+    check::drives(source, &file.drives)
+}
+
+/// The points as the file has them, relative ones off the others as they stand.
+fn guess<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> L::Points {
+    let points = task.file.points.get_ref();
+    L::Points::from_fn(|name| match points[name].get_ref() {
+        Position::At(at) => Vector3::from(*at),
+        Position::Off(Offset { from, offset }) => {
+            let base = match points[from.get_ref().as_str()].get_ref() {
+                Position::At(at) => *at,
+                Position::Off(_) => [f64::NAN; 3],
+            };
+            Vector3::from(base) + Vector3::from(*offset)
+        }
+    })
+}
+
+fn model<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    guess: &L::Points,
+) -> Result<L, Failure> {
+    let model = L::new(guess).map_err(|error| refuse_geometry(task, &error))?;
+    match &task.file.lengths {
+        None => Ok(model),
+        Some(lengths) => {
+            let table = lengths.get_ref();
+            let lengths = L::Lengths::from_fn(|name| *table[name].get_ref());
+            model
+                .with_lengths(&lengths)
+                .map_err(|error| refuse_geometry(task, &error))
+        }
+    }
+}
+
+/// Points out, in the file, what makes a linkage impossible to build.
+fn refuse_geometry(task: &Task<'_>, error: &GeometryError) -> Failure {
+    let Task { source, file, .. } = task;
+    let points = file.points.get_ref();
+    let lengths = file.lengths.as_ref();
+    let span = match error {
+        GeometryError::NotFinite { point } | GeometryError::Collinear { point } => {
+            points.get(*point).map(Spanned::span)
+        }
+        GeometryError::BadLength { length } => lengths
+            .and_then(|lengths| lengths.get_ref().get(*length))
+            .map(Spanned::span),
+        GeometryError::NotClosed { .. } => lengths.map(Spanned::span),
+    };
+    source.refuse(&span.unwrap_or_else(|| file.points.span()), error)
+}
+
+/// Model, unknowns and drives in the configuration in which markers are attached.
+type AtDesign<L, const N: usize> = (L, SVector<f64, N>, <L as Linkage<N>>::Drives);
+
+fn at_design<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    model: L,
+    guess: &L::Points,
+) -> Result<AtDesign<L, N>, Failure> {
+    let Task { source, file, .. } = task;
+    let design = match &file.design {
+        Some(values) => L::Drives::from_fn(|name| *values.get_ref()[name].get_ref()),
+        None => model.drives_at(guess),
+    };
+    let at_rest = DriveLaws::new(design.values().map(|value| Polynomial::new(vec![value])));
+    let inputs = at_rest.inputs::<L::Drives>(0.0);
+    let mut q = L::unknowns(guess);
+    if file.lengths.is_some() || file.design.is_some() {
+        assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
+            Failure::Solver(format!(
+                "{}: the points do not assemble at {}: {}",
+                source.name(),
+                in_words::<L, N>(&design, file.unit),
+                cause::<L, N>(&error, file.unit),
+            ))
+        })?;
+    }
+    let fixed = L::drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
+    let points = place_markers::<L, N>(task, &model.points(&q, &fixed));
+    let model = model
+        .with_markers(&points)
+        .map_err(|error| refuse_geometry(task, &error))?;
+    match Wheel::of::<L, N>(&points) {
+        Some(_) => Ok((model, q, design)),
+        None => {
+            let centre = PointNames::of::<L, N>().wheel_centre;
+            let span = file.points.get_ref()[centre].span();
+            Err(source.refuse(
+                &span,
+                format!("point `{centre}` gives the spin axis no length"),
+            ))
+        }
+    }
+}
+
+/// Puts markers where the file wants them in the configuration `points`. Where the points of the
+/// file are exact, a marker with coordinates is already attached to them.
+fn place_markers<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    points: &L::Points,
+) -> L::Points {
+    let names = <L::Points as Named<Vector3<f64>>>::NAMES;
+    let markers = PointNames::of::<L, N>().markers;
+    let position = |name: &str| {
+        let found = names.iter().zip(points.values()).find(|(n, _)| **n == name);
+        found.map_or_else(Vector3::zeros, |(_, position)| position)
+    };
+    L::Points::from_fn(|name| match task.file.points.get_ref()[name].get_ref() {
+        Position::Off(Offset { from, offset }) => position(from.get_ref()) + Vector3::from(*offset),
+        Position::At(at) if task.file.lengths.is_some() && markers.contains(&name) => {
+            Vector3::from(*at)
+        }
+        Position::At(_) => position(name),
+    })
+}
+
+fn drive_laws<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> DriveLaws {
+    let table = task.file.drives.get_ref();
+    let names = <L::Drives as Named<f64>>::NAMES.iter();
+    DriveLaws::new(names.map(|name| Polynomial::new(table[*name].get_ref().clone())))
+}
+
+/// Drives the mechanism on a straight line from its design to the first instant.
+fn to_first_instant<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    model: &L,
+    q: SVector<f64, N>,
+    design: &L::Drives,
+    drives: &DriveLaws,
+) -> Result<Motion<f64, N>, Failure> {
+    let first = drives.inputs::<L::Drives>(task.first).drives.value;
+    let ends = design.values().zip(first.values());
+    let way = DriveLaws::new(ends.map(|(from, to)| Polynomial::line(from, to)));
+    let mut motion = Motion::at_rest(q);
+    let from_design_to_first = [0.0, 1.0];
+    match follow(model, &way, from_design_to_first, &mut motion) {
+        Ok(_) => Ok(motion),
+        Err(stopped) => {
+            let unit = task.file.unit;
+            let reached = way.inputs::<L::Drives>(stopped.reached).drives.value;
+            let cause = stopped.cause.map(|error| cause::<L, N>(&error, unit));
+            Err(Failure::Solver(format!(
+                "{}: the first instant, t = {} s with {}, is out of reach: driven there from the \
+                 design position, the mechanism stops at {} ({})",
+                task.source.name(),
+                task.first,
+                in_words::<L, N>(&first, unit),
+                in_words::<L, N>(&reached, unit),
+                cause.unwrap_or_default(),
+            )))
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! A mechanism ready to move, whatever its linkage.
+
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use suspension_core::{
+    Advanced, Build, HasKingpin, HasWheel, Inputs, Motion, SolveError, Still, Stopped, Tracker,
+};
+
+use crate::columns::{self, PointNames};
+use crate::drives::{DriveLaws, in_words};
+use crate::failure::Failure;
+use crate::file::Unit;
+use crate::instants::Instants;
+
+/// A linkage that this program can run: it carries a wheel on a kingpin.
+pub trait Suspension<const N: usize>:
+    Build<N, Scalar = f64> + HasWheel<N> + HasKingpin<N> + 'static
+{
+}
+
+impl<L, const N: usize> Suspension<N> for L where
+    L: Build<N, Scalar = f64> + HasWheel<N> + HasKingpin<N> + 'static
+{
+}
+
+/// Takes the row of one instant; may end the sweep.
+pub type OnRow<'a> = dyn FnMut(&[f64]) -> Result<ControlFlow<()>, Failure> + 'a;
+
+/// A mechanism ready to move.
+pub trait Study {
+    /// The linkage's name in the catalogue.
+    fn linkage(&self) -> &'static str;
+
+    /// The unit of lengths.
+    fn unit(&self) -> Unit;
+
+    /// The names of a row's columns.
+    fn columns(&self) -> Vec<String>;
+
+    /// The points' names.
+    fn points(&self) -> PointNames;
+
+    /// Moves the mechanism from instant to instant. The first lies where the file's does.
+    ///
+    /// # Errors
+    ///
+    /// What `on_row` fails with.
+    fn sweep(&self, instants: &Instants, on_row: &mut OnRow<'_>) -> Result<End, Failure>;
+
+    /// Measures what one step of a millisecond takes: position, velocity and acceleration.
+    /// `None` where the motion is too short to tell, or stops.
+    fn time_a_step(&self, ends: [f64; 2]) -> Option<Timing>;
+}
+
+/// How a sweep ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum End {
+    /// At the last instant.
+    Complete,
+    /// Where the receiver of the rows wanted it.
+    Cut,
+    /// Where the solver found no further configuration.
+    Stopped(Stop),
+}
+
+/// Where and why the solver stopped.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stop {
+    /// The instant that was asked for, s.
+    pub asked: f64,
+    /// The drives there.
+    pub drives_asked: String,
+    /// The last time at which the mechanism has a configuration, s.
+    pub reached: f64,
+    /// The drives there.
+    pub drives_reached: String,
+    /// What the last refused step failed with.
+    pub cause: String,
+    /// The largest speed where it stopped, as a multiple of that at the last good instant.
+    pub speed_up: f64,
+}
+
+/// What a step takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Timing {
+    /// The median over the passes of a pass' time divided by its steps.
+    pub per_step: Duration,
+    /// Steps of a pass.
+    pub steps: usize,
+    /// Passes through the motion.
+    pub passes: usize,
+}
+
+/// A linkage in the configuration of the first instant, with its drives over time.
+#[derive(Clone, Debug)]
+pub struct Assembled<L, const N: usize> {
+    /// The linkage's name in the catalogue.
+    pub linkage: &'static str,
+    /// The unit of its lengths.
+    pub unit: Unit,
+    /// The geometry.
+    pub model: L,
+    /// The configuration of the first instant.
+    pub start: Motion<f64, N>,
+    /// The drives.
+    pub drives: DriveLaws,
+}
+
+impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N> {
+    fn linkage(&self) -> &'static str {
+        self.linkage
+    }
+
+    fn unit(&self) -> Unit {
+        self.unit
+    }
+
+    fn columns(&self) -> Vec<String> {
+        columns::names::<L, N>(self.unit)
+    }
+
+    fn points(&self) -> PointNames {
+        PointNames::of::<L, N>()
+    }
+
+    fn sweep(&self, instants: &Instants, on_row: &mut OnRow<'_>) -> Result<End, Failure> {
+        let mut motion = self.start;
+        let [mut last, _] = instants.ends();
+        for t in instants.iter() {
+            let speed = motion.velocity.amax();
+            match follow(&self.model, &self.drives, [last, t], &mut motion) {
+                Ok(advanced) => {
+                    let inputs = self.drives.inputs(t);
+                    let row = columns::row(&self.model, t, &inputs, &motion, &advanced);
+                    if on_row(&row)?.is_break() {
+                        return Ok(End::Cut);
+                    }
+                }
+                Err(stopped) => {
+                    let speed_up = motion.velocity.amax() / speed;
+                    return Ok(End::Stopped(self.stop(t, &stopped, speed_up)));
+                }
+            }
+            last = t;
+        }
+        Ok(End::Complete)
+    }
+
+    fn time_a_step(&self, ends: [f64; 2]) -> Option<Timing> {
+        const STEP: f64 = 1e-3;
+        const ENOUGH: Duration = Duration::from_millis(250);
+        const PASSES: std::ops::RangeInclusive<usize> = 3..=51;
+        let instants = Instants::stepped(ends[0], ends[1], STEP.copysign(ends[1] - ends[0]));
+        let inputs: Vec<_> = instants.iter().map(|t| self.drives.inputs(t)).collect();
+        let (first, steps) = inputs.split_first()?;
+        let dt = STEP.copysign(ends[1] - ends[0]);
+        let began = Instant::now();
+        let mut passes = Vec::new();
+        while passes.len() < *PASSES.start()
+            || (passes.len() < *PASSES.end() && began.elapsed() < ENOUGH)
+        {
+            passes.push(self.timed_pass(first, steps, dt)?);
+        }
+        passes.sort_unstable();
+        let steps = u32::try_from(steps.len()).ok().filter(|count| *count > 0)?;
+        Some(Timing {
+            per_step: passes[passes.len() / 2] / steps,
+            steps: steps as usize,
+            passes: passes.len(),
+        })
+    }
+}
+
+impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
+    fn timed_pass(
+        &self,
+        first: &Inputs<Still, L::Drives>,
+        steps: &[Inputs<Still, L::Drives>],
+        dt: f64,
+    ) -> Option<Duration> {
+        let tracker = Tracker::default();
+        let mut motion = self.start;
+        tracker.step(&self.model, first, 0.0, &mut motion).ok()?;
+        let began = Instant::now();
+        for inputs in steps {
+            tracker.step(&self.model, inputs, dt, &mut motion).ok()?;
+        }
+        let took = began.elapsed();
+        std::hint::black_box(motion);
+        Some(took)
+    }
+
+    fn stop(&self, asked: f64, stopped: &Stopped<f64>, speed_up: f64) -> Stop {
+        let drives = |t: f64| {
+            let inputs: Inputs<Still, L::Drives> = self.drives.inputs(t);
+            in_words::<L, N>(&inputs.drives.value, self.unit)
+        };
+        Stop {
+            asked,
+            drives_asked: drives(asked),
+            reached: stopped.reached,
+            drives_reached: drives(stopped.reached),
+            cause: stopped.cause.map_or_else(
+                || "the time is too far away".to_owned(),
+                |error| cause::<L, N>(&error, self.unit),
+            ),
+            speed_up,
+        }
+    }
+}
+
+/// Follows the motion from one time to another, in as many steps as it takes.
+pub(crate) fn follow<L: Suspension<N>, const N: usize>(
+    model: &L,
+    drives: &DriveLaws,
+    [from, to]: [f64; 2],
+    motion: &mut Motion<f64, N>,
+) -> Result<Advanced<f64>, Stopped<f64>> {
+    let tracker = Tracker {
+        max_steps: 10_000,
+        ..Tracker::default()
+    };
+    tracker.advance(model, |t| drives.inputs(t), from, to, motion)
+}
+
+/// Why a step was refused, with the listing's names.
+pub(crate) fn cause<L: Suspension<N>, const N: usize>(
+    error: &SolveError<f64>,
+    unit: Unit,
+) -> String {
+    let name = error.culprit(&L::EQUATIONS, &L::UNKNOWNS);
+    let unit = unit.symbol();
+    match error {
+        SolveError::NotFinite { .. } => {
+            format!("the residual of equation `{name}` is not a finite number")
+        }
+        SolveError::Singular { .. } => format!("unknown `{name}` is no longer determined"),
+        SolveError::Diverging { .. } => {
+            format!("no root near by, the corrections of unknown `{name}` do not shrink")
+        }
+        SolveError::NotConverged {
+            residual,
+            iterations,
+            ..
+        } => format!(
+            "equation `{name}` is still off by {residual:.1e} {unit} after {iterations} iterations"
+        ),
+    }
+}
