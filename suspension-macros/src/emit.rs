@@ -4,7 +4,10 @@ mod build;
 mod docs;
 mod equations;
 mod indices;
+mod jacobian;
+mod rates;
 mod readout;
+mod terms;
 mod types;
 
 use proc_macro2::TokenStream;

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::Ident;
+use syn::ext::IdentExt;
 
 use crate::system::{AXES, System};
 
@@ -43,7 +44,7 @@ fn constants(names: &[Ident]) -> TokenStream {
 
 fn upper(name: &Ident) -> Ident {
     Ident::new(
-        &name.to_string().to_uppercase(),
+        &name.unraw().to_string().to_uppercase(),
         proc_macro2::Span::call_site(),
     )
 }

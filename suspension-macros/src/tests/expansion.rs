@@ -21,7 +21,10 @@ fn snapshot(name: &str) {
         committed == printed,
         "the expansion of `{name}` differs from {path} from line {} on; to accept it run \
          `UPDATE_SNAPSHOTS=1 cargo test -p suspension-macros` and read the difference",
-        differs.map_or(committed.lines().count().min(printed.lines().count()), |i| i + 1)
+        differs.map_or(
+            committed.lines().count().min(printed.lines().count()),
+            |i| i + 1
+        )
     );
 }
 
