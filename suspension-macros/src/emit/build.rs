@@ -211,10 +211,15 @@ fn lengths(system: &System) -> TokenStream {
             quote!(#name)
         }
     });
+    let result = if names.is_empty() {
+        quote!(Lengths::default())
+    } else {
+        quote!(Lengths { #(#values),* })
+    };
     quote! {
         fn lengths(&self) -> Lengths<T> {
             #(#of_bodies)*
-            Lengths { #(#values),* }
+            #result
         }
     }
 }

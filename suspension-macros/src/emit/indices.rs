@@ -35,7 +35,9 @@ fn unknown_names(point: &Ident) -> [Ident; 3] {
 }
 
 fn constants(names: &[Ident]) -> TokenStream {
-    let constants = names.iter().enumerate().map(|(index, name)| {
+    let mut seen = std::collections::BTreeSet::new();
+    let distinct = names.iter().filter(|name| seen.insert(upper(name)));
+    let constants = distinct.enumerate().map(|(index, name)| {
         let (name, index) = (upper(name), Literal::usize_unsuffixed(index));
         quote!(pub const #name: usize = #index;)
     });

@@ -103,8 +103,8 @@ pub(super) fn frames<'a>(
 }
 
 /// `body_point = self.body_point.method(arguments)` for each point that a body carries.
-pub(super) fn carried<'a>(
-    system: &'a System,
+pub(super) fn carried(
+    system: &System,
     call: impl Fn(&Body, &Site) -> TokenStream,
 ) -> impl Iterator<Item = Binding> {
     let points = system

@@ -8,10 +8,18 @@
 /// The paper prints no coordinates for the wheel centre, point 11. Which position it is given
 /// is up to the host; that the spin axis runs through points 8 and 11 is an assumption.
 ///
-/// `15` unknowns `q` (the coordinates of `p6`, `p7`, `p8`, `p9`, `p10`), `15` equations `F(q) = 0`, Jacobian `15 x 15` with 70 non-zeros of 225.
-/// Residual: 84 multiplications and 86 additions. Jacobian: 42 multiplications and 42 additions. Curvature: 56 multiplications and 112 additions. No division, no branch.
+/// 15 unknowns `q`: the coordinates of `p6`, `p7`, `p8`, `p9`, `p10`.
 ///
-/// Equations: `d6_1`, `d7_2`, `d8_3`, `d9_4`, `d10_5`, `d7_6`, `d8_6`, `d9_6`, `d10_6`, `d8_7`, `d9_7`, `d10_7`, `d9_8`, `d10_8`, `theta`.
+/// 15 equations `F(q) = 0`: `d6_1`, `d7_2`, `d8_3`, `d9_4`, `d10_5`, `d7_6`, `d8_6`, `d9_6`, `d10_6`, `d8_7`, `d9_7`, `d10_7`, `d9_8`, `d10_8`, `theta`.
+///
+/// Jacobian: 15 x 15, 70 non-zeros of 225.
+///
+/// | no division, no branch | multiplications | additions |
+/// |---|---|---|
+/// | residual | 84 | 86 |
+/// | Jacobian | 42 | 42 |
+/// | curvature | 56 | 112 |
+#[allow(dead_code, unreachable_pub)]
 pub mod attia2003 {
     use ::suspension_core::generated::*;
     /// Every point, with a position, velocity or acceleration each.
@@ -40,6 +48,7 @@ pub mod attia2003 {
         /// Wheel centre.
         pub p11: Vector3<T>,
     }
+
     impl<T: Scalar> Named<Vector3<T>> for Points<T> {
         const NAMES: &'static [&'static str] = &[
             "p1",
@@ -69,6 +78,7 @@ pub mod attia2003 {
                 p11: value("p11"),
             }
         }
+
         fn values(&self) -> impl Iterator<Item = Vector3<T>> {
             [
                 self.p1,
@@ -86,11 +96,13 @@ pub mod attia2003 {
                 .into_iter()
         }
     }
+
     impl<T: Scalar> Default for Points<T> {
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
     }
+
     /// Chassis points.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Fixed<T> {
@@ -105,6 +117,7 @@ pub mod attia2003 {
         /// Chassis point `p5`.
         pub p5: Vector3<T>,
     }
+
     impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
         const NAMES: &'static [&'static str] = &["p1", "p2", "p3", "p4", "p5"];
         fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
@@ -116,35 +129,42 @@ pub mod attia2003 {
                 p5: value("p5"),
             }
         }
+
         fn values(&self) -> impl Iterator<Item = Vector3<T>> {
             [self.p1, self.p2, self.p3, self.p4, self.p5].into_iter()
         }
     }
+
     impl<T: Scalar> Default for Fixed<T> {
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
     }
+
     /// The drives' values, or rates: coordinates in the unit of the points, angles in radians.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Drives<T> {
         /// Eq. (1.15): `z6 - z1 = d6_1 cos(theta)`.
         pub theta: T,
     }
+
     impl<T: Scalar> Named<T> for Drives<T> {
         const NAMES: &'static [&'static str] = &["theta"];
         fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
             Self { theta: value("theta") }
         }
+
         fn values(&self) -> impl Iterator<Item = T> {
             [self.theta].into_iter()
         }
     }
+
     impl<T: Scalar> Default for Drives<T> {
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
     }
+
     /// The constant lengths of links and bodies.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Lengths<T> {
@@ -177,6 +197,7 @@ pub mod attia2003 {
         /// Eq. (1.14)
         pub d10_8: T,
     }
+
     impl<T: Scalar> Named<T> for Lengths<T> {
         const NAMES: &'static [&'static str] = &[
             "d6_1",
@@ -212,6 +233,7 @@ pub mod attia2003 {
                 d10_8: value("d10_8"),
             }
         }
+
         fn values(&self) -> impl Iterator<Item = T> {
             [
                 self.d6_1,
@@ -232,11 +254,13 @@ pub mod attia2003 {
                 .into_iter()
         }
     }
+
     impl<T: Scalar> Default for Lengths<T> {
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
     }
+
     /// The free points: the unknowns under their names.
     #[derive(Clone, Copy, Debug, PartialEq)]
     struct Free<T> {
@@ -246,6 +270,7 @@ pub mod attia2003 {
         p9: Vector3<T>,
         p10: Vector3<T>,
     }
+
     impl<T: Scalar> Free<T> {
         #[inline(always)]
         fn of(q: &SVector<T, 15>) -> Self {
@@ -259,6 +284,7 @@ pub mod attia2003 {
                 p10: Vector3::new(p10_x, p10_y, p10_z),
             }
         }
+
         #[inline(always)]
         fn unknowns(&self) -> SVector<T, 15> {
             let Self { p6, p7, p8, p9, p10 } = self;
@@ -281,6 +307,7 @@ pub mod attia2003 {
             ])
         }
     }
+
     /// The geometry: chassis points at rest and the constants of every equation.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Model<T> {
@@ -302,6 +329,7 @@ pub mod attia2003 {
         d10_8: Distance<T>,
         p11: Carried<T>,
     }
+
     /// Rows of the residual and the Jacobian.
     #[allow(missing_docs)]
     pub mod equation {
@@ -321,6 +349,7 @@ pub mod attia2003 {
         pub const D10_8: usize = 13;
         pub const THETA: usize = 14;
     }
+
     /// Entries of `q`, columns of the Jacobian.
     #[allow(missing_docs)]
     pub mod unknown {
@@ -340,7 +369,7 @@ pub mod attia2003 {
         pub const P10_Y: usize = 13;
         pub const P10_Z: usize = 14;
     }
-    #[allow(unused_variables)]
+
     impl<T: Scalar> Linkage<15> for Model<T> {
         type Scalar = T;
         type Fixed = Fixed<T>;
@@ -384,13 +413,15 @@ pub mod attia2003 {
         fn fixed(&self) -> &Fixed<T> {
             &self.fixed
         }
+
         fn size(&self) -> T {
             self.size
         }
+
         #[inline(always)]
-        #[allow(clippy::needless_update)]
         fn coordinates(&self, drives: &Signal<Drives<T>>) -> Signal<Drives<T>> {
-            let theta = angle_to_coordinate(
+            let mut coordinates = *drives;
+            let coordinate = angle_to_coordinate(
                 self.d6_1.length(),
                 Signal {
                     value: drives.value.theta,
@@ -398,25 +429,17 @@ pub mod attia2003 {
                     second_rate: drives.second_rate.theta,
                 },
             );
-            Signal {
-                value: Drives {
-                    theta: theta.value,
-                    ..drives.value
-                },
-                rate: Drives {
-                    theta: theta.rate,
-                    ..drives.rate
-                },
-                second_rate: Drives {
-                    theta: theta.second_rate,
-                    ..drives.second_rate
-                },
-            }
+            coordinates.value.theta = coordinate.value;
+            coordinates.rate.theta = coordinate.rate;
+            coordinates.second_rate.theta = coordinate.second_rate;
+            coordinates
         }
+
         #[inline(always)]
-        fn drive_anchors(fixed: Fixed<T>, drives: &Drives<T>) -> Fixed<T> {
+        fn drive_anchors(fixed: Fixed<T>, _drives: &Drives<T>) -> Fixed<T> {
             fixed
         }
+
         #[inline(always)]
         fn residual(
             &self,
@@ -443,6 +466,7 @@ pub mod attia2003 {
                 free.p6.z - fixed.p1.z - drives.theta,
             ])
         }
+
         #[inline(always)]
         fn jacobian(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SMatrix<T, 15, 15> {
             let free = Free::of(q);
@@ -533,6 +557,7 @@ pub mod attia2003 {
             columns[unknown::P6_Z][equation::THETA] = T::one();
             from_columns(columns)
         }
+
         #[inline(always)]
         fn curvature(
             &self,
@@ -541,7 +566,8 @@ pub mod attia2003 {
             w: &SVector<T, 15>,
             w_fixed: &Fixed<T>,
         ) -> SVector<T, 15> {
-            let (v, w) = (Free::of(v), Free::of(w));
+            let v = Free::of(v);
+            let w = Free::of(w);
             SVector::from([
                 self.d6_1.curvature(v.p6 - v_fixed.p1, w.p6 - w_fixed.p1),
                 self.d7_2.curvature(v.p7 - v_fixed.p2, w.p7 - w_fixed.p2),
@@ -560,33 +586,20 @@ pub mod attia2003 {
                 T::zero(),
             ])
         }
+
         #[inline(always)]
         fn drive_rate(
             &self,
-            q: &SVector<T, 15>,
-            fixed: &Fixed<T>,
-            fixed_rate: &Fixed<T>,
+            _q: &SVector<T, 15>,
+            _fixed: &Fixed<T>,
+            _fixed_rate: &Fixed<T>,
             drive_rate: &Drives<T>,
         ) -> SVector<T, 15> {
-            let free = Free::of(q);
-            SVector::from([
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                drive_rate.theta,
-            ])
+            let mut rows = [T::zero(); 15];
+            rows[equation::THETA] = drive_rate.theta;
+            SVector::from(rows)
         }
+
         #[inline(always)]
         fn chassis_rate(
             &self,
@@ -595,24 +608,31 @@ pub mod attia2003 {
             fixed_rate: &Fixed<T>,
         ) -> SVector<T, 15> {
             let free = Free::of(q);
-            SVector::from([
-                self.d6_1.gradient(free.p6 - fixed.p1).dot(&fixed_rate.p1),
-                self.d7_2.gradient(free.p7 - fixed.p2).dot(&fixed_rate.p2),
-                self.d8_3.gradient(free.p8 - fixed.p3).dot(&fixed_rate.p3),
-                self.d9_4.gradient(free.p9 - fixed.p4).dot(&fixed_rate.p4),
-                self.d10_5.gradient(free.p10 - fixed.p5).dot(&fixed_rate.p5),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero() + fixed_rate.p1.z,
-            ])
+            let mut rows = [T::zero(); 15];
+            rows[equation::D6_1] = self
+                .d6_1
+                .gradient(free.p6 - fixed.p1)
+                .dot(&fixed_rate.p1);
+            rows[equation::D7_2] = self
+                .d7_2
+                .gradient(free.p7 - fixed.p2)
+                .dot(&fixed_rate.p2);
+            rows[equation::D8_3] = self
+                .d8_3
+                .gradient(free.p8 - fixed.p3)
+                .dot(&fixed_rate.p3);
+            rows[equation::D9_4] = self
+                .d9_4
+                .gradient(free.p9 - fixed.p4)
+                .dot(&fixed_rate.p4);
+            rows[equation::D10_5] = self
+                .d10_5
+                .gradient(free.p10 - fixed.p5)
+                .dot(&fixed_rate.p5);
+            rows[equation::THETA] = fixed_rate.p1.z;
+            SVector::from(rows)
         }
+
         fn points(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Points<T> {
             let free = Free::of(q);
             Points {
@@ -629,60 +649,63 @@ pub mod attia2003 {
                 p11: self.p11.position(&Frame::new(free.p6, free.p7, free.p8)),
             }
         }
+
         fn velocities(
             &self,
             at: &Points<T>,
             velocity: &SVector<T, 15>,
-            fixed: &Fixed<T>,
+            fixed_rate: &Fixed<T>,
         ) -> Points<T> {
-            let free = Free::of(velocity);
+            let rate = Free::of(velocity);
             Points {
-                p1: fixed.p1,
-                p2: fixed.p2,
-                p3: fixed.p3,
-                p4: fixed.p4,
-                p5: fixed.p5,
-                p6: free.p6,
-                p7: free.p7,
-                p8: free.p8,
-                p9: free.p9,
-                p10: free.p10,
+                p1: fixed_rate.p1,
+                p2: fixed_rate.p2,
+                p3: fixed_rate.p3,
+                p4: fixed_rate.p4,
+                p5: fixed_rate.p5,
+                p6: rate.p6,
+                p7: rate.p7,
+                p8: rate.p8,
+                p9: rate.p9,
+                p10: rate.p10,
                 p11: self
                     .p11
                     .velocity(
                         &Frame::new(at.p6, at.p7, at.p8),
-                        &Frame::new(free.p6, free.p7, free.p8),
+                        &Frame::new(rate.p6, rate.p7, rate.p8),
                     ),
             }
         }
+
         fn accelerations(
             &self,
             at: &Points<T>,
             velocities: &Points<T>,
             acceleration: &SVector<T, 15>,
-            fixed: &Fixed<T>,
+            fixed_second_rate: &Fixed<T>,
         ) -> Points<T> {
-            let free = Free::of(acceleration);
+            let second_rate = Free::of(acceleration);
             Points {
-                p1: fixed.p1,
-                p2: fixed.p2,
-                p3: fixed.p3,
-                p4: fixed.p4,
-                p5: fixed.p5,
-                p6: free.p6,
-                p7: free.p7,
-                p8: free.p8,
-                p9: free.p9,
-                p10: free.p10,
+                p1: fixed_second_rate.p1,
+                p2: fixed_second_rate.p2,
+                p3: fixed_second_rate.p3,
+                p4: fixed_second_rate.p4,
+                p5: fixed_second_rate.p5,
+                p6: second_rate.p6,
+                p7: second_rate.p7,
+                p8: second_rate.p8,
+                p9: second_rate.p9,
+                p10: second_rate.p10,
                 p11: self
                     .p11
                     .acceleration(
                         &Frame::new(at.p6, at.p7, at.p8),
                         &Frame::new(velocities.p6, velocities.p7, velocities.p8),
-                        &Frame::new(free.p6, free.p7, free.p8),
+                        &Frame::new(second_rate.p6, second_rate.p7, second_rate.p8),
                     ),
             }
         }
+
         fn unknowns(points: &Points<T>) -> SVector<T, 15> {
             Free {
                 p6: points.p6,
@@ -694,7 +717,9 @@ pub mod attia2003 {
                 .unknowns()
         }
     }
+
     impl<T: Real> Model<T> {
+        /// With `size` brought up to the other constants.
         fn sized(self) -> Self {
             Self {
                 size: build::longest(
@@ -719,7 +744,7 @@ pub mod attia2003 {
             }
         }
     }
-    #[allow(unused_variables)]
+
     impl<T: Real> Build<15> for Model<T> {
         type Lengths = Lengths<T>;
         fn new(design: &Points<T>) -> Result<Self, GeometryError> {
@@ -755,6 +780,7 @@ pub mod attia2003 {
             };
             Ok(model.sized())
         }
+
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
             build::positive(lengths)?;
             let model = Self {
@@ -776,6 +802,7 @@ pub mod attia2003 {
             };
             Ok(model.sized())
         }
+
         fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
             build::finite(points)?;
             Ok(Self {
@@ -787,6 +814,7 @@ pub mod attia2003 {
                 ..self
             })
         }
+
         fn lengths(&self) -> Lengths<T> {
             Lengths {
                 d6_1: self.d6_1.length(),
@@ -805,24 +833,28 @@ pub mod attia2003 {
                 d10_8: self.d10_8.length(),
             }
         }
+
         fn drives_at(&self, points: &Points<T>) -> Drives<T> {
             Drives {
                 theta: build::angle(points.p6.z - points.p1.z, self.d6_1.length()),
             }
         }
-        fn fit(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SVector<T, 15> {
-            let free = Free::of(q);
-            free.unknowns()
+
+        fn fit(&self, q: &SVector<T, 15>, _fixed: &Fixed<T>) -> SVector<T, 15> {
+            *q
         }
     }
+
     impl<T: Scalar> HasWheel<15> for Model<T> {
         fn wheel(points: &Points<T>) -> [Vector3<T>; 2] {
             [points.p8, points.p11]
         }
+
         fn carrier(points: &Points<T>) -> [Vector3<T>; 3] {
             [points.p6, points.p7, points.p8]
         }
     }
+
     impl<T: Scalar> HasKingpin<15> for Model<T> {
         fn kingpin(points: &Points<T>) -> [Vector3<T>; 2] {
             [points.p6, points.p7]

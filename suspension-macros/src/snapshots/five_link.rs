@@ -3,10 +3,18 @@
 ///
 /// Axes as ISO 8855: x forward, y left, z up.
 ///
-/// `15` unknowns `q` (the coordinates of `lower_front_outer`, `upper_front_outer`, `upper_rear_outer`, `lower_rear_outer`, `track_rod_outer`), `15` equations `F(q) = 0`, Jacobian `15 x 15` with 94 non-zeros of 225.
-/// Residual: 78 multiplications and 86 additions. Jacobian: 36 multiplications and 72 additions. Curvature: 62 multiplications and 94 additions. No division, no branch.
+/// 15 unknowns `q`: the coordinates of `lower_front_outer`, `upper_front_outer`, `upper_rear_outer`, `lower_rear_outer`, `track_rod_outer`.
 ///
-/// Equations: `lower_front`, `upper_front`, `upper_rear`, `lower_rear`, `track_rod`, `knuckle_lower_front_outer_upper_front_outer`, `knuckle_lower_front_outer_upper_rear_outer`, `knuckle_upper_front_outer_upper_rear_outer`, `knuckle_lower_rear_outer_x`, `knuckle_lower_rear_outer_y`, `knuckle_lower_rear_outer_z`, `knuckle_track_rod_outer_x`, `knuckle_track_rod_outer_y`, `knuckle_track_rod_outer_z`, `theta`.
+/// 15 equations `F(q) = 0`: `lower_front`, `upper_front`, `upper_rear`, `lower_rear`, `track_rod`, `knuckle_lower_front_outer_upper_front_outer`, `knuckle_lower_front_outer_upper_rear_outer`, `knuckle_upper_front_outer_upper_rear_outer`, `knuckle_lower_rear_outer_x`, `knuckle_lower_rear_outer_y`, `knuckle_lower_rear_outer_z`, `knuckle_track_rod_outer_x`, `knuckle_track_rod_outer_y`, `knuckle_track_rod_outer_z`, `theta`.
+///
+/// Jacobian: 15 x 15, 94 non-zeros of 225.
+///
+/// | no division, no branch | multiplications | additions |
+/// |---|---|---|
+/// | residual | 78 | 86 |
+/// | Jacobian | 36 | 66 |
+/// | curvature | 62 | 94 |
+#[allow(dead_code, unreachable_pub)]
 pub mod five_link {
     use ::suspension_core::generated::*;
     /// Every point, with a position, velocity or acceleration each.
@@ -35,6 +43,7 @@ pub mod five_link {
         /// Marker, carried by `lower_front_outer`, `upper_front_outer`, `upper_rear_outer`.
         pub wheel_centre: Vector3<T>,
     }
+
     impl<T: Scalar> Named<Vector3<T>> for Points<T> {
         const NAMES: &'static [&'static str] = &[
             "lower_front_inner",
@@ -64,6 +73,7 @@ pub mod five_link {
                 wheel_centre: value("wheel_centre"),
             }
         }
+
         fn values(&self) -> impl Iterator<Item = Vector3<T>> {
             [
                 self.lower_front_inner,
@@ -81,11 +91,13 @@ pub mod five_link {
                 .into_iter()
         }
     }
+
     impl<T: Scalar> Default for Points<T> {
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
     }
+
     /// Chassis points.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Fixed<T> {
@@ -100,6 +112,7 @@ pub mod five_link {
         /// Chassis point `track_rod_inner`.
         pub track_rod_inner: Vector3<T>,
     }
+
     impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
         const NAMES: &'static [&'static str] = &[
             "lower_front_inner",
@@ -117,6 +130,7 @@ pub mod five_link {
                 track_rod_inner: value("track_rod_inner"),
             }
         }
+
         fn values(&self) -> impl Iterator<Item = Vector3<T>> {
             [
                 self.lower_front_inner,
@@ -128,31 +142,37 @@ pub mod five_link {
                 .into_iter()
         }
     }
+
     impl<T: Scalar> Default for Fixed<T> {
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
     }
+
     /// The drives' values, or rates: coordinates in the unit of the points, angles in radians.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Drives<T> {
         /// Angle of the lower leading link from the vertical, radians.
         pub theta: T,
     }
+
     impl<T: Scalar> Named<T> for Drives<T> {
         const NAMES: &'static [&'static str] = &["theta"];
         fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
             Self { theta: value("theta") }
         }
+
         fn values(&self) -> impl Iterator<Item = T> {
             [self.theta].into_iter()
         }
     }
+
     impl<T: Scalar> Default for Drives<T> {
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
     }
+
     /// The constant lengths of links and bodies.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Lengths<T> {
@@ -185,6 +205,7 @@ pub mod five_link {
         /// From `track_rod_outer` to `upper_rear_outer`.
         pub knuckle_track_rod_outer_upper_rear_outer: T,
     }
+
     impl<T: Scalar> Named<T> for Lengths<T> {
         const NAMES: &'static [&'static str] = &[
             "lower_front",
@@ -238,6 +259,7 @@ pub mod five_link {
                 ),
             }
         }
+
         fn values(&self) -> impl Iterator<Item = T> {
             [
                 self.lower_front,
@@ -258,11 +280,13 @@ pub mod five_link {
                 .into_iter()
         }
     }
+
     impl<T: Scalar> Default for Lengths<T> {
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
     }
+
     /// The free points: the unknowns under their names.
     #[derive(Clone, Copy, Debug, PartialEq)]
     struct Free<T> {
@@ -272,6 +296,7 @@ pub mod five_link {
         lower_rear_outer: Vector3<T>,
         track_rod_outer: Vector3<T>,
     }
+
     impl<T: Scalar> Free<T> {
         #[inline(always)]
         fn of(q: &SVector<T, 15>) -> Self {
@@ -308,6 +333,7 @@ pub mod five_link {
                 ),
             }
         }
+
         #[inline(always)]
         fn unknowns(&self) -> SVector<T, 15> {
             let Self {
@@ -336,6 +362,7 @@ pub mod five_link {
             ])
         }
     }
+
     /// The geometry: chassis points at rest and the constants of every equation.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Model<T> {
@@ -354,6 +381,7 @@ pub mod five_link {
         knuckle_track_rod_outer: Carried<T>,
         wheel_centre: Carried<T>,
     }
+
     /// Rows of the residual and the Jacobian.
     #[allow(missing_docs)]
     pub mod equation {
@@ -373,6 +401,7 @@ pub mod five_link {
         pub const KNUCKLE_TRACK_ROD_OUTER_Z: usize = 13;
         pub const THETA: usize = 14;
     }
+
     /// Entries of `q`, columns of the Jacobian.
     #[allow(missing_docs)]
     pub mod unknown {
@@ -392,7 +421,7 @@ pub mod five_link {
         pub const TRACK_ROD_OUTER_Y: usize = 13;
         pub const TRACK_ROD_OUTER_Z: usize = 14;
     }
-    #[allow(unused_variables)]
+
     impl<T: Scalar> Linkage<15> for Model<T> {
         type Scalar = T;
         type Fixed = Fixed<T>;
@@ -436,13 +465,15 @@ pub mod five_link {
         fn fixed(&self) -> &Fixed<T> {
             &self.fixed
         }
+
         fn size(&self) -> T {
             self.size
         }
+
         #[inline(always)]
-        #[allow(clippy::needless_update)]
         fn coordinates(&self, drives: &Signal<Drives<T>>) -> Signal<Drives<T>> {
-            let theta = angle_to_coordinate(
+            let mut coordinates = *drives;
+            let coordinate = angle_to_coordinate(
                 self.lower_front.length(),
                 Signal {
                     value: drives.value.theta,
@@ -450,25 +481,17 @@ pub mod five_link {
                     second_rate: drives.second_rate.theta,
                 },
             );
-            Signal {
-                value: Drives {
-                    theta: theta.value,
-                    ..drives.value
-                },
-                rate: Drives {
-                    theta: theta.rate,
-                    ..drives.rate
-                },
-                second_rate: Drives {
-                    theta: theta.second_rate,
-                    ..drives.second_rate
-                },
-            }
+            coordinates.value.theta = coordinate.value;
+            coordinates.rate.theta = coordinate.rate;
+            coordinates.second_rate.theta = coordinate.second_rate;
+            coordinates
         }
+
         #[inline(always)]
-        fn drive_anchors(fixed: Fixed<T>, drives: &Drives<T>) -> Fixed<T> {
+        fn drive_anchors(fixed: Fixed<T>, _drives: &Drives<T>) -> Fixed<T> {
             fixed
         }
+
         #[inline(always)]
         fn residual(
             &self,
@@ -516,15 +539,16 @@ pub mod five_link {
                 free.lower_front_outer.z - fixed.lower_front_inner.z - drives.theta,
             ])
         }
+
         #[inline(always)]
         fn jacobian(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SMatrix<T, 15, 15> {
             let free = Free::of(q);
-            let mut columns = [[T::zero(); 15]; 15];
             let knuckle_frame = Frame::new(
                 free.lower_front_outer,
                 free.upper_front_outer,
                 free.upper_rear_outer,
             );
+            let mut columns = [[T::zero(); 15]; 15];
             let gradient = self
                 .lower_front
                 .gradient(free.lower_front_outer - fixed.lower_front_inner);
@@ -773,6 +797,7 @@ pub mod five_link {
             columns[unknown::LOWER_FRONT_OUTER_Z][equation::THETA] = T::one();
             from_columns(columns)
         }
+
         #[inline(always)]
         fn curvature(
             &self,
@@ -781,7 +806,8 @@ pub mod five_link {
             w: &SVector<T, 15>,
             w_fixed: &Fixed<T>,
         ) -> SVector<T, 15> {
-            let (v, w) = (Free::of(v), Free::of(w));
+            let v = Free::of(v);
+            let w = Free::of(w);
             let knuckle_frame_v = Frame::new(
                 v.lower_front_outer,
                 v.upper_front_outer,
@@ -856,38 +882,20 @@ pub mod five_link {
                 T::zero(),
             ])
         }
+
         #[inline(always)]
         fn drive_rate(
             &self,
-            q: &SVector<T, 15>,
-            fixed: &Fixed<T>,
-            fixed_rate: &Fixed<T>,
+            _q: &SVector<T, 15>,
+            _fixed: &Fixed<T>,
+            _fixed_rate: &Fixed<T>,
             drive_rate: &Drives<T>,
         ) -> SVector<T, 15> {
-            let free = Free::of(q);
-            let knuckle_frame = Frame::new(
-                free.lower_front_outer,
-                free.upper_front_outer,
-                free.upper_rear_outer,
-            );
-            SVector::from([
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                drive_rate.theta,
-            ])
+            let mut rows = [T::zero(); 15];
+            rows[equation::THETA] = drive_rate.theta;
+            SVector::from(rows)
         }
+
         #[inline(always)]
         fn chassis_rate(
             &self,
@@ -896,44 +904,31 @@ pub mod five_link {
             fixed_rate: &Fixed<T>,
         ) -> SVector<T, 15> {
             let free = Free::of(q);
-            let knuckle_frame = Frame::new(
-                free.lower_front_outer,
-                free.upper_front_outer,
-                free.upper_rear_outer,
-            );
-            SVector::from([
-                self
-                    .lower_front
-                    .gradient(free.lower_front_outer - fixed.lower_front_inner)
-                    .dot(&fixed_rate.lower_front_inner),
-                self
-                    .upper_front
-                    .gradient(free.upper_front_outer - fixed.upper_front_inner)
-                    .dot(&fixed_rate.upper_front_inner),
-                self
-                    .upper_rear
-                    .gradient(free.upper_rear_outer - fixed.upper_rear_inner)
-                    .dot(&fixed_rate.upper_rear_inner),
-                self
-                    .lower_rear
-                    .gradient(free.lower_rear_outer - fixed.lower_rear_inner)
-                    .dot(&fixed_rate.lower_rear_inner),
-                self
-                    .track_rod
-                    .gradient(free.track_rod_outer - fixed.track_rod_inner)
-                    .dot(&fixed_rate.track_rod_inner),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero(),
-                T::zero() + fixed_rate.lower_front_inner.z,
-            ])
+            let mut rows = [T::zero(); 15];
+            rows[equation::LOWER_FRONT] = self
+                .lower_front
+                .gradient(free.lower_front_outer - fixed.lower_front_inner)
+                .dot(&fixed_rate.lower_front_inner);
+            rows[equation::UPPER_FRONT] = self
+                .upper_front
+                .gradient(free.upper_front_outer - fixed.upper_front_inner)
+                .dot(&fixed_rate.upper_front_inner);
+            rows[equation::UPPER_REAR] = self
+                .upper_rear
+                .gradient(free.upper_rear_outer - fixed.upper_rear_inner)
+                .dot(&fixed_rate.upper_rear_inner);
+            rows[equation::LOWER_REAR] = self
+                .lower_rear
+                .gradient(free.lower_rear_outer - fixed.lower_rear_inner)
+                .dot(&fixed_rate.lower_rear_inner);
+            rows[equation::TRACK_ROD] = self
+                .track_rod
+                .gradient(free.track_rod_outer - fixed.track_rod_inner)
+                .dot(&fixed_rate.track_rod_inner);
+            rows[equation::THETA] = fixed_rate.lower_front_inner.z;
+            SVector::from(rows)
         }
+
         fn points(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Points<T> {
             let free = Free::of(q);
             Points {
@@ -958,24 +953,25 @@ pub mod five_link {
                     ),
             }
         }
+
         fn velocities(
             &self,
             at: &Points<T>,
             velocity: &SVector<T, 15>,
-            fixed: &Fixed<T>,
+            fixed_rate: &Fixed<T>,
         ) -> Points<T> {
-            let free = Free::of(velocity);
+            let rate = Free::of(velocity);
             Points {
-                lower_front_inner: fixed.lower_front_inner,
-                upper_front_inner: fixed.upper_front_inner,
-                upper_rear_inner: fixed.upper_rear_inner,
-                lower_rear_inner: fixed.lower_rear_inner,
-                track_rod_inner: fixed.track_rod_inner,
-                lower_front_outer: free.lower_front_outer,
-                upper_front_outer: free.upper_front_outer,
-                upper_rear_outer: free.upper_rear_outer,
-                lower_rear_outer: free.lower_rear_outer,
-                track_rod_outer: free.track_rod_outer,
+                lower_front_inner: fixed_rate.lower_front_inner,
+                upper_front_inner: fixed_rate.upper_front_inner,
+                upper_rear_inner: fixed_rate.upper_rear_inner,
+                lower_rear_inner: fixed_rate.lower_rear_inner,
+                track_rod_inner: fixed_rate.track_rod_inner,
+                lower_front_outer: rate.lower_front_outer,
+                upper_front_outer: rate.upper_front_outer,
+                upper_rear_outer: rate.upper_rear_outer,
+                lower_rear_outer: rate.lower_rear_outer,
+                track_rod_outer: rate.track_rod_outer,
                 wheel_centre: self
                     .wheel_centre
                     .velocity(
@@ -985,32 +981,33 @@ pub mod five_link {
                             at.upper_rear_outer,
                         ),
                         &Frame::new(
-                            free.lower_front_outer,
-                            free.upper_front_outer,
-                            free.upper_rear_outer,
+                            rate.lower_front_outer,
+                            rate.upper_front_outer,
+                            rate.upper_rear_outer,
                         ),
                     ),
             }
         }
+
         fn accelerations(
             &self,
             at: &Points<T>,
             velocities: &Points<T>,
             acceleration: &SVector<T, 15>,
-            fixed: &Fixed<T>,
+            fixed_second_rate: &Fixed<T>,
         ) -> Points<T> {
-            let free = Free::of(acceleration);
+            let second_rate = Free::of(acceleration);
             Points {
-                lower_front_inner: fixed.lower_front_inner,
-                upper_front_inner: fixed.upper_front_inner,
-                upper_rear_inner: fixed.upper_rear_inner,
-                lower_rear_inner: fixed.lower_rear_inner,
-                track_rod_inner: fixed.track_rod_inner,
-                lower_front_outer: free.lower_front_outer,
-                upper_front_outer: free.upper_front_outer,
-                upper_rear_outer: free.upper_rear_outer,
-                lower_rear_outer: free.lower_rear_outer,
-                track_rod_outer: free.track_rod_outer,
+                lower_front_inner: fixed_second_rate.lower_front_inner,
+                upper_front_inner: fixed_second_rate.upper_front_inner,
+                upper_rear_inner: fixed_second_rate.upper_rear_inner,
+                lower_rear_inner: fixed_second_rate.lower_rear_inner,
+                track_rod_inner: fixed_second_rate.track_rod_inner,
+                lower_front_outer: second_rate.lower_front_outer,
+                upper_front_outer: second_rate.upper_front_outer,
+                upper_rear_outer: second_rate.upper_rear_outer,
+                lower_rear_outer: second_rate.lower_rear_outer,
+                track_rod_outer: second_rate.track_rod_outer,
                 wheel_centre: self
                     .wheel_centre
                     .acceleration(
@@ -1025,13 +1022,14 @@ pub mod five_link {
                             velocities.upper_rear_outer,
                         ),
                         &Frame::new(
-                            free.lower_front_outer,
-                            free.upper_front_outer,
-                            free.upper_rear_outer,
+                            second_rate.lower_front_outer,
+                            second_rate.upper_front_outer,
+                            second_rate.upper_rear_outer,
                         ),
                     ),
             }
         }
+
         fn unknowns(points: &Points<T>) -> SVector<T, 15> {
             Free {
                 lower_front_outer: points.lower_front_outer,
@@ -1043,7 +1041,9 @@ pub mod five_link {
                 .unknowns()
         }
     }
+
     impl<T: Real> Model<T> {
+        /// With `size` brought up to the other constants.
         fn sized(self) -> Self {
             Self {
                 size: build::longest(
@@ -1062,7 +1062,7 @@ pub mod five_link {
             }
         }
     }
-    #[allow(unused_variables)]
+
     impl<T: Real> Build<15> for Model<T> {
         type Lengths = Lengths<T>;
         fn new(design: &Points<T>) -> Result<Self, GeometryError> {
@@ -1147,6 +1147,7 @@ pub mod five_link {
             };
             Ok(model.sized())
         }
+
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
             build::positive(lengths)?;
             let knuckle_frame = build::frame_of_lengths(
@@ -1197,6 +1198,7 @@ pub mod five_link {
             };
             Ok(model.sized())
         }
+
         fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
             build::finite(points)?;
             Ok(Self {
@@ -1212,8 +1214,8 @@ pub mod five_link {
                 ..self
             })
         }
+
         fn lengths(&self) -> Lengths<T> {
-            let [_, _, _] = self.knuckle_frame.lengths();
             let [knuckle_lower_rear_outer_lower_front_outer,
             knuckle_lower_rear_outer_upper_front_outer,
             knuckle_lower_rear_outer_upper_rear_outer] = self
@@ -1247,6 +1249,7 @@ pub mod five_link {
                 knuckle_track_rod_outer_upper_rear_outer,
             }
         }
+
         fn drives_at(&self, points: &Points<T>) -> Drives<T> {
             Drives {
                 theta: build::angle(
@@ -1255,7 +1258,8 @@ pub mod five_link {
                 ),
             }
         }
-        fn fit(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SVector<T, 15> {
+
+        fn fit(&self, q: &SVector<T, 15>, _fixed: &Fixed<T>) -> SVector<T, 15> {
             let mut free = Free::of(q);
             let [origin, second, third] = self.knuckle_frame.points();
             [
@@ -1283,14 +1287,17 @@ pub mod five_link {
             free.unknowns()
         }
     }
+
     impl<T: Scalar> HasWheel<15> for Model<T> {
         fn wheel(points: &Points<T>) -> [Vector3<T>; 2] {
             [points.upper_rear_outer, points.wheel_centre]
         }
+
         fn carrier(points: &Points<T>) -> [Vector3<T>; 3] {
             [points.lower_front_outer, points.upper_front_outer, points.upper_rear_outer]
         }
     }
+
     impl<T: Scalar> HasKingpin<15> for Model<T> {
         fn kingpin(points: &Points<T>) -> [Vector3<T>; 2] {
             [points.lower_front_outer, points.upper_front_outer]

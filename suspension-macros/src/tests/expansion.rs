@@ -7,7 +7,7 @@ use crate::expand::expand;
 fn snapshot(name: &str) {
     let expansion = expand(catalogue_listing(name));
     let file = syn::parse2(expansion).expect("the expansion is a Rust file");
-    let printed = prettyplease::unparse(&file);
+    let printed = spaced(&prettyplease::unparse(&file));
     let path = format!("{}/src/snapshots/{name}.rs", env!("CARGO_MANIFEST_DIR"));
     if std::env::var_os("UPDATE_SNAPSHOTS").is_some_and(|value| value == "1") {
         std::fs::write(&path, &printed).unwrap_or_else(|e| panic!("{path}: {e}"));
@@ -26,6 +26,24 @@ fn snapshot(name: &str) {
             |i| i + 1
         )
     );
+}
+
+/// A blank line behind each item of a module or an implementation.
+fn spaced(code: &str) -> String {
+    let mut spaced = String::new();
+    let mut lines = code.lines().peekable();
+    while let Some(line) = lines.next() {
+        spaced.push_str(line);
+        spaced.push('\n');
+        let ends_item = ["    }", "        }"].contains(&line);
+        let next_is_item = lines
+            .peek()
+            .is_some_and(|next| !next.trim().starts_with('}'));
+        if ends_item && next_is_item {
+            spaced.push('\n');
+        }
+    }
+    spaced
 }
 
 #[test]
