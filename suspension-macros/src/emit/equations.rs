@@ -3,7 +3,9 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::terms::{Binding, bind, carried, frames, ident, parameter, vector};
+use super::terms::{
+    Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, vector,
+};
 use super::{jacobian, rates, readout};
 use crate::system::{AXES, Equation, System, carried_name, frame_name};
 
@@ -116,21 +118,6 @@ fn drive_anchors(system: &System) -> TokenStream {
     }
 }
 
-/// The rows of a vector with one entry for each equation.
-fn rows(system: &System, entry: impl Fn(&Equation) -> TokenStream) -> TokenStream {
-    let rows = system.equations.iter().flat_map(|equation| match equation {
-        Equation::Carried { body, point, .. } => {
-            let name = carried_name(body, &point.name);
-            AXES.map(ident)
-                .map(|axis| quote!(#name.#axis))
-                .into_iter()
-                .collect()
-        }
-        _ => vec![entry(equation)],
-    });
-    quote!(SVector::from([#(#rows),*]))
-}
-
 fn residual(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
@@ -138,12 +125,15 @@ fn residual(system: &System) -> TokenStream {
         let (point, frame) = (point.of(free, fixed), frame_name(&body.name));
         quote!(residual(#point, &#frame))
     });
-    let rows = rows(system, |equation| match equation {
+    let assignments = system.equations.iter().map(|equation| match equation {
         Equation::Distance {
             named, from, to, ..
         } => {
             let (name, vector) = (&named.name, vector(from, to, free, fixed));
-            quote!(self.#name.residual(#vector))
+            assign(name, &quote!(self.#name.residual(#vector)))
+        }
+        Equation::Carried { body, point, .. } => {
+            assign_carried(body, point, &carried_name(body, &point.name))
         }
         Equation::Coordinate {
             drive,
@@ -154,15 +144,15 @@ fn residual(system: &System) -> TokenStream {
             let (axis, of) = (ident(AXES[*axis]), of.of(free, fixed));
             let minus = minus.as_ref().map(|minus| minus.of(free, fixed));
             let minus = minus.map(|minus| quote!(- #minus.#axis));
-            quote!(#of.#axis #minus - drives.#drive)
+            assign(drive, &quote!(#of.#axis #minus - drives.#drive))
         }
-        Equation::Carried { .. } => TokenStream::new(),
     });
+    let result = rows(system, &assignments.collect::<Vec<_>>());
     let bindings = [Binding::free(free, "q")]
         .into_iter()
         .chain(frames(system, "", free, fixed))
         .chain(carried);
-    let body = bind(bindings.collect(), rows);
+    let body = bind(bindings.collect(), result);
     let q = parameter("q", &quote!(&SVector<T, #n>), &body);
     let fixed = parameter("fixed", &quote!(&Fixed<T>), &body);
     let drives = parameter("drives", &quote!(&Drives<T>), &body);
@@ -182,22 +172,30 @@ fn curvature(system: &System) -> TokenStream {
         let [v, w] = ["v", "w"].map(|rate| quote::format_ident!("{frame}_{rate}"));
         quote!(curvature(&#v, &#w))
     });
-    let rows = rows(system, |equation| match equation {
-        Equation::Distance {
-            named, from, to, ..
-        } => {
-            let name = &named.name;
-            let (v, w) = (vector(from, to, v, v_fixed), vector(from, to, w, w_fixed));
-            quote!(self.#name.curvature(#v, #w))
-        }
-        _ => quote!(T::zero()),
-    });
+    let assignments = system
+        .equations
+        .iter()
+        .filter_map(|equation| match equation {
+            Equation::Distance {
+                named, from, to, ..
+            } => {
+                let name = &named.name;
+                let (v, w) = (vector(from, to, v, v_fixed), vector(from, to, w, w_fixed));
+                Some(assign(name, &quote!(self.#name.curvature(#v, #w))))
+            }
+            Equation::Carried { body, point, .. } => {
+                let name = carried_name(body, &point.name);
+                Some(assign_carried(body, point, &name))
+            }
+            Equation::Coordinate { .. } => None,
+        });
+    let result = rows(system, &assignments.collect::<Vec<_>>());
     let bindings = [Binding::free(v, "v"), Binding::free(w, "w")]
         .into_iter()
         .chain(frames(system, "_v", v, v_fixed))
         .chain(frames(system, "_w", w, w_fixed))
         .chain(carried);
-    let body = bind(bindings.collect(), rows);
+    let body = bind(bindings.collect(), result);
     let vectors = ["v", "w"].map(|name| parameter(name, &quote!(&SVector<T, #n>), &body));
     let fixed = ["v_fixed", "w_fixed"].map(|name| parameter(name, &quote!(&Fixed<T>), &body));
     quote! {

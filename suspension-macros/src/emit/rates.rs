@@ -4,8 +4,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::Ident;
 
-use super::indices;
-use super::terms::{Binding, bind, carried, frames, ident, parameter, vector};
+use super::terms::{
+    Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, vector,
+};
 use crate::system::{AXES, Equation, Site, SiteMotion, System, carried_name, frame_name};
 
 /// Of the drives, and of the chassis points that they move.
@@ -53,13 +54,12 @@ fn terms(
     motion: SiteMotion,
     drive_rate: impl Fn(&Ident) -> Option<TokenStream>,
 ) -> TokenStream {
-    let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let gradients = carried(system, |body, _| {
         let frame = frame_name(&body.name);
         quote!(gradient(&#frame))
     });
-    let rows: Vec<TokenStream> = system
+    let assignments: Vec<TokenStream> = system
         .equations
         .iter()
         .filter_map(|equation| match equation {
@@ -76,25 +76,12 @@ fn terms(
                 .map(|term| assign(drive, &term)),
         })
         .collect();
-    if rows.is_empty() {
-        return quote!(SVector::zeros());
-    }
-    let result = quote! {
-        let mut rows = [T::zero(); #n];
-        #(#rows)*
-        SVector::from(rows)
-    };
+    let result = rows(system, &assignments);
     let bindings = [Binding::free(free, "q")]
         .into_iter()
         .chain(frames(system, "", free, fixed))
         .chain(gradients);
     bind(bindings.collect(), result)
-}
-
-/// `rows[equation::NAME] = term;`
-fn assign(row: &Ident, term: &TokenStream) -> TokenStream {
-    let row = indices::equation(row);
-    quote!(rows[#row] = #term;)
 }
 
 fn distance(name: &Ident, from: &Site, to: &Site) -> TokenStream {
@@ -126,15 +113,11 @@ fn carried_rows(
             quote!(- #name.#block * fixed_rate.#site)
         })
         .collect();
-    let rows = AXES.map(|axis| quote::format_ident!("{name}_{axis}"));
-    let entries = rows
-        .iter()
-        .zip(AXES.map(ident))
-        .map(|(row, axis)| assign(row, &quote!(term.#axis)));
+    let entries = assign_carried(body, point, &ident("term"));
     (!terms.is_empty()).then(|| {
         quote! {
             let term = #(#terms)*;
-            #(#entries)*
+            #entries
         }
     })
 }

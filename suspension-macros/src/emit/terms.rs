@@ -1,10 +1,11 @@
 //! What the emitted methods have in common: points, frames and carried points under their names.
 
-use proc_macro2::{Spacing, TokenStream, TokenTree};
+use proc_macro2::{Literal, Spacing, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use syn::Ident;
 
-use crate::system::{Body, Site, System, carried_name, frame_name};
+use super::indices;
+use crate::system::{AXES, Body, Site, System, carried_name, frame_name};
 
 pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, proc_macro2::Span::call_site())
@@ -83,6 +84,36 @@ fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
         }
         _ => false,
     })
+}
+
+/// `rows[equation::NAME] = term;`
+pub(super) fn assign(row: &Ident, term: &TokenStream) -> TokenStream {
+    let row = indices::equation(row);
+    quote!(rows[#row] = #term;)
+}
+
+/// The same for the three rows of a point that `body` carries, from the vector `term`.
+pub(super) fn assign_carried(body: &Ident, point: &Site, term: &Ident) -> TokenStream {
+    let name = carried_name(body, &point.name);
+    let entries = AXES.map(|axis| {
+        let row = format_ident!("{name}_{axis}");
+        let axis = ident(axis);
+        assign(&row, &quote!(#term.#axis))
+    });
+    quote!(#(#entries)*)
+}
+
+/// A vector whose rows are zero but for those assigned.
+pub(super) fn rows(system: &System, assignments: &[TokenStream]) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    if assignments.is_empty() {
+        return quote!(SVector::zeros());
+    }
+    quote! {
+        let mut rows = [T::zero(); #n];
+        #(#assignments)*
+        SVector::from(rows)
+    }
 }
 
 /// `body_frame = Frame::new(..)` for each body that carries points.

@@ -448,23 +448,23 @@ pub mod attia2003 {
             drives: &Drives<T>,
         ) -> SVector<T, 15> {
             let free = Free::of(q);
-            SVector::from([
-                self.d6_1.residual(free.p6 - fixed.p1),
-                self.d7_2.residual(free.p7 - fixed.p2),
-                self.d8_3.residual(free.p8 - fixed.p3),
-                self.d9_4.residual(free.p9 - fixed.p4),
-                self.d10_5.residual(free.p10 - fixed.p5),
-                self.d7_6.residual(free.p7 - free.p6),
-                self.d8_6.residual(free.p8 - free.p6),
-                self.d9_6.residual(free.p9 - free.p6),
-                self.d10_6.residual(free.p10 - free.p6),
-                self.d8_7.residual(free.p8 - free.p7),
-                self.d9_7.residual(free.p9 - free.p7),
-                self.d10_7.residual(free.p10 - free.p7),
-                self.d9_8.residual(free.p9 - free.p8),
-                self.d10_8.residual(free.p10 - free.p8),
-                free.p6.z - fixed.p1.z - drives.theta,
-            ])
+            let mut rows = [T::zero(); 15];
+            rows[equation::D6_1] = self.d6_1.residual(free.p6 - fixed.p1);
+            rows[equation::D7_2] = self.d7_2.residual(free.p7 - fixed.p2);
+            rows[equation::D8_3] = self.d8_3.residual(free.p8 - fixed.p3);
+            rows[equation::D9_4] = self.d9_4.residual(free.p9 - fixed.p4);
+            rows[equation::D10_5] = self.d10_5.residual(free.p10 - fixed.p5);
+            rows[equation::D7_6] = self.d7_6.residual(free.p7 - free.p6);
+            rows[equation::D8_6] = self.d8_6.residual(free.p8 - free.p6);
+            rows[equation::D9_6] = self.d9_6.residual(free.p9 - free.p6);
+            rows[equation::D10_6] = self.d10_6.residual(free.p10 - free.p6);
+            rows[equation::D8_7] = self.d8_7.residual(free.p8 - free.p7);
+            rows[equation::D9_7] = self.d9_7.residual(free.p9 - free.p7);
+            rows[equation::D10_7] = self.d10_7.residual(free.p10 - free.p7);
+            rows[equation::D9_8] = self.d9_8.residual(free.p9 - free.p8);
+            rows[equation::D10_8] = self.d10_8.residual(free.p10 - free.p8);
+            rows[equation::THETA] = free.p6.z - fixed.p1.z - drives.theta;
+            SVector::from(rows)
         }
 
         #[inline(always)]
@@ -568,23 +568,32 @@ pub mod attia2003 {
         ) -> SVector<T, 15> {
             let v = Free::of(v);
             let w = Free::of(w);
-            SVector::from([
-                self.d6_1.curvature(v.p6 - v_fixed.p1, w.p6 - w_fixed.p1),
-                self.d7_2.curvature(v.p7 - v_fixed.p2, w.p7 - w_fixed.p2),
-                self.d8_3.curvature(v.p8 - v_fixed.p3, w.p8 - w_fixed.p3),
-                self.d9_4.curvature(v.p9 - v_fixed.p4, w.p9 - w_fixed.p4),
-                self.d10_5.curvature(v.p10 - v_fixed.p5, w.p10 - w_fixed.p5),
-                self.d7_6.curvature(v.p7 - v.p6, w.p7 - w.p6),
-                self.d8_6.curvature(v.p8 - v.p6, w.p8 - w.p6),
-                self.d9_6.curvature(v.p9 - v.p6, w.p9 - w.p6),
-                self.d10_6.curvature(v.p10 - v.p6, w.p10 - w.p6),
-                self.d8_7.curvature(v.p8 - v.p7, w.p8 - w.p7),
-                self.d9_7.curvature(v.p9 - v.p7, w.p9 - w.p7),
-                self.d10_7.curvature(v.p10 - v.p7, w.p10 - w.p7),
-                self.d9_8.curvature(v.p9 - v.p8, w.p9 - w.p8),
-                self.d10_8.curvature(v.p10 - v.p8, w.p10 - w.p8),
-                T::zero(),
-            ])
+            let mut rows = [T::zero(); 15];
+            rows[equation::D6_1] = self
+                .d6_1
+                .curvature(v.p6 - v_fixed.p1, w.p6 - w_fixed.p1);
+            rows[equation::D7_2] = self
+                .d7_2
+                .curvature(v.p7 - v_fixed.p2, w.p7 - w_fixed.p2);
+            rows[equation::D8_3] = self
+                .d8_3
+                .curvature(v.p8 - v_fixed.p3, w.p8 - w_fixed.p3);
+            rows[equation::D9_4] = self
+                .d9_4
+                .curvature(v.p9 - v_fixed.p4, w.p9 - w_fixed.p4);
+            rows[equation::D10_5] = self
+                .d10_5
+                .curvature(v.p10 - v_fixed.p5, w.p10 - w_fixed.p5);
+            rows[equation::D7_6] = self.d7_6.curvature(v.p7 - v.p6, w.p7 - w.p6);
+            rows[equation::D8_6] = self.d8_6.curvature(v.p8 - v.p6, w.p8 - w.p6);
+            rows[equation::D9_6] = self.d9_6.curvature(v.p9 - v.p6, w.p9 - w.p6);
+            rows[equation::D10_6] = self.d10_6.curvature(v.p10 - v.p6, w.p10 - w.p6);
+            rows[equation::D8_7] = self.d8_7.curvature(v.p8 - v.p7, w.p8 - w.p7);
+            rows[equation::D9_7] = self.d9_7.curvature(v.p9 - v.p7, w.p9 - w.p7);
+            rows[equation::D10_7] = self.d10_7.curvature(v.p10 - v.p7, w.p10 - w.p7);
+            rows[equation::D9_8] = self.d9_8.curvature(v.p9 - v.p8, w.p9 - w.p8);
+            rows[equation::D10_8] = self.d10_8.curvature(v.p10 - v.p8, w.p10 - w.p8);
+            SVector::from(rows)
         }
 
         #[inline(always)]

@@ -511,33 +511,40 @@ pub mod five_link {
             let knuckle_track_rod_outer = self
                 .knuckle_track_rod_outer
                 .residual(free.track_rod_outer, &knuckle_frame);
-            SVector::from([
-                self
-                    .lower_front
-                    .residual(free.lower_front_outer - fixed.lower_front_inner),
-                self
-                    .upper_front
-                    .residual(free.upper_front_outer - fixed.upper_front_inner),
-                self.upper_rear.residual(free.upper_rear_outer - fixed.upper_rear_inner),
-                self.lower_rear.residual(free.lower_rear_outer - fixed.lower_rear_inner),
-                self.track_rod.residual(free.track_rod_outer - fixed.track_rod_inner),
-                self
-                    .knuckle_lower_front_outer_upper_front_outer
-                    .residual(free.upper_front_outer - free.lower_front_outer),
-                self
-                    .knuckle_lower_front_outer_upper_rear_outer
-                    .residual(free.upper_rear_outer - free.lower_front_outer),
-                self
-                    .knuckle_upper_front_outer_upper_rear_outer
-                    .residual(free.upper_rear_outer - free.upper_front_outer),
-                knuckle_lower_rear_outer.x,
-                knuckle_lower_rear_outer.y,
-                knuckle_lower_rear_outer.z,
-                knuckle_track_rod_outer.x,
-                knuckle_track_rod_outer.y,
-                knuckle_track_rod_outer.z,
-                free.lower_front_outer.z - fixed.lower_front_inner.z - drives.theta,
-            ])
+            let mut rows = [T::zero(); 15];
+            rows[equation::LOWER_FRONT] = self
+                .lower_front
+                .residual(free.lower_front_outer - fixed.lower_front_inner);
+            rows[equation::UPPER_FRONT] = self
+                .upper_front
+                .residual(free.upper_front_outer - fixed.upper_front_inner);
+            rows[equation::UPPER_REAR] = self
+                .upper_rear
+                .residual(free.upper_rear_outer - fixed.upper_rear_inner);
+            rows[equation::LOWER_REAR] = self
+                .lower_rear
+                .residual(free.lower_rear_outer - fixed.lower_rear_inner);
+            rows[equation::TRACK_ROD] = self
+                .track_rod
+                .residual(free.track_rod_outer - fixed.track_rod_inner);
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = self
+                .knuckle_lower_front_outer_upper_front_outer
+                .residual(free.upper_front_outer - free.lower_front_outer);
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = self
+                .knuckle_lower_front_outer_upper_rear_outer
+                .residual(free.upper_rear_outer - free.lower_front_outer);
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = self
+                .knuckle_upper_front_outer_upper_rear_outer
+                .residual(free.upper_rear_outer - free.upper_front_outer);
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = knuckle_lower_rear_outer.x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = knuckle_lower_rear_outer.y;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = knuckle_lower_rear_outer.z;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = knuckle_track_rod_outer.x;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = knuckle_track_rod_outer.y;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = knuckle_track_rod_outer.z;
+            rows[equation::THETA] = free.lower_front_outer.z - fixed.lower_front_inner.z
+                - drives.theta;
+            SVector::from(rows)
         }
 
         #[inline(always)]
@@ -824,63 +831,62 @@ pub mod five_link {
             let knuckle_track_rod_outer = self
                 .knuckle_track_rod_outer
                 .curvature(&knuckle_frame_v, &knuckle_frame_w);
-            SVector::from([
-                self
-                    .lower_front
-                    .curvature(
-                        v.lower_front_outer - v_fixed.lower_front_inner,
-                        w.lower_front_outer - w_fixed.lower_front_inner,
-                    ),
-                self
-                    .upper_front
-                    .curvature(
-                        v.upper_front_outer - v_fixed.upper_front_inner,
-                        w.upper_front_outer - w_fixed.upper_front_inner,
-                    ),
-                self
-                    .upper_rear
-                    .curvature(
-                        v.upper_rear_outer - v_fixed.upper_rear_inner,
-                        w.upper_rear_outer - w_fixed.upper_rear_inner,
-                    ),
-                self
-                    .lower_rear
-                    .curvature(
-                        v.lower_rear_outer - v_fixed.lower_rear_inner,
-                        w.lower_rear_outer - w_fixed.lower_rear_inner,
-                    ),
-                self
-                    .track_rod
-                    .curvature(
-                        v.track_rod_outer - v_fixed.track_rod_inner,
-                        w.track_rod_outer - w_fixed.track_rod_inner,
-                    ),
-                self
-                    .knuckle_lower_front_outer_upper_front_outer
-                    .curvature(
-                        v.upper_front_outer - v.lower_front_outer,
-                        w.upper_front_outer - w.lower_front_outer,
-                    ),
-                self
-                    .knuckle_lower_front_outer_upper_rear_outer
-                    .curvature(
-                        v.upper_rear_outer - v.lower_front_outer,
-                        w.upper_rear_outer - w.lower_front_outer,
-                    ),
-                self
-                    .knuckle_upper_front_outer_upper_rear_outer
-                    .curvature(
-                        v.upper_rear_outer - v.upper_front_outer,
-                        w.upper_rear_outer - w.upper_front_outer,
-                    ),
-                knuckle_lower_rear_outer.x,
-                knuckle_lower_rear_outer.y,
-                knuckle_lower_rear_outer.z,
-                knuckle_track_rod_outer.x,
-                knuckle_track_rod_outer.y,
-                knuckle_track_rod_outer.z,
-                T::zero(),
-            ])
+            let mut rows = [T::zero(); 15];
+            rows[equation::LOWER_FRONT] = self
+                .lower_front
+                .curvature(
+                    v.lower_front_outer - v_fixed.lower_front_inner,
+                    w.lower_front_outer - w_fixed.lower_front_inner,
+                );
+            rows[equation::UPPER_FRONT] = self
+                .upper_front
+                .curvature(
+                    v.upper_front_outer - v_fixed.upper_front_inner,
+                    w.upper_front_outer - w_fixed.upper_front_inner,
+                );
+            rows[equation::UPPER_REAR] = self
+                .upper_rear
+                .curvature(
+                    v.upper_rear_outer - v_fixed.upper_rear_inner,
+                    w.upper_rear_outer - w_fixed.upper_rear_inner,
+                );
+            rows[equation::LOWER_REAR] = self
+                .lower_rear
+                .curvature(
+                    v.lower_rear_outer - v_fixed.lower_rear_inner,
+                    w.lower_rear_outer - w_fixed.lower_rear_inner,
+                );
+            rows[equation::TRACK_ROD] = self
+                .track_rod
+                .curvature(
+                    v.track_rod_outer - v_fixed.track_rod_inner,
+                    w.track_rod_outer - w_fixed.track_rod_inner,
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = self
+                .knuckle_lower_front_outer_upper_front_outer
+                .curvature(
+                    v.upper_front_outer - v.lower_front_outer,
+                    w.upper_front_outer - w.lower_front_outer,
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = self
+                .knuckle_lower_front_outer_upper_rear_outer
+                .curvature(
+                    v.upper_rear_outer - v.lower_front_outer,
+                    w.upper_rear_outer - w.lower_front_outer,
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = self
+                .knuckle_upper_front_outer_upper_rear_outer
+                .curvature(
+                    v.upper_rear_outer - v.upper_front_outer,
+                    w.upper_rear_outer - w.upper_front_outer,
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = knuckle_lower_rear_outer.x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = knuckle_lower_rear_outer.y;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = knuckle_lower_rear_outer.z;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = knuckle_track_rod_outer.x;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = knuckle_track_rod_outer.y;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = knuckle_track_rod_outer.z;
+            SVector::from(rows)
         }
 
         #[inline(always)]
