@@ -16,6 +16,8 @@ pub(crate) struct Listing {
     pub(crate) markers: Vec<Marker>,
     pub(crate) wheel: Vec<Axis>,
     pub(crate) kingpin: Vec<Axis>,
+    /// Whether a statement could not be read, so that names may be missing through no other fault.
+    pub(crate) incomplete: bool,
 }
 
 #[derive(Clone)]

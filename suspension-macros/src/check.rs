@@ -1,22 +1,30 @@
 //! Whether a listing makes sense: names first, then counts and structural rank.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use syn::{Ident, Result};
+use quote::format_ident;
+use syn::Ident;
 
 use crate::ast::{Axis, Body, Constraint, Drive, Link, Listing, Marker, Quantity};
 use crate::errors::{self, Errors};
-use crate::system::{AXES, Equation, System};
+use crate::system::{AXES, Equation, System, carried_name, frame_name, pair_name};
 
-/// Fields of the generated model that are not the user's.
-const RESERVED: [&str; 2] = ["fixed", "size"];
+/// Fields of the generated model and variables of its methods that are not the user's.
+const RESERVED: [&str; 6] = [
+    "fixed",
+    "size",
+    "drive_rate",
+    "fixed_rate",
+    "v_fixed",
+    "w_fixed",
+];
 
 /// Checks every name and operand of the listing.
-pub(crate) fn names(listing: &Listing) -> Result<()> {
+pub(crate) fn names(listing: &Listing, errors: &mut Errors) {
     let mut check = Check {
         listing,
         taken: BTreeMap::new(),
-        errors: Errors::default(),
+        errors,
     };
     check.declarations();
     check.constraints();
@@ -30,14 +38,13 @@ pub(crate) fn names(listing: &Listing) -> Result<()> {
     if let [wheel] = listing.wheel.as_slice() {
         check.wheel_carrier(wheel);
     }
-    check.errors.into_result()
 }
 
 struct Check<'a> {
     listing: &'a Listing,
     /// What each name stands for.
     taken: BTreeMap<String, &'static str>,
-    errors: Errors,
+    errors: &'a mut Errors,
 }
 
 impl<'a> Check<'a> {
@@ -51,8 +58,7 @@ impl<'a> Check<'a> {
                 .iter()
                 .for_each(|point| self.declare(&point.name, kind));
             if points.is_empty() {
-                self.errors
-                    .push(errors::nothing_declared(&listing.name, keyword));
+                self.missing(errors::nothing_declared(&listing.name, keyword));
             }
         }
         listing
@@ -70,8 +76,14 @@ impl<'a> Check<'a> {
             .iter()
             .for_each(|drive| self.declare(&drive.named.name, "drive"));
         if listing.drives.is_empty() {
-            self.errors
-                .push(errors::nothing_declared(&listing.name, "drive"));
+            self.missing(errors::nothing_declared(&listing.name, "drive"));
+        }
+    }
+
+    /// Reports that something is missing, unless a statement that could not be read may hold it.
+    fn missing(&mut self, error: syn::Error) {
+        if !self.listing.incomplete {
+            self.errors.push(error);
         }
     }
 
@@ -101,7 +113,7 @@ impl<'a> Check<'a> {
             if self.is(point, "marker") {
                 self.errors.push(errors::marker_in_constraint(point));
             } else if !self.is(point, "free point") && !self.is(point, "chassis point") {
-                self.errors.push(errors::unknown_point(point));
+                self.missing(errors::unknown_point(point));
             } else if seen.contains(&point) {
                 self.errors.push(errors::same_point_twice(point));
             }
@@ -146,10 +158,14 @@ impl<'a> Check<'a> {
         let constraints = &self.listing.constraints;
         for (index, later) in constraints.iter().enumerate() {
             for earlier in constraints.iter().take(index) {
-                let common = later
+                let common: BTreeSet<&Ident> = later
                     .points()
-                    .filter(|point| earlier.points().any(|p| p == *point));
-                match (later, earlier, common.count()) {
+                    .filter(|point| earlier.points().any(|p| p == *point))
+                    .collect();
+                if !common.iter().any(|point| self.is(point, "free point")) {
+                    continue;
+                }
+                match (later, earlier, common.len()) {
                     (Constraint::Body(a), Constraint::Body(b), 3..) => {
                         self.errors
                             .push(errors::shared_triangle(&a.named.name, &b.named.name));
@@ -210,7 +226,7 @@ impl<'a> Check<'a> {
                 self.axis(axis);
                 self.sites([from, to]);
                 if self.listing.link_between(from, to).is_none() {
-                    self.errors.push(errors::no_such_link(from, to));
+                    self.missing(errors::no_such_link(from, to));
                 }
             }
         }
@@ -230,9 +246,7 @@ impl<'a> Check<'a> {
                     .body(body)
                     .is_some_and(|body| body.points.len() >= 3) => {}
             [_, _, _] => self.sites(&marker.carriers),
-            carriers => self
-                .errors
-                .push(errors::bad_carriers(&marker.named.name, carriers)),
+            carriers => self.missing(errors::bad_carriers(&marker.named.name, carriers)),
         }
     }
 
@@ -247,7 +261,7 @@ impl<'a> Check<'a> {
                     .iter()
                     .any(|kind| self.is(point, kind))
                 {
-                    self.errors.push(errors::unknown_point(point));
+                    self.missing(errors::unknown_point(point));
                 }
             }
             if from == to {
@@ -261,43 +275,83 @@ impl<'a> Check<'a> {
             .iter()
             .all(|point| self.taken.contains_key(&point.to_string()));
         if known && from != to && self.listing.carrier_of(from, to).is_none() {
-            self.errors.push(errors::wheel_without_carrier(from, to));
+            self.missing(errors::wheel_without_carrier(from, to));
         }
     }
 }
 
-/// Checks that there are as many equations as unknowns, and that each equation can be given an
-/// unknown of its own (structural rank).
-pub(crate) fn determined(system: &System) -> Result<()> {
-    let pattern = system.pattern();
-    if pattern.len() != system.size() {
-        let count = |kind: fn(&Equation) -> bool| -> usize {
-            let equations = system.equations.iter().filter(|equation| kind(equation));
-            equations.map(|equation| equation.rows().len()).sum()
-        };
-        let links = count(|e| matches!(e, Equation::Distance { of_body: false, .. }));
-        let drives = count(|e| matches!(e, Equation::Coordinate { .. }));
-        let bodies = pattern.len() - links - drives;
-        return Err(errors::wrong_count(
-            system.free_span,
-            system.size(),
-            [links, bodies, drives],
-        ));
+/// Checks that no generated name stands for two things, that there are as many equations as
+/// unknowns, and that each equation can be given an unknown of its own (structural rank).
+pub(crate) fn determined(system: &System, errors: &mut Errors) {
+    generated_names(system, errors);
+    if system.rows().len() == system.size() {
+        structural_rank(system, errors);
+    } else {
+        errors.push(wrong_count(system));
     }
+}
+
+/// Checks the names that bodies are given in the generated code against each other and against
+/// the user's.
+fn generated_names(system: &System, errors: &mut Errors) {
+    let (mut constants, mut lengths) = (Vec::new(), Vec::new());
+    for body in &system.bodies {
+        let frame = frame_name(&body.name);
+        constants.extend(["_v", "_w"].map(|suffix| format_ident!("{frame}{suffix}")));
+        constants.push(frame);
+        for point in &body.carried {
+            let name = carried_name(&body.name, &point.name);
+            constants.extend(AXES.map(|axis| format_ident!("{name}_{axis}", span = name.span())));
+            constants.push(name);
+            let pairs = body.frame.iter();
+            lengths.extend(pairs.map(|site| pair_name(&body.name, &point.name, &site.name)));
+        }
+    }
+    let mut stated: Vec<Ident> = Vec::new();
+    for equation in &system.equations {
+        match equation {
+            Equation::Distance { named, .. } => stated.push(named.name.clone()),
+            Equation::Coordinate { drive, .. } => constants.push(drive.clone()),
+            Equation::Carried { .. } => {}
+        }
+    }
+    let markers = system.markers.iter();
+    constants.extend(markers.map(|marker| marker.named.name.clone()));
+    for names in [constants, lengths] {
+        let mut taken = RESERVED.map(str::to_owned).to_vec();
+        for name in names.iter().chain(&stated) {
+            let key = name.to_string().to_lowercase();
+            if taken.contains(&key) {
+                errors.push(errors::reserved_name(name));
+            }
+            taken.push(key);
+        }
+    }
+}
+
+fn wrong_count(system: &System) -> syn::Error {
+    let count = |kind: fn(&Equation) -> bool| -> usize {
+        let equations = system.equations.iter().filter(|equation| kind(equation));
+        equations.map(|equation| equation.rows().len()).sum()
+    };
+    let links = count(|e| matches!(e, Equation::Distance { of_body: false, .. }));
+    let drives = count(|e| matches!(e, Equation::Coordinate { .. }));
+    let bodies = system.rows().len() - links - drives;
+    errors::wrong_count(system.free_span, system.size(), [links, bodies, drives])
+}
+
+fn structural_rank(system: &System, errors: &mut Errors) {
+    let pattern = system.pattern();
     let mut row_of = vec![None; system.size()];
-    let mut errors = Errors::default();
     for (row, name) in system.rows().iter().enumerate() {
         if !augment(row, &pattern, &mut row_of, &mut vec![false; system.size()]) {
             errors.push(errors::redundant_equation(name));
         }
     }
     for column in (0..system.size()).filter(|column| row_of[*column].is_none()) {
-        errors.push(errors::undetermined(
-            &system.free[column / 3].name,
-            AXES[column % 3],
-        ));
+        let point = &system.free[column / 3].name;
+        errors.push(errors::undetermined(point, AXES[column % 3]));
     }
-    errors.into_result()
 }
 
 /// Finds a column for `row`, moving earlier rows to other columns where need be (augmenting path

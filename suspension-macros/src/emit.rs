@@ -4,14 +4,19 @@ mod build;
 mod docs;
 mod equations;
 mod indices;
+mod jacobian;
+mod rates;
 mod readout;
+mod stub;
+mod terms;
 mod types;
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::ast::Listing;
 use crate::system::System;
+
+pub(crate) use stub::stub;
 
 /// The whole module.
 pub(crate) fn module(system: &System) -> TokenStream {
@@ -27,6 +32,8 @@ pub(crate) fn module(system: &System) -> TokenStream {
     quote! {
         #(#docs)*
         #header
+        // A program need not use every name, nor pass the module on.
+        #[allow(dead_code, unreachable_pub)]
         #vis mod #name {
             use ::suspension_core::generated::*;
 
@@ -35,24 +42,6 @@ pub(crate) fn module(system: &System) -> TokenStream {
             #linkage
             #build
             #roles
-        }
-    }
-}
-
-/// The errors of a listing, beside the types that can be told from its names.
-pub(crate) fn stub(listing: &Listing, error: &syn::Error) -> TokenStream {
-    let Listing {
-        docs, vis, name, ..
-    } = listing;
-    let errors = error.to_compile_error();
-    let types = types::stub(listing);
-    quote! {
-        #errors
-        #(#docs)*
-        #vis mod #name {
-            use ::suspension_core::generated::*;
-
-            #types
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::system::{
     AXES, Body, Drive, Equation, Marker, Site, SiteMotion, System, Wheel, pair_name,
 };
 
-/// Lowers a listing whose names have been checked.
+/// Lowers a listing; of one with mistakes, what can be told.
 pub(crate) fn system(listing: &Listing) -> System {
     let mut lowering = Lowering {
         listing,
@@ -31,7 +31,7 @@ pub(crate) fn system(listing: &Listing) -> System {
     let markers = listing
         .markers
         .iter()
-        .map(|marker| lowering.marker(marker))
+        .filter_map(|marker| lowering.marker(marker))
         .collect();
     let wheel = listing.wheel.first().and_then(|axis| wheel(listing, axis));
     let kingpin = listing
@@ -214,19 +214,19 @@ impl Lowering<'_> {
         }
     }
 
-    fn marker(&self, marker: &ast::Marker) -> Marker {
+    fn marker(&self, marker: &ast::Marker) -> Option<Marker> {
         let frame = match marker.carriers.as_slice() {
             [a, b, c] => [a, b, c].map(|point| self.site(point)),
-            [name, ..] => match self.bodies.iter().find(|body| body.name == *name) {
-                Some(body) => body.frame.clone(),
-                None => unreachable!("checked: markers are carried by bodies of three points"),
-            },
-            [] => unreachable!("parsed: markers name a carrier"),
+            carriers => {
+                let mut bodies = self.bodies.iter();
+                let body = bodies.find(|body| carriers.contains(&body.name))?;
+                body.frame.clone()
+            }
         };
-        Marker {
+        Some(Marker {
             named: marker.named.clone(),
             frame,
-        }
+        })
     }
 }
 

@@ -34,11 +34,13 @@ fn parse_listing(input: ParseStream<'_>) -> syn::Result<(Listing, Errors)> {
         markers: Vec::new(),
         wheel: Vec::new(),
         kingpin: Vec::new(),
+        incomplete: false,
     };
     let mut errors = Errors::default();
     while !content.is_empty() {
         if let Err(error) = statement(&content, &mut listing) {
             errors.push(error);
+            listing.incomplete = true;
             skip_statement(&content)?;
         }
     }

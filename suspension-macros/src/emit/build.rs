@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::Ident;
 
+use super::terms::{ident, parameter};
 use super::{readout, types};
 use crate::system::{AXES, Body, Drive, Equation, System, carried_name, frame_name, pair_name};
 
@@ -21,8 +22,6 @@ pub(super) fn build_impl(system: &System) -> TokenStream {
     quote! {
         #sized
 
-        // Some linkages have no bodies or no markers; their code then takes no notice.
-        #[allow(unused_variables)]
         impl<T: Real> Build<#n> for Model<T> {
             type Lengths = Lengths<T>;
 
@@ -101,6 +100,7 @@ fn sized(system: &System) -> TokenStream {
     let distances = distances(system).into_iter().map(|(name, _)| name);
     quote! {
         impl<T: Real> Model<T> {
+            /// With `size` brought up to the other constants.
             fn sized(self) -> Self {
                 Self { size: build::longest(&[#(self.#distances.length()),*]), ..self }
             }
@@ -163,11 +163,16 @@ fn with_lengths(system: &System) -> TokenStream {
 
 fn with_markers(system: &System) -> TokenStream {
     let points = quote!(points);
-    let markers = markers(system, &points);
+    let markers: Vec<TokenStream> = markers(system, &points).collect();
+    let model = if markers.is_empty() {
+        quote!(self)
+    } else {
+        quote!(Self { #(#markers,)* ..self })
+    };
     quote! {
         fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
             build::finite(points)?;
-            Ok(Self { #(#markers,)* ..self })
+            Ok(#model)
         }
     }
 }
@@ -184,8 +189,10 @@ fn lengths(system: &System) -> TokenStream {
         let edges = body.frame_pairs().map(|[a, b]| {
             let name = pair_name(&body.name, &a.name, &b.name);
             let wanted = names.iter().any(|field| **field == name) && !stated.contains(&name);
-            if wanted { quote!(#name) } else { quote!(_) }
+            wanted.then_some(name)
         });
+        let needed = edges.iter().any(Option::is_some);
+        let edges = edges.map(|edge| edge.map_or(quote!(_), |name| quote!(#name)));
         let reaches = body.carried.iter().map(|point| {
             let name = carried_name(&body.name, &point.name);
             let lengths = body
@@ -194,10 +201,8 @@ fn lengths(system: &System) -> TokenStream {
                 .map(|site| pair_name(&body.name, &point.name, &site.name));
             quote!(let [#(#lengths),*] = self.#name.lengths(&self.#frame);)
         });
-        quote! {
-            let [#(#edges),*] = self.#frame.lengths();
-            #(#reaches)*
-        }
+        let edges = needed.then(|| quote!(let [#(#edges),*] = self.#frame.lengths();));
+        quote!(#edges #(#reaches)*)
     });
     let values = names.iter().map(|name| {
         if stated.contains(name) {
@@ -206,10 +211,15 @@ fn lengths(system: &System) -> TokenStream {
             quote!(#name)
         }
     });
+    let result = if names.is_empty() {
+        quote!(Lengths::default())
+    } else {
+        quote!(Lengths { #(#values),* })
+    };
     quote! {
         fn lengths(&self) -> Lengths<T> {
             #(#of_bodies)*
-            Lengths { #(#values),* }
+            #result
         }
     }
 }
@@ -241,6 +251,7 @@ fn drives_at(system: &System) -> TokenStream {
 
 fn fit(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
+    let (free, fixed) = (ident("free"), ident("fixed"));
     let fits = system.bodies.iter().map(|body| {
         let frame = frame_name(&body.name);
         let carried = body.carried.iter().map(|point| {
@@ -248,25 +259,30 @@ fn fit(system: &System) -> TokenStream {
             quote!(self.#name.position(&self.#frame))
         });
         let sites = || body.frame.iter().chain(&body.carried);
-        let guess = sites().map(|site| {
-            let name = &site.name;
-            if site.is_free() { quote!(free.#name) } else { quote!(fixed.#name) }
-        });
+        let guess = sites().map(|site| site.of(&free, &fixed));
         let targets = sites().map(|site| {
-            let name = &site.name;
-            if site.is_free() { quote!(free.#name) } else { quote!(_) }
+            let target = site.of(&free, &fixed);
+            if site.is_free() { target } else { quote!(_) }
         });
         quote! {
             let [origin, second, third] = self.#frame.points();
             [#(#targets),*] = best_rigid_fit(&[origin, second, third, #(#carried),*], &[#(#guess),*]);
         }
     });
-    let mutable = (!system.bodies.is_empty()).then(|| quote!(mut));
-    quote! {
-        fn fit(&self, q: &SVector<T, #n>, fixed: &Fixed<T>) -> SVector<T, #n> {
-            let #mutable free = Free::of(q);
+    let fits: Vec<TokenStream> = fits.collect();
+    let body = if fits.is_empty() {
+        quote!(*q)
+    } else {
+        quote! {
+            let mut free = Free::of(q);
             #(#fits)*
             free.unknowns()
+        }
+    };
+    let fixed = parameter("fixed", &quote!(&Fixed<T>), &body);
+    quote! {
+        fn fit(&self, q: &SVector<T, #n>, #fixed) -> SVector<T, #n> {
+            #body
         }
     }
 }

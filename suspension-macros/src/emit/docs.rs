@@ -12,21 +12,20 @@ struct Operations {
     additions: usize,
 }
 
-/// What one equation, or the frame that several share, costs.
 fn add(total: &mut Operations, multiplications: usize, additions: usize) {
     total.multiplications += multiplications;
     total.additions += additions;
 }
 
-/// Operations of residual, Jacobian and curvature, as `suspension_core::constraint` writes them.
+/// Operations of residual, Jacobian and curvature, as `suspension_core::constraint` writes them;
+/// a change of sign is none.
 fn operations(system: &System) -> [Operations; 3] {
     let [mut residual, mut jacobian, mut curvature] = [Operations::default(); 3];
-    for body in system.bodies.iter().filter(|body| !body.carried.is_empty()) {
-        let _ = body;
-        add(&mut residual, 0, 6);
-        add(&mut jacobian, 0, 6);
-        add(&mut curvature, 0, 12);
-    }
+    let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
+    let frames = bodies.count();
+    add(&mut residual, 0, 6 * frames);
+    add(&mut jacobian, 0, 6 * frames);
+    add(&mut curvature, 0, 12 * frames);
     for equation in &system.equations {
         match equation {
             Equation::Distance { .. } => {
@@ -36,7 +35,7 @@ fn operations(system: &System) -> [Operations; 3] {
             }
             Equation::Carried { .. } => {
                 add(&mut residual, 15, 15);
-                add(&mut jacobian, 6, 21);
+                add(&mut jacobian, 6, 18);
                 add(&mut curvature, 15, 9);
             }
             Equation::Coordinate { minus, .. } => {
@@ -50,29 +49,34 @@ fn operations(system: &System) -> [Operations; 3] {
 pub(super) fn header(system: &System) -> TokenStream {
     let n = system.size();
     let non_zeros: usize = system.pattern().iter().map(Vec::len).sum();
-    let shape = format!(
-        " `{n}` unknowns `q` (the coordinates of {}), `{n}` equations `F(q) = 0`, Jacobian `{n} x {n}` \
-         with {non_zeros} non-zeros of {}.",
-        list(system.free.iter().map(|point| &point.name)),
-        n * n,
-    );
-    let [residual, jacobian, curvature] = operations(system).map(
-        |Operations {
-             multiplications,
-             additions,
-         }| { format!("{multiplications} multiplications and {additions} additions") },
-    );
-    let counts = format!(
-        " Residual: {residual}. Jacobian: {jacobian}. Curvature: {curvature}. No division, no branch."
-    );
-    let equations = format!(" Equations: {}.", list(system.rows().iter()));
-    quote! {
-        #[doc = ""]
-        #[doc = #shape]
-        #[doc = #counts]
-        #[doc = ""]
-        #[doc = #equations]
-    }
+    let unknowns = list(system.free.iter().map(|point| &point.name));
+    let equations = list(system.rows().iter());
+    let row = |(what, count): (&str, Operations)| {
+        let Operations {
+            multiplications,
+            additions,
+        } = count;
+        format!(" | {what} | {multiplications} | {additions} |")
+    };
+    let [residual, jacobian, curvature] = operations(system);
+    let counts = [
+        ("residual", residual),
+        ("Jacobian", jacobian),
+        ("curvature", curvature),
+    ]
+    .map(row);
+    let text = [
+        String::new(),
+        format!(" {n} unknowns `q`: the coordinates of {unknowns}."),
+        String::new(),
+        format!(" {n} equations `F(q) = 0`: {equations}."),
+        String::new(),
+        format!(" Jacobian: {n} x {n}, {non_zeros} non-zeros of {}.", n * n),
+        String::new(),
+        " | no division, no branch | multiplications | additions |".to_owned(),
+        " |---|---|---|".to_owned(),
+    ];
+    quote!(#(#[doc = #text])* #(#[doc = #counts])*)
 }
 
 fn list<'a>(names: impl Iterator<Item = &'a syn::Ident>) -> String {

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::Ident;
+use syn::ext::IdentExt;
 
 use crate::system::{AXES, System};
 
@@ -34,7 +35,9 @@ fn unknown_names(point: &Ident) -> [Ident; 3] {
 }
 
 fn constants(names: &[Ident]) -> TokenStream {
-    let constants = names.iter().enumerate().map(|(index, name)| {
+    let mut seen = std::collections::BTreeSet::new();
+    let distinct = names.iter().filter(|name| seen.insert(upper(name)));
+    let constants = distinct.enumerate().map(|(index, name)| {
         let (name, index) = (upper(name), Literal::usize_unsuffixed(index));
         quote!(pub const #name: usize = #index;)
     });
@@ -43,7 +46,7 @@ fn constants(names: &[Ident]) -> TokenStream {
 
 fn upper(name: &Ident) -> Ident {
     Ident::new(
-        &name.to_string().to_uppercase(),
+        &name.unraw().to_string().to_uppercase(),
         proc_macro2::Span::call_site(),
     )
 }

@@ -4,54 +4,29 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::Ident;
 
+use super::terms::{ident, parameter};
 use crate::system::{Marker, System, Wheel};
 
 /// `points`, `velocities`, `accelerations` and `unknowns` of `impl Linkage`.
 pub(super) fn points(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let free: Vec<&Ident> = system.free.iter().map(|point| &point.name).collect();
-    let points = all_points(system, |marker| {
-        let frame = frame_of_sites(marker);
-        quote!(position(&#frame))
-    });
-    let velocities = all_points(system, |marker| {
-        let (at, rate) = (frame_of(marker, &quote!(at)), frame_of_sites(marker));
-        quote!(velocity(&#at, &#rate))
-    });
-    let accelerations = all_points(system, |marker| {
-        let (at, rate) = (
-            frame_of(marker, &quote!(at)),
-            frame_of(marker, &quote!(velocities)),
-        );
-        let second_rate = frame_of_sites(marker);
-        quote!(acceleration(&#at, &#rate, &#second_rate))
-    });
+    let points = all_points(
+        system,
+        "free",
+        "fixed",
+        |_, frame| quote!(position(&#frame)),
+    );
+    let [velocities, accelerations] = [velocities(system), accelerations(system)];
     quote! {
         fn points(&self, q: &SVector<T, #n>, fixed: &Fixed<T>) -> Points<T> {
             let free = Free::of(q);
             #points
         }
 
-        fn velocities(
-            &self,
-            at: &Points<T>,
-            velocity: &SVector<T, #n>,
-            fixed: &Fixed<T>,
-        ) -> Points<T> {
-            let free = Free::of(velocity);
-            #velocities
-        }
+        #velocities
 
-        fn accelerations(
-            &self,
-            at: &Points<T>,
-            velocities: &Points<T>,
-            acceleration: &SVector<T, #n>,
-            fixed: &Fixed<T>,
-        ) -> Points<T> {
-            let free = Free::of(acceleration);
-            #accelerations
-        }
+        #accelerations
 
         fn unknowns(points: &Points<T>) -> SVector<T, #n> {
             Free { #(#free: points.#free),* }.unknowns()
@@ -59,18 +34,73 @@ pub(super) fn points(system: &System) -> TokenStream {
     }
 }
 
-/// A `Points` with each marker computed by a method of its constants.
-fn all_points(system: &System, marker: impl Fn(&Marker) -> TokenStream) -> TokenStream {
-    let fixed = system.fixed.iter().map(|point| &point.name);
-    let free = system.free.iter().map(|point| &point.name);
-    let markers = system.markers.iter().map(|m| {
-        let (name, call) = (&m.named.name, marker(m));
+fn velocities(system: &System) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    let velocities = all_points(system, "rate", "fixed_rate", |marker, rate| {
+        let frame = frame_of(marker, &quote!(at));
+        quote!(velocity(&#frame, &#rate))
+    });
+    let at = parameter("at", &quote!(&Points<T>), &velocities);
+    quote! {
+        fn velocities(
+            &self,
+            #at,
+            velocity: &SVector<T, #n>,
+            fixed_rate: &Fixed<T>,
+        ) -> Points<T> {
+            let rate = Free::of(velocity);
+            #velocities
+        }
+    }
+}
+
+fn accelerations(system: &System) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    let (second_rate, fixed) = ("second_rate", "fixed_second_rate");
+    let accelerations = all_points(system, second_rate, fixed, |marker, second_rate| {
+        let [frame, rate] = ["at", "velocities"].map(|points| {
+            let points = ident(points);
+            frame_of(marker, &quote!(#points))
+        });
+        quote!(acceleration(&#frame, &#rate, &#second_rate))
+    });
+    let [at, rate] =
+        ["at", "velocities"].map(|name| parameter(name, &quote!(&Points<T>), &accelerations));
+    quote! {
+        fn accelerations(
+            &self,
+            #at,
+            #rate,
+            acceleration: &SVector<T, #n>,
+            fixed_second_rate: &Fixed<T>,
+        ) -> Points<T> {
+            let second_rate = Free::of(acceleration);
+            #accelerations
+        }
+    }
+}
+
+/// A `Points` from the structs `free` and `fixed`, each marker computed by a method of its
+/// constants from the frame that carries it.
+fn all_points(
+    system: &System,
+    free: &str,
+    fixed: &str,
+    method: impl Fn(&Marker, TokenStream) -> TokenStream,
+) -> TokenStream {
+    let (free, fixed) = (ident(free), ident(fixed));
+    let on_chassis = system.fixed.iter().map(|point| &point.name);
+    let unknown = system.free.iter().map(|point| &point.name);
+    let markers = system.markers.iter().map(|marker| {
+        let points = marker.frame.iter().map(|site| site.of(&free, &fixed));
+        let name = &marker.named.name;
+        let call = method(marker, quote!(Frame::new(#(#points),*)));
         quote!(#name: self.#name.#call)
     });
     quote! {
         Points {
-            #(#fixed: fixed.#fixed,)*
-            #(#free: free.#free,)*
+            #(#on_chassis: #fixed.#on_chassis,)*
+            #(#unknown: #free.#unknown,)*
             #(#markers,)*
         }
     }
@@ -80,19 +110,6 @@ fn all_points(system: &System, marker: impl Fn(&Marker) -> TokenStream) -> Token
 pub(super) fn frame_of(marker: &Marker, points: &TokenStream) -> TokenStream {
     let names = marker.frame.iter().map(|site| &site.name);
     quote!(Frame::new(#(#points.#names),*))
-}
-
-/// The frame that carries a marker, from `free` and `fixed`.
-fn frame_of_sites(marker: &Marker) -> TokenStream {
-    let points = marker.frame.iter().map(|site| {
-        let name = &site.name;
-        if site.is_free() {
-            quote!(free.#name)
-        } else {
-            quote!(fixed.#name)
-        }
-    });
-    quote!(Frame::new(#(#points),*))
 }
 
 /// `impl HasWheel` and `impl HasKingpin`, where the listing states them.

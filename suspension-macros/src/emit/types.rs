@@ -4,7 +4,6 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Attribute, Ident};
 
-use crate::ast::{Constraint, Listing};
 use crate::system::{AXES, Body, Equation, System, carried_name, frame_name, pair_name};
 
 /// A field of a generated struct.
@@ -65,23 +64,35 @@ pub(super) fn all(system: &System) -> TokenStream {
 }
 
 /// A struct with one value for each name.
-fn named(name: &str, doc: &str, value: &TokenStream, fields: &[Field]) -> TokenStream {
+pub(super) fn named(name: &str, doc: &str, value: &TokenStream, fields: &[Field]) -> TokenStream {
     let name = Ident::new(name, proc_macro2::Span::call_site());
     let docs = fields.iter().map(Field::docs);
     let names: Vec<&Ident> = fields.iter().map(|field| &field.name).collect();
     let strings: Vec<String> = names.iter().map(|name| name.to_string()).collect();
+    let none = fields
+        .is_empty()
+        .then(|| quote!(no_fields: ::core::marker::PhantomData<T>));
+    let no_value = none
+        .is_some()
+        .then(|| quote!(no_fields: ::core::marker::PhantomData));
+    let from = if fields.is_empty() {
+        quote!(_value)
+    } else {
+        quote!(mut value)
+    };
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct #name<T> {
             #(#docs pub #names: #value,)*
+            #none
         }
 
         impl<T: Scalar> Named<#value> for #name<T> {
             const NAMES: &'static [&'static str] = &[#(#strings),*];
 
-            fn from_fn(mut value: impl FnMut(&'static str) -> #value) -> Self {
-                Self { #(#names: value(#strings)),* }
+            fn from_fn(#from: impl FnMut(&'static str) -> #value) -> Self {
+                Self { #(#names: value(#strings),)* #no_value }
             }
 
             fn values(&self) -> impl Iterator<Item = #value> {
@@ -250,60 +261,6 @@ fn model(system: &System) -> TokenStream {
             #(#frames: Frame<T>,)*
             #(#carried: Carried<T>,)*
             #(#markers: Carried<T>,)*
-        }
-    }
-}
-
-/// The types of a listing that has errors: enough for code that names them.
-pub(super) fn stub(listing: &Listing) -> TokenStream {
-    let field = |name: &Ident| Field::new(&[], name, String::new());
-    let unique = |names: Vec<&Ident>| -> Vec<Field> {
-        let mut seen = std::collections::BTreeSet::new();
-        names
-            .into_iter()
-            .filter(|name| seen.insert(name.to_string()))
-            .map(field)
-            .collect()
-    };
-    let fixed: Vec<&Ident> = listing.fixed.iter().map(|point| &point.name).collect();
-    let free = listing.free.iter().map(|point| &point.name);
-    let markers = listing.markers.iter().map(|marker| &marker.named.name);
-    let points = fixed.iter().copied().chain(free).chain(markers).collect();
-    let links = listing
-        .constraints
-        .iter()
-        .filter(|c| matches!(c, Constraint::Link(_)));
-    let lengths = links.map(Constraint::name).collect();
-    let drives = listing
-        .drives
-        .iter()
-        .map(|drive| &drive.named.name)
-        .collect();
-    let vector = quote!(Vector3<T>);
-    let structs = [
-        ("Points", &vector, unique(points)),
-        ("Fixed", &vector, unique(fixed)),
-        ("Drives", &quote!(T), unique(drives)),
-        ("Lengths", &quote!(T), unique(lengths)),
-    ];
-    let structs = structs.iter().map(|(name, value, fields)| {
-        let name = Ident::new(name, proc_macro2::Span::call_site());
-        let names = fields.iter().map(|field| &field.name);
-        quote! {
-            #[derive(Clone, Copy, Debug, PartialEq)]
-            pub struct #name<T> {
-                #(pub #names: #value,)*
-                #[doc(hidden)]
-                pub listing_has_errors: ::core::marker::PhantomData<T>,
-            }
-        }
-    });
-    quote! {
-        #(#structs)*
-
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        pub struct Model<T> {
-            listing_has_errors: ::core::marker::PhantomData<T>,
         }
     }
 }

@@ -1,0 +1,156 @@
+//! What stands in for a linkage whose listing has mistakes: the errors, beside the same types
+//! and implementations without bodies, so that code which uses them raises no further errors.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use syn::Ident;
+
+use super::indices;
+use super::types::{self, Field};
+use crate::ast::Listing;
+use crate::system::System;
+
+/// The errors and the stand-in.
+pub(crate) fn stub(listing: &Listing, system: &System, error: &syn::Error) -> TokenStream {
+    let Listing {
+        docs, vis, name, ..
+    } = listing;
+    let errors = error.to_compile_error();
+    let types = all(listing, system);
+    let indices = indices::modules(system);
+    let linkage = linkage_impl(system);
+    let build = build_impl(system);
+    let roles = roles(system);
+    quote! {
+        #errors
+        #(#docs)*
+        #[allow(dead_code, missing_docs, unreachable_pub)]
+        #vis mod #name {
+            use ::suspension_core::generated::*;
+
+            #types
+            #indices
+            #linkage
+            #build
+            #roles
+        }
+    }
+}
+
+fn all(listing: &Listing, system: &System) -> TokenStream {
+    let fixed: Vec<&Ident> = listing.fixed.iter().map(|point| &point.name).collect();
+    let free = listing.free.iter().map(|point| &point.name);
+    let markers = listing.markers.iter().map(|marker| &marker.named.name);
+    let points = fixed.iter().copied().chain(free).chain(markers);
+    let drives = listing.drives.iter().map(|drive| &drive.named.name);
+    let lengths = types::length_fields(system);
+    let vector = quote!(Vector3<T>);
+    let structs = [
+        types::named("Points", "", &vector, &distinct(points)),
+        types::named("Fixed", "", &vector, &distinct(fixed.iter().copied())),
+        types::named("Drives", "", &quote!(T), &distinct(drives)),
+        types::named(
+            "Lengths",
+            "",
+            &quote!(T),
+            &distinct(lengths.iter().map(|field| &field.name)),
+        ),
+    ];
+    quote! {
+        #(#structs)*
+
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Model<T> {
+            fixed: Fixed<T>,
+        }
+    }
+}
+
+/// Fields without those whose name is taken already.
+fn distinct<'a>(names: impl Iterator<Item = &'a Ident>) -> Vec<Field> {
+    let mut seen = BTreeSet::new();
+    names
+        .filter(|name| seen.insert(name.to_string()))
+        .map(|name| Field::new(&[], name, String::new()))
+        .collect()
+}
+
+fn linkage_impl(system: &System) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    quote! {
+        impl<T: Scalar> Linkage<#n> for Model<T> {
+            type Scalar = T;
+            type Fixed = Fixed<T>;
+            type Drives = Drives<T>;
+            type Points = Points<T>;
+            const EQUATIONS: [&'static str; #n] = [""; #n];
+            const UNKNOWNS: [&'static str; #n] = [""; #n];
+            const DRIVE_KINDS: &'static [DriveKind] = &[];
+
+            fn fixed(&self) -> &Fixed<T> { loop {} }
+            fn size(&self) -> T { loop {} }
+            fn coordinates(&self, _: &Signal<Drives<T>>) -> Signal<Drives<T>> { loop {} }
+            fn drive_anchors(_: Fixed<T>, _: &Drives<T>) -> Fixed<T> { loop {} }
+            fn residual(&self, _: &SVector<T, #n>, _: &Fixed<T>, _: &Drives<T>) -> SVector<T, #n> { loop {} }
+            fn jacobian(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> SMatrix<T, #n, #n> { loop {} }
+            fn curvature(
+                &self,
+                _: &SVector<T, #n>,
+                _: &Fixed<T>,
+                _: &SVector<T, #n>,
+                _: &Fixed<T>,
+            ) -> SVector<T, #n> { loop {} }
+            fn drive_rate(
+                &self,
+                _: &SVector<T, #n>,
+                _: &Fixed<T>,
+                _: &Fixed<T>,
+                _: &Drives<T>,
+            ) -> SVector<T, #n> { loop {} }
+            fn chassis_rate(&self, _: &SVector<T, #n>, _: &Fixed<T>, _: &Fixed<T>) -> SVector<T, #n> { loop {} }
+            fn points(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> Points<T> { loop {} }
+            fn velocities(&self, _: &Points<T>, _: &SVector<T, #n>, _: &Fixed<T>) -> Points<T> { loop {} }
+            fn accelerations(
+                &self,
+                _: &Points<T>,
+                _: &Points<T>,
+                _: &SVector<T, #n>,
+                _: &Fixed<T>,
+            ) -> Points<T> { loop {} }
+            fn unknowns(_: &Points<T>) -> SVector<T, #n> { loop {} }
+        }
+    }
+}
+
+fn build_impl(system: &System) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    quote! {
+        impl<T: Real> Build<#n> for Model<T> {
+            type Lengths = Lengths<T>;
+
+            fn new(_: &Points<T>) -> Result<Self, GeometryError> { loop {} }
+            fn with_lengths(self, _: &Lengths<T>) -> Result<Self, GeometryError> { loop {} }
+            fn with_markers(self, _: &Points<T>) -> Result<Self, GeometryError> { loop {} }
+            fn lengths(&self) -> Lengths<T> { loop {} }
+            fn drives_at(&self, _: &Points<T>) -> Drives<T> { loop {} }
+            fn fit(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> SVector<T, #n> { loop {} }
+        }
+    }
+}
+
+/// Both roles, whether or not the statements that give them could be read.
+fn roles(system: &System) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    quote! {
+        impl<T: Scalar> HasWheel<#n> for Model<T> {
+            fn wheel(_: &Points<T>) -> [Vector3<T>; 2] { loop {} }
+            fn carrier(_: &Points<T>) -> [Vector3<T>; 3] { loop {} }
+        }
+
+        impl<T: Scalar> HasKingpin<#n> for Model<T> {
+            fn kingpin(_: &Points<T>) -> [Vector3<T>; 2] { loop {} }
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! What the emitted methods have in common: points, frames and carried points under their names.
+
+use proc_macro2::{Literal, Spacing, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+use syn::Ident;
+
+use super::indices;
+use crate::system::{AXES, Body, Site, System, carried_name, frame_name};
+
+pub(super) fn ident(name: &str) -> Ident {
+    Ident::new(name, proc_macro2::Span::call_site())
+}
+
+impl Site {
+    /// The point's value in one of two structs, by where it belongs.
+    pub(super) fn of(&self, free: &Ident, fixed: &Ident) -> TokenStream {
+        let Self { name, .. } = self;
+        if self.is_free() {
+            quote!(#free.#name)
+        } else {
+            quote!(#fixed.#name)
+        }
+    }
+}
+
+/// `to - from`.
+pub(super) fn vector(from: &Site, to: &Site, free: &Ident, fixed: &Ident) -> TokenStream {
+    let (from, to) = (from.of(free, fixed), to.of(free, fixed));
+    quote!(#to - #from)
+}
+
+/// `name = value`, to become a `let` where something reads it.
+pub(super) struct Binding {
+    name: Ident,
+    value: TokenStream,
+}
+
+impl Binding {
+    pub(super) fn new(name: Ident, value: TokenStream) -> Self {
+        Self { name, value }
+    }
+
+    /// `name = Free::of(vector)`.
+    pub(super) fn free(name: &Ident, vector: &str) -> Self {
+        let vector = ident(vector);
+        Self::new(name.clone(), quote!(Free::of(#vector)))
+    }
+}
+
+/// `result` behind those bindings that it, or a later binding, reads.
+pub(super) fn bind(bindings: Vec<Binding>, result: TokenStream) -> TokenStream {
+    let bind = |rest: TokenStream, Binding { name, value }| {
+        if mentions(&rest, &name) {
+            quote!(let #name = #value; #rest)
+        } else {
+            rest
+        }
+    };
+    bindings.into_iter().rev().fold(result, bind)
+}
+
+/// `name: kind`, or `_name: kind` where the body does not read it.
+pub(super) fn parameter(name: &str, kind: &TokenStream, body: &TokenStream) -> TokenStream {
+    let read = ident(name);
+    if mentions(body, &read) {
+        quote!(#read: #kind)
+    } else {
+        let unread = format_ident!("_{name}");
+        quote!(#unread: #kind)
+    }
+}
+
+/// Whether the tokens read the variable `name`: not as a field behind a dot or before a colon.
+fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
+    let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    let is_dot = |token: &TokenTree| matches!(token, TokenTree::Punct(p) if p.as_char() == '.');
+    let is_colon = |token: &TokenTree| matches!(token, TokenTree::Punct(p) if p.as_char() == ':' && p.spacing() == Spacing::Alone);
+    tokens.iter().enumerate().any(|(index, token)| match token {
+        TokenTree::Group(group) => mentions(&group.stream(), name),
+        TokenTree::Ident(ident) => {
+            let is_field = index > 0 && is_dot(&tokens[index - 1])
+                || tokens.get(index + 1).is_some_and(is_colon);
+            ident == name && !is_field
+        }
+        _ => false,
+    })
+}
+
+/// `rows[equation::NAME] = term;`
+pub(super) fn assign(row: &Ident, term: &TokenStream) -> TokenStream {
+    let row = indices::equation(row);
+    quote!(rows[#row] = #term;)
+}
+
+/// The same for the three rows of a point that `body` carries, from the vector `term`.
+pub(super) fn assign_carried(body: &Ident, point: &Site, term: &Ident) -> TokenStream {
+    let name = carried_name(body, &point.name);
+    let entries = AXES.map(|axis| {
+        let row = format_ident!("{name}_{axis}");
+        let axis = ident(axis);
+        assign(&row, &quote!(#term.#axis))
+    });
+    quote!(#(#entries)*)
+}
+
+/// A vector whose rows are zero but for those assigned.
+pub(super) fn rows(system: &System, assignments: &[TokenStream]) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    if assignments.is_empty() {
+        return quote!(SVector::zeros());
+    }
+    quote! {
+        let mut rows = [T::zero(); #n];
+        #(#assignments)*
+        SVector::from(rows)
+    }
+}
+
+/// `body_frame = Frame::new(..)` for each body that carries points.
+pub(super) fn frames<'a>(
+    system: &'a System,
+    suffix: &'a str,
+    free: &'a Ident,
+    fixed: &'a Ident,
+) -> impl Iterator<Item = Binding> {
+    let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
+    bodies.map(move |body| {
+        let points = body.frame.iter().map(|site| site.of(free, fixed));
+        Binding::new(
+            format_ident!("{}{suffix}", frame_name(&body.name)),
+            quote!(Frame::new(#(#points),*)),
+        )
+    })
+}
+
+/// `body_point = self.body_point.method(arguments)` for each point that a body carries.
+pub(super) fn carried(
+    system: &System,
+    call: impl Fn(&Body, &Site) -> TokenStream,
+) -> impl Iterator<Item = Binding> {
+    let points = system
+        .bodies
+        .iter()
+        .flat_map(|body| body.carried.iter().map(move |point| (body, point)));
+    points.map(move |(body, point)| {
+        let (name, call) = (carried_name(&body.name, &point.name), call(body, point));
+        Binding::new(name.clone(), quote!(self.#name.#call))
+    })
+}

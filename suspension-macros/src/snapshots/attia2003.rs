@@ -1,0 +1,872 @@
+/// The multi-link five-point suspension of Attia 2003, equations (1.1) to (1.15) as printed:
+/// fourteen distances and the drive, points by the paper's numbers.
+///
+/// H. A. Attia, "Kinematic Analysis of the Multi-Link Five-Point Suspension System in Point
+/// Coordinates", KSME International Journal 17(8), 2003. The nine distances of the knuckle
+/// (6 to 10) also admit mirrored knuckles; [`five_link`](super::five_link) does not.
+///
+/// The paper prints no coordinates for the wheel centre, point 11. Which position it is given
+/// is up to the host; that the spin axis runs through points 8 and 11 is an assumption.
+///
+/// 15 unknowns `q`: the coordinates of `p6`, `p7`, `p8`, `p9`, `p10`.
+///
+/// 15 equations `F(q) = 0`: `d6_1`, `d7_2`, `d8_3`, `d9_4`, `d10_5`, `d7_6`, `d8_6`, `d9_6`, `d10_6`, `d8_7`, `d9_7`, `d10_7`, `d9_8`, `d10_8`, `theta`.
+///
+/// Jacobian: 15 x 15, 70 non-zeros of 225.
+///
+/// | no division, no branch | multiplications | additions |
+/// |---|---|---|
+/// | residual | 84 | 86 |
+/// | Jacobian | 42 | 42 |
+/// | curvature | 56 | 112 |
+#[allow(dead_code, unreachable_pub)]
+pub mod attia2003 {
+    use ::suspension_core::generated::*;
+    /// Every point, with a position, velocity or acceleration each.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Points<T> {
+        /// Chassis point `p1`.
+        pub p1: Vector3<T>,
+        /// Chassis point `p2`.
+        pub p2: Vector3<T>,
+        /// Chassis point `p3`.
+        pub p3: Vector3<T>,
+        /// Chassis point `p4`.
+        pub p4: Vector3<T>,
+        /// Chassis point `p5`.
+        pub p5: Vector3<T>,
+        /// Free point `p6`.
+        pub p6: Vector3<T>,
+        /// Free point `p7`.
+        pub p7: Vector3<T>,
+        /// Free point `p8`.
+        pub p8: Vector3<T>,
+        /// Free point `p9`.
+        pub p9: Vector3<T>,
+        /// Free point `p10`.
+        pub p10: Vector3<T>,
+        /// Wheel centre.
+        pub p11: Vector3<T>,
+    }
+
+    impl<T: Scalar> Named<Vector3<T>> for Points<T> {
+        const NAMES: &'static [&'static str] = &[
+            "p1",
+            "p2",
+            "p3",
+            "p4",
+            "p5",
+            "p6",
+            "p7",
+            "p8",
+            "p9",
+            "p10",
+            "p11",
+        ];
+        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
+            Self {
+                p1: value("p1"),
+                p2: value("p2"),
+                p3: value("p3"),
+                p4: value("p4"),
+                p5: value("p5"),
+                p6: value("p6"),
+                p7: value("p7"),
+                p8: value("p8"),
+                p9: value("p9"),
+                p10: value("p10"),
+                p11: value("p11"),
+            }
+        }
+
+        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
+            [
+                self.p1,
+                self.p2,
+                self.p3,
+                self.p4,
+                self.p5,
+                self.p6,
+                self.p7,
+                self.p8,
+                self.p9,
+                self.p10,
+                self.p11,
+            ]
+                .into_iter()
+        }
+    }
+
+    impl<T: Scalar> Default for Points<T> {
+        fn default() -> Self {
+            Self::from_fn(|_| Default::default())
+        }
+    }
+
+    /// Chassis points.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Fixed<T> {
+        /// Chassis point `p1`.
+        pub p1: Vector3<T>,
+        /// Chassis point `p2`.
+        pub p2: Vector3<T>,
+        /// Chassis point `p3`.
+        pub p3: Vector3<T>,
+        /// Chassis point `p4`.
+        pub p4: Vector3<T>,
+        /// Chassis point `p5`.
+        pub p5: Vector3<T>,
+    }
+
+    impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
+        const NAMES: &'static [&'static str] = &["p1", "p2", "p3", "p4", "p5"];
+        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
+            Self {
+                p1: value("p1"),
+                p2: value("p2"),
+                p3: value("p3"),
+                p4: value("p4"),
+                p5: value("p5"),
+            }
+        }
+
+        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
+            [self.p1, self.p2, self.p3, self.p4, self.p5].into_iter()
+        }
+    }
+
+    impl<T: Scalar> Default for Fixed<T> {
+        fn default() -> Self {
+            Self::from_fn(|_| Default::default())
+        }
+    }
+
+    /// The drives' values, or rates: coordinates in the unit of the points, angles in radians.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Drives<T> {
+        /// Eq. (1.15): `z6 - z1 = d6_1 cos(theta)`.
+        pub theta: T,
+    }
+
+    impl<T: Scalar> Named<T> for Drives<T> {
+        const NAMES: &'static [&'static str] = &["theta"];
+        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
+            Self { theta: value("theta") }
+        }
+
+        fn values(&self) -> impl Iterator<Item = T> {
+            [self.theta].into_iter()
+        }
+    }
+
+    impl<T: Scalar> Default for Drives<T> {
+        fn default() -> Self {
+            Self::from_fn(|_| Default::default())
+        }
+    }
+
+    /// The constant lengths of links and bodies.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Lengths<T> {
+        /// Eq. (1.1)
+        pub d6_1: T,
+        /// Eq. (1.2)
+        pub d7_2: T,
+        /// Eq. (1.3)
+        pub d8_3: T,
+        /// Eq. (1.4)
+        pub d9_4: T,
+        /// Eq. (1.5)
+        pub d10_5: T,
+        /// Eq. (1.6)
+        pub d7_6: T,
+        /// Eq. (1.7)
+        pub d8_6: T,
+        /// Eq. (1.8)
+        pub d9_6: T,
+        /// Eq. (1.9)
+        pub d10_6: T,
+        /// Eq. (1.10)
+        pub d8_7: T,
+        /// Eq. (1.11)
+        pub d9_7: T,
+        /// Eq. (1.12)
+        pub d10_7: T,
+        /// Eq. (1.13)
+        pub d9_8: T,
+        /// Eq. (1.14)
+        pub d10_8: T,
+    }
+
+    impl<T: Scalar> Named<T> for Lengths<T> {
+        const NAMES: &'static [&'static str] = &[
+            "d6_1",
+            "d7_2",
+            "d8_3",
+            "d9_4",
+            "d10_5",
+            "d7_6",
+            "d8_6",
+            "d9_6",
+            "d10_6",
+            "d8_7",
+            "d9_7",
+            "d10_7",
+            "d9_8",
+            "d10_8",
+        ];
+        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
+            Self {
+                d6_1: value("d6_1"),
+                d7_2: value("d7_2"),
+                d8_3: value("d8_3"),
+                d9_4: value("d9_4"),
+                d10_5: value("d10_5"),
+                d7_6: value("d7_6"),
+                d8_6: value("d8_6"),
+                d9_6: value("d9_6"),
+                d10_6: value("d10_6"),
+                d8_7: value("d8_7"),
+                d9_7: value("d9_7"),
+                d10_7: value("d10_7"),
+                d9_8: value("d9_8"),
+                d10_8: value("d10_8"),
+            }
+        }
+
+        fn values(&self) -> impl Iterator<Item = T> {
+            [
+                self.d6_1,
+                self.d7_2,
+                self.d8_3,
+                self.d9_4,
+                self.d10_5,
+                self.d7_6,
+                self.d8_6,
+                self.d9_6,
+                self.d10_6,
+                self.d8_7,
+                self.d9_7,
+                self.d10_7,
+                self.d9_8,
+                self.d10_8,
+            ]
+                .into_iter()
+        }
+    }
+
+    impl<T: Scalar> Default for Lengths<T> {
+        fn default() -> Self {
+            Self::from_fn(|_| Default::default())
+        }
+    }
+
+    /// The free points: the unknowns under their names.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    struct Free<T> {
+        p6: Vector3<T>,
+        p7: Vector3<T>,
+        p8: Vector3<T>,
+        p9: Vector3<T>,
+        p10: Vector3<T>,
+    }
+
+    impl<T: Scalar> Free<T> {
+        #[inline(always)]
+        fn of(q: &SVector<T, 15>) -> Self {
+            let [[p6_x, p6_y, p6_z, p7_x, p7_y, p7_z, p8_x, p8_y, p8_z, p9_x, p9_y, p9_z,
+            p10_x, p10_y, p10_z]] = q.data.0;
+            Self {
+                p6: Vector3::new(p6_x, p6_y, p6_z),
+                p7: Vector3::new(p7_x, p7_y, p7_z),
+                p8: Vector3::new(p8_x, p8_y, p8_z),
+                p9: Vector3::new(p9_x, p9_y, p9_z),
+                p10: Vector3::new(p10_x, p10_y, p10_z),
+            }
+        }
+
+        #[inline(always)]
+        fn unknowns(&self) -> SVector<T, 15> {
+            let Self { p6, p7, p8, p9, p10 } = self;
+            SVector::from([
+                p6.x,
+                p6.y,
+                p6.z,
+                p7.x,
+                p7.y,
+                p7.z,
+                p8.x,
+                p8.y,
+                p8.z,
+                p9.x,
+                p9.y,
+                p9.z,
+                p10.x,
+                p10.y,
+                p10.z,
+            ])
+        }
+    }
+
+    /// The geometry: chassis points at rest and the constants of every equation.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Model<T> {
+        fixed: Fixed<T>,
+        size: T,
+        d6_1: Distance<T>,
+        d7_2: Distance<T>,
+        d8_3: Distance<T>,
+        d9_4: Distance<T>,
+        d10_5: Distance<T>,
+        d7_6: Distance<T>,
+        d8_6: Distance<T>,
+        d9_6: Distance<T>,
+        d10_6: Distance<T>,
+        d8_7: Distance<T>,
+        d9_7: Distance<T>,
+        d10_7: Distance<T>,
+        d9_8: Distance<T>,
+        d10_8: Distance<T>,
+        p11: Carried<T>,
+    }
+
+    /// Rows of the residual and the Jacobian.
+    #[allow(missing_docs)]
+    pub mod equation {
+        pub const D6_1: usize = 0;
+        pub const D7_2: usize = 1;
+        pub const D8_3: usize = 2;
+        pub const D9_4: usize = 3;
+        pub const D10_5: usize = 4;
+        pub const D7_6: usize = 5;
+        pub const D8_6: usize = 6;
+        pub const D9_6: usize = 7;
+        pub const D10_6: usize = 8;
+        pub const D8_7: usize = 9;
+        pub const D9_7: usize = 10;
+        pub const D10_7: usize = 11;
+        pub const D9_8: usize = 12;
+        pub const D10_8: usize = 13;
+        pub const THETA: usize = 14;
+    }
+
+    /// Entries of `q`, columns of the Jacobian.
+    #[allow(missing_docs)]
+    pub mod unknown {
+        pub const P6_X: usize = 0;
+        pub const P6_Y: usize = 1;
+        pub const P6_Z: usize = 2;
+        pub const P7_X: usize = 3;
+        pub const P7_Y: usize = 4;
+        pub const P7_Z: usize = 5;
+        pub const P8_X: usize = 6;
+        pub const P8_Y: usize = 7;
+        pub const P8_Z: usize = 8;
+        pub const P9_X: usize = 9;
+        pub const P9_Y: usize = 10;
+        pub const P9_Z: usize = 11;
+        pub const P10_X: usize = 12;
+        pub const P10_Y: usize = 13;
+        pub const P10_Z: usize = 14;
+    }
+
+    impl<T: Scalar> Linkage<15> for Model<T> {
+        type Scalar = T;
+        type Fixed = Fixed<T>;
+        type Drives = Drives<T>;
+        type Points = Points<T>;
+        const EQUATIONS: [&'static str; 15] = [
+            "d6_1",
+            "d7_2",
+            "d8_3",
+            "d9_4",
+            "d10_5",
+            "d7_6",
+            "d8_6",
+            "d9_6",
+            "d10_6",
+            "d8_7",
+            "d9_7",
+            "d10_7",
+            "d9_8",
+            "d10_8",
+            "theta",
+        ];
+        const UNKNOWNS: [&'static str; 15] = [
+            "p6.x",
+            "p6.y",
+            "p6.z",
+            "p7.x",
+            "p7.y",
+            "p7.z",
+            "p8.x",
+            "p8.y",
+            "p8.z",
+            "p9.x",
+            "p9.y",
+            "p9.z",
+            "p10.x",
+            "p10.y",
+            "p10.z",
+        ];
+        const DRIVE_KINDS: &'static [DriveKind] = &[DriveKind::Angle];
+        fn fixed(&self) -> &Fixed<T> {
+            &self.fixed
+        }
+
+        fn size(&self) -> T {
+            self.size
+        }
+
+        #[inline(always)]
+        fn coordinates(&self, drives: &Signal<Drives<T>>) -> Signal<Drives<T>> {
+            let mut coordinates = *drives;
+            let coordinate = angle_to_coordinate(
+                self.d6_1.length(),
+                Signal {
+                    value: drives.value.theta,
+                    rate: drives.rate.theta,
+                    second_rate: drives.second_rate.theta,
+                },
+            );
+            coordinates.value.theta = coordinate.value;
+            coordinates.rate.theta = coordinate.rate;
+            coordinates.second_rate.theta = coordinate.second_rate;
+            coordinates
+        }
+
+        #[inline(always)]
+        fn drive_anchors(fixed: Fixed<T>, _drives: &Drives<T>) -> Fixed<T> {
+            fixed
+        }
+
+        #[inline(always)]
+        fn residual(
+            &self,
+            q: &SVector<T, 15>,
+            fixed: &Fixed<T>,
+            drives: &Drives<T>,
+        ) -> SVector<T, 15> {
+            let free = Free::of(q);
+            let mut rows = [T::zero(); 15];
+            rows[equation::D6_1] = self.d6_1.residual(free.p6 - fixed.p1);
+            rows[equation::D7_2] = self.d7_2.residual(free.p7 - fixed.p2);
+            rows[equation::D8_3] = self.d8_3.residual(free.p8 - fixed.p3);
+            rows[equation::D9_4] = self.d9_4.residual(free.p9 - fixed.p4);
+            rows[equation::D10_5] = self.d10_5.residual(free.p10 - fixed.p5);
+            rows[equation::D7_6] = self.d7_6.residual(free.p7 - free.p6);
+            rows[equation::D8_6] = self.d8_6.residual(free.p8 - free.p6);
+            rows[equation::D9_6] = self.d9_6.residual(free.p9 - free.p6);
+            rows[equation::D10_6] = self.d10_6.residual(free.p10 - free.p6);
+            rows[equation::D8_7] = self.d8_7.residual(free.p8 - free.p7);
+            rows[equation::D9_7] = self.d9_7.residual(free.p9 - free.p7);
+            rows[equation::D10_7] = self.d10_7.residual(free.p10 - free.p7);
+            rows[equation::D9_8] = self.d9_8.residual(free.p9 - free.p8);
+            rows[equation::D10_8] = self.d10_8.residual(free.p10 - free.p8);
+            rows[equation::THETA] = free.p6.z - fixed.p1.z - drives.theta;
+            SVector::from(rows)
+        }
+
+        #[inline(always)]
+        fn jacobian(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SMatrix<T, 15, 15> {
+            let free = Free::of(q);
+            let mut columns = [[T::zero(); 15]; 15];
+            let gradient = self.d6_1.gradient(free.p6 - fixed.p1);
+            columns[unknown::P6_X][equation::D6_1] = gradient.x;
+            columns[unknown::P6_Y][equation::D6_1] = gradient.y;
+            columns[unknown::P6_Z][equation::D6_1] = gradient.z;
+            let gradient = self.d7_2.gradient(free.p7 - fixed.p2);
+            columns[unknown::P7_X][equation::D7_2] = gradient.x;
+            columns[unknown::P7_Y][equation::D7_2] = gradient.y;
+            columns[unknown::P7_Z][equation::D7_2] = gradient.z;
+            let gradient = self.d8_3.gradient(free.p8 - fixed.p3);
+            columns[unknown::P8_X][equation::D8_3] = gradient.x;
+            columns[unknown::P8_Y][equation::D8_3] = gradient.y;
+            columns[unknown::P8_Z][equation::D8_3] = gradient.z;
+            let gradient = self.d9_4.gradient(free.p9 - fixed.p4);
+            columns[unknown::P9_X][equation::D9_4] = gradient.x;
+            columns[unknown::P9_Y][equation::D9_4] = gradient.y;
+            columns[unknown::P9_Z][equation::D9_4] = gradient.z;
+            let gradient = self.d10_5.gradient(free.p10 - fixed.p5);
+            columns[unknown::P10_X][equation::D10_5] = gradient.x;
+            columns[unknown::P10_Y][equation::D10_5] = gradient.y;
+            columns[unknown::P10_Z][equation::D10_5] = gradient.z;
+            let gradient = self.d7_6.gradient(free.p7 - free.p6);
+            columns[unknown::P7_X][equation::D7_6] = gradient.x;
+            columns[unknown::P7_Y][equation::D7_6] = gradient.y;
+            columns[unknown::P7_Z][equation::D7_6] = gradient.z;
+            columns[unknown::P6_X][equation::D7_6] = -gradient.x;
+            columns[unknown::P6_Y][equation::D7_6] = -gradient.y;
+            columns[unknown::P6_Z][equation::D7_6] = -gradient.z;
+            let gradient = self.d8_6.gradient(free.p8 - free.p6);
+            columns[unknown::P8_X][equation::D8_6] = gradient.x;
+            columns[unknown::P8_Y][equation::D8_6] = gradient.y;
+            columns[unknown::P8_Z][equation::D8_6] = gradient.z;
+            columns[unknown::P6_X][equation::D8_6] = -gradient.x;
+            columns[unknown::P6_Y][equation::D8_6] = -gradient.y;
+            columns[unknown::P6_Z][equation::D8_6] = -gradient.z;
+            let gradient = self.d9_6.gradient(free.p9 - free.p6);
+            columns[unknown::P9_X][equation::D9_6] = gradient.x;
+            columns[unknown::P9_Y][equation::D9_6] = gradient.y;
+            columns[unknown::P9_Z][equation::D9_6] = gradient.z;
+            columns[unknown::P6_X][equation::D9_6] = -gradient.x;
+            columns[unknown::P6_Y][equation::D9_6] = -gradient.y;
+            columns[unknown::P6_Z][equation::D9_6] = -gradient.z;
+            let gradient = self.d10_6.gradient(free.p10 - free.p6);
+            columns[unknown::P10_X][equation::D10_6] = gradient.x;
+            columns[unknown::P10_Y][equation::D10_6] = gradient.y;
+            columns[unknown::P10_Z][equation::D10_6] = gradient.z;
+            columns[unknown::P6_X][equation::D10_6] = -gradient.x;
+            columns[unknown::P6_Y][equation::D10_6] = -gradient.y;
+            columns[unknown::P6_Z][equation::D10_6] = -gradient.z;
+            let gradient = self.d8_7.gradient(free.p8 - free.p7);
+            columns[unknown::P8_X][equation::D8_7] = gradient.x;
+            columns[unknown::P8_Y][equation::D8_7] = gradient.y;
+            columns[unknown::P8_Z][equation::D8_7] = gradient.z;
+            columns[unknown::P7_X][equation::D8_7] = -gradient.x;
+            columns[unknown::P7_Y][equation::D8_7] = -gradient.y;
+            columns[unknown::P7_Z][equation::D8_7] = -gradient.z;
+            let gradient = self.d9_7.gradient(free.p9 - free.p7);
+            columns[unknown::P9_X][equation::D9_7] = gradient.x;
+            columns[unknown::P9_Y][equation::D9_7] = gradient.y;
+            columns[unknown::P9_Z][equation::D9_7] = gradient.z;
+            columns[unknown::P7_X][equation::D9_7] = -gradient.x;
+            columns[unknown::P7_Y][equation::D9_7] = -gradient.y;
+            columns[unknown::P7_Z][equation::D9_7] = -gradient.z;
+            let gradient = self.d10_7.gradient(free.p10 - free.p7);
+            columns[unknown::P10_X][equation::D10_7] = gradient.x;
+            columns[unknown::P10_Y][equation::D10_7] = gradient.y;
+            columns[unknown::P10_Z][equation::D10_7] = gradient.z;
+            columns[unknown::P7_X][equation::D10_7] = -gradient.x;
+            columns[unknown::P7_Y][equation::D10_7] = -gradient.y;
+            columns[unknown::P7_Z][equation::D10_7] = -gradient.z;
+            let gradient = self.d9_8.gradient(free.p9 - free.p8);
+            columns[unknown::P9_X][equation::D9_8] = gradient.x;
+            columns[unknown::P9_Y][equation::D9_8] = gradient.y;
+            columns[unknown::P9_Z][equation::D9_8] = gradient.z;
+            columns[unknown::P8_X][equation::D9_8] = -gradient.x;
+            columns[unknown::P8_Y][equation::D9_8] = -gradient.y;
+            columns[unknown::P8_Z][equation::D9_8] = -gradient.z;
+            let gradient = self.d10_8.gradient(free.p10 - free.p8);
+            columns[unknown::P10_X][equation::D10_8] = gradient.x;
+            columns[unknown::P10_Y][equation::D10_8] = gradient.y;
+            columns[unknown::P10_Z][equation::D10_8] = gradient.z;
+            columns[unknown::P8_X][equation::D10_8] = -gradient.x;
+            columns[unknown::P8_Y][equation::D10_8] = -gradient.y;
+            columns[unknown::P8_Z][equation::D10_8] = -gradient.z;
+            columns[unknown::P6_Z][equation::THETA] = T::one();
+            from_columns(columns)
+        }
+
+        #[inline(always)]
+        fn curvature(
+            &self,
+            v: &SVector<T, 15>,
+            v_fixed: &Fixed<T>,
+            w: &SVector<T, 15>,
+            w_fixed: &Fixed<T>,
+        ) -> SVector<T, 15> {
+            let v = Free::of(v);
+            let w = Free::of(w);
+            let mut rows = [T::zero(); 15];
+            rows[equation::D6_1] = self
+                .d6_1
+                .curvature(v.p6 - v_fixed.p1, w.p6 - w_fixed.p1);
+            rows[equation::D7_2] = self
+                .d7_2
+                .curvature(v.p7 - v_fixed.p2, w.p7 - w_fixed.p2);
+            rows[equation::D8_3] = self
+                .d8_3
+                .curvature(v.p8 - v_fixed.p3, w.p8 - w_fixed.p3);
+            rows[equation::D9_4] = self
+                .d9_4
+                .curvature(v.p9 - v_fixed.p4, w.p9 - w_fixed.p4);
+            rows[equation::D10_5] = self
+                .d10_5
+                .curvature(v.p10 - v_fixed.p5, w.p10 - w_fixed.p5);
+            rows[equation::D7_6] = self.d7_6.curvature(v.p7 - v.p6, w.p7 - w.p6);
+            rows[equation::D8_6] = self.d8_6.curvature(v.p8 - v.p6, w.p8 - w.p6);
+            rows[equation::D9_6] = self.d9_6.curvature(v.p9 - v.p6, w.p9 - w.p6);
+            rows[equation::D10_6] = self.d10_6.curvature(v.p10 - v.p6, w.p10 - w.p6);
+            rows[equation::D8_7] = self.d8_7.curvature(v.p8 - v.p7, w.p8 - w.p7);
+            rows[equation::D9_7] = self.d9_7.curvature(v.p9 - v.p7, w.p9 - w.p7);
+            rows[equation::D10_7] = self.d10_7.curvature(v.p10 - v.p7, w.p10 - w.p7);
+            rows[equation::D9_8] = self.d9_8.curvature(v.p9 - v.p8, w.p9 - w.p8);
+            rows[equation::D10_8] = self.d10_8.curvature(v.p10 - v.p8, w.p10 - w.p8);
+            SVector::from(rows)
+        }
+
+        #[inline(always)]
+        fn drive_rate(
+            &self,
+            _q: &SVector<T, 15>,
+            _fixed: &Fixed<T>,
+            _fixed_rate: &Fixed<T>,
+            drive_rate: &Drives<T>,
+        ) -> SVector<T, 15> {
+            let mut rows = [T::zero(); 15];
+            rows[equation::THETA] = drive_rate.theta;
+            SVector::from(rows)
+        }
+
+        #[inline(always)]
+        fn chassis_rate(
+            &self,
+            q: &SVector<T, 15>,
+            fixed: &Fixed<T>,
+            fixed_rate: &Fixed<T>,
+        ) -> SVector<T, 15> {
+            let free = Free::of(q);
+            let mut rows = [T::zero(); 15];
+            rows[equation::D6_1] = self
+                .d6_1
+                .gradient(free.p6 - fixed.p1)
+                .dot(&fixed_rate.p1);
+            rows[equation::D7_2] = self
+                .d7_2
+                .gradient(free.p7 - fixed.p2)
+                .dot(&fixed_rate.p2);
+            rows[equation::D8_3] = self
+                .d8_3
+                .gradient(free.p8 - fixed.p3)
+                .dot(&fixed_rate.p3);
+            rows[equation::D9_4] = self
+                .d9_4
+                .gradient(free.p9 - fixed.p4)
+                .dot(&fixed_rate.p4);
+            rows[equation::D10_5] = self
+                .d10_5
+                .gradient(free.p10 - fixed.p5)
+                .dot(&fixed_rate.p5);
+            rows[equation::THETA] = fixed_rate.p1.z;
+            SVector::from(rows)
+        }
+
+        fn points(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Points<T> {
+            let free = Free::of(q);
+            Points {
+                p1: fixed.p1,
+                p2: fixed.p2,
+                p3: fixed.p3,
+                p4: fixed.p4,
+                p5: fixed.p5,
+                p6: free.p6,
+                p7: free.p7,
+                p8: free.p8,
+                p9: free.p9,
+                p10: free.p10,
+                p11: self.p11.position(&Frame::new(free.p6, free.p7, free.p8)),
+            }
+        }
+
+        fn velocities(
+            &self,
+            at: &Points<T>,
+            velocity: &SVector<T, 15>,
+            fixed_rate: &Fixed<T>,
+        ) -> Points<T> {
+            let rate = Free::of(velocity);
+            Points {
+                p1: fixed_rate.p1,
+                p2: fixed_rate.p2,
+                p3: fixed_rate.p3,
+                p4: fixed_rate.p4,
+                p5: fixed_rate.p5,
+                p6: rate.p6,
+                p7: rate.p7,
+                p8: rate.p8,
+                p9: rate.p9,
+                p10: rate.p10,
+                p11: self
+                    .p11
+                    .velocity(
+                        &Frame::new(at.p6, at.p7, at.p8),
+                        &Frame::new(rate.p6, rate.p7, rate.p8),
+                    ),
+            }
+        }
+
+        fn accelerations(
+            &self,
+            at: &Points<T>,
+            velocities: &Points<T>,
+            acceleration: &SVector<T, 15>,
+            fixed_second_rate: &Fixed<T>,
+        ) -> Points<T> {
+            let second_rate = Free::of(acceleration);
+            Points {
+                p1: fixed_second_rate.p1,
+                p2: fixed_second_rate.p2,
+                p3: fixed_second_rate.p3,
+                p4: fixed_second_rate.p4,
+                p5: fixed_second_rate.p5,
+                p6: second_rate.p6,
+                p7: second_rate.p7,
+                p8: second_rate.p8,
+                p9: second_rate.p9,
+                p10: second_rate.p10,
+                p11: self
+                    .p11
+                    .acceleration(
+                        &Frame::new(at.p6, at.p7, at.p8),
+                        &Frame::new(velocities.p6, velocities.p7, velocities.p8),
+                        &Frame::new(second_rate.p6, second_rate.p7, second_rate.p8),
+                    ),
+            }
+        }
+
+        fn unknowns(points: &Points<T>) -> SVector<T, 15> {
+            Free {
+                p6: points.p6,
+                p7: points.p7,
+                p8: points.p8,
+                p9: points.p9,
+                p10: points.p10,
+            }
+                .unknowns()
+        }
+    }
+
+    impl<T: Real> Model<T> {
+        /// With `size` brought up to the other constants.
+        fn sized(self) -> Self {
+            Self {
+                size: build::longest(
+                    &[
+                        self.d6_1.length(),
+                        self.d7_2.length(),
+                        self.d8_3.length(),
+                        self.d9_4.length(),
+                        self.d10_5.length(),
+                        self.d7_6.length(),
+                        self.d8_6.length(),
+                        self.d9_6.length(),
+                        self.d10_6.length(),
+                        self.d8_7.length(),
+                        self.d9_7.length(),
+                        self.d10_7.length(),
+                        self.d9_8.length(),
+                        self.d10_8.length(),
+                    ],
+                ),
+                ..self
+            }
+        }
+    }
+
+    impl<T: Real> Build<15> for Model<T> {
+        type Lengths = Lengths<T>;
+        fn new(design: &Points<T>) -> Result<Self, GeometryError> {
+            build::finite(design)?;
+            let model = Self {
+                fixed: Fixed {
+                    p1: design.p1,
+                    p2: design.p2,
+                    p3: design.p3,
+                    p4: design.p4,
+                    p5: design.p5,
+                },
+                size: T::zero(),
+                d6_1: build::distance("d6_1", design.p1, design.p6)?,
+                d7_2: build::distance("d7_2", design.p2, design.p7)?,
+                d8_3: build::distance("d8_3", design.p3, design.p8)?,
+                d9_4: build::distance("d9_4", design.p4, design.p9)?,
+                d10_5: build::distance("d10_5", design.p5, design.p10)?,
+                d7_6: build::distance("d7_6", design.p6, design.p7)?,
+                d8_6: build::distance("d8_6", design.p6, design.p8)?,
+                d9_6: build::distance("d9_6", design.p6, design.p9)?,
+                d10_6: build::distance("d10_6", design.p6, design.p10)?,
+                d8_7: build::distance("d8_7", design.p7, design.p8)?,
+                d9_7: build::distance("d9_7", design.p7, design.p9)?,
+                d10_7: build::distance("d10_7", design.p7, design.p10)?,
+                d9_8: build::distance("d9_8", design.p8, design.p9)?,
+                d10_8: build::distance("d10_8", design.p8, design.p10)?,
+                p11: build::carried(
+                    "p11",
+                    design.p11,
+                    &Frame::new(design.p6, design.p7, design.p8),
+                )?,
+            };
+            Ok(model.sized())
+        }
+
+        fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
+            build::positive(lengths)?;
+            let model = Self {
+                d6_1: Distance::new(lengths.d6_1),
+                d7_2: Distance::new(lengths.d7_2),
+                d8_3: Distance::new(lengths.d8_3),
+                d9_4: Distance::new(lengths.d9_4),
+                d10_5: Distance::new(lengths.d10_5),
+                d7_6: Distance::new(lengths.d7_6),
+                d8_6: Distance::new(lengths.d8_6),
+                d9_6: Distance::new(lengths.d9_6),
+                d10_6: Distance::new(lengths.d10_6),
+                d8_7: Distance::new(lengths.d8_7),
+                d9_7: Distance::new(lengths.d9_7),
+                d10_7: Distance::new(lengths.d10_7),
+                d9_8: Distance::new(lengths.d9_8),
+                d10_8: Distance::new(lengths.d10_8),
+                ..self
+            };
+            Ok(model.sized())
+        }
+
+        fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
+            build::finite(points)?;
+            Ok(Self {
+                p11: build::carried(
+                    "p11",
+                    points.p11,
+                    &Frame::new(points.p6, points.p7, points.p8),
+                )?,
+                ..self
+            })
+        }
+
+        fn lengths(&self) -> Lengths<T> {
+            Lengths {
+                d6_1: self.d6_1.length(),
+                d7_2: self.d7_2.length(),
+                d8_3: self.d8_3.length(),
+                d9_4: self.d9_4.length(),
+                d10_5: self.d10_5.length(),
+                d7_6: self.d7_6.length(),
+                d8_6: self.d8_6.length(),
+                d9_6: self.d9_6.length(),
+                d10_6: self.d10_6.length(),
+                d8_7: self.d8_7.length(),
+                d9_7: self.d9_7.length(),
+                d10_7: self.d10_7.length(),
+                d9_8: self.d9_8.length(),
+                d10_8: self.d10_8.length(),
+            }
+        }
+
+        fn drives_at(&self, points: &Points<T>) -> Drives<T> {
+            Drives {
+                theta: build::angle(points.p6.z - points.p1.z, self.d6_1.length()),
+            }
+        }
+
+        fn fit(&self, q: &SVector<T, 15>, _fixed: &Fixed<T>) -> SVector<T, 15> {
+            *q
+        }
+    }
+
+    impl<T: Scalar> HasWheel<15> for Model<T> {
+        fn wheel(points: &Points<T>) -> [Vector3<T>; 2] {
+            [points.p8, points.p11]
+        }
+
+        fn carrier(points: &Points<T>) -> [Vector3<T>; 3] {
+            [points.p6, points.p7, points.p8]
+        }
+    }
+
+    impl<T: Scalar> HasKingpin<15> for Model<T> {
+        fn kingpin(points: &Points<T>) -> [Vector3<T>; 2] {
+            [points.p6, points.p7]
+        }
+    }
+}

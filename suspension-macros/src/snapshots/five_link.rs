@@ -1,0 +1,1312 @@
+/// Five links between chassis and knuckle, the knuckle closed so that it keeps its
+/// handedness. The topology of [`attia2003`](super::attia2003) in descriptive names.
+///
+/// Axes as ISO 8855: x forward, y left, z up.
+///
+/// 15 unknowns `q`: the coordinates of `lower_front_outer`, `upper_front_outer`, `upper_rear_outer`, `lower_rear_outer`, `track_rod_outer`.
+///
+/// 15 equations `F(q) = 0`: `lower_front`, `upper_front`, `upper_rear`, `lower_rear`, `track_rod`, `knuckle_lower_front_outer_upper_front_outer`, `knuckle_lower_front_outer_upper_rear_outer`, `knuckle_upper_front_outer_upper_rear_outer`, `knuckle_lower_rear_outer_x`, `knuckle_lower_rear_outer_y`, `knuckle_lower_rear_outer_z`, `knuckle_track_rod_outer_x`, `knuckle_track_rod_outer_y`, `knuckle_track_rod_outer_z`, `theta`.
+///
+/// Jacobian: 15 x 15, 94 non-zeros of 225.
+///
+/// | no division, no branch | multiplications | additions |
+/// |---|---|---|
+/// | residual | 78 | 86 |
+/// | Jacobian | 36 | 66 |
+/// | curvature | 62 | 94 |
+#[allow(dead_code, unreachable_pub)]
+pub mod five_link {
+    use ::suspension_core::generated::*;
+    /// Every point, with a position, velocity or acceleration each.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Points<T> {
+        /// Chassis point `lower_front_inner`.
+        pub lower_front_inner: Vector3<T>,
+        /// Chassis point `upper_front_inner`.
+        pub upper_front_inner: Vector3<T>,
+        /// Chassis point `upper_rear_inner`.
+        pub upper_rear_inner: Vector3<T>,
+        /// Chassis point `lower_rear_inner`.
+        pub lower_rear_inner: Vector3<T>,
+        /// Chassis point `track_rod_inner`.
+        pub track_rod_inner: Vector3<T>,
+        /// Free point `lower_front_outer`.
+        pub lower_front_outer: Vector3<T>,
+        /// Free point `upper_front_outer`.
+        pub upper_front_outer: Vector3<T>,
+        /// Free point `upper_rear_outer`.
+        pub upper_rear_outer: Vector3<T>,
+        /// Free point `lower_rear_outer`.
+        pub lower_rear_outer: Vector3<T>,
+        /// Free point `track_rod_outer`.
+        pub track_rod_outer: Vector3<T>,
+        /// Marker, carried by `lower_front_outer`, `upper_front_outer`, `upper_rear_outer`.
+        pub wheel_centre: Vector3<T>,
+    }
+
+    impl<T: Scalar> Named<Vector3<T>> for Points<T> {
+        const NAMES: &'static [&'static str] = &[
+            "lower_front_inner",
+            "upper_front_inner",
+            "upper_rear_inner",
+            "lower_rear_inner",
+            "track_rod_inner",
+            "lower_front_outer",
+            "upper_front_outer",
+            "upper_rear_outer",
+            "lower_rear_outer",
+            "track_rod_outer",
+            "wheel_centre",
+        ];
+        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
+            Self {
+                lower_front_inner: value("lower_front_inner"),
+                upper_front_inner: value("upper_front_inner"),
+                upper_rear_inner: value("upper_rear_inner"),
+                lower_rear_inner: value("lower_rear_inner"),
+                track_rod_inner: value("track_rod_inner"),
+                lower_front_outer: value("lower_front_outer"),
+                upper_front_outer: value("upper_front_outer"),
+                upper_rear_outer: value("upper_rear_outer"),
+                lower_rear_outer: value("lower_rear_outer"),
+                track_rod_outer: value("track_rod_outer"),
+                wheel_centre: value("wheel_centre"),
+            }
+        }
+
+        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
+            [
+                self.lower_front_inner,
+                self.upper_front_inner,
+                self.upper_rear_inner,
+                self.lower_rear_inner,
+                self.track_rod_inner,
+                self.lower_front_outer,
+                self.upper_front_outer,
+                self.upper_rear_outer,
+                self.lower_rear_outer,
+                self.track_rod_outer,
+                self.wheel_centre,
+            ]
+                .into_iter()
+        }
+    }
+
+    impl<T: Scalar> Default for Points<T> {
+        fn default() -> Self {
+            Self::from_fn(|_| Default::default())
+        }
+    }
+
+    /// Chassis points.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Fixed<T> {
+        /// Chassis point `lower_front_inner`.
+        pub lower_front_inner: Vector3<T>,
+        /// Chassis point `upper_front_inner`.
+        pub upper_front_inner: Vector3<T>,
+        /// Chassis point `upper_rear_inner`.
+        pub upper_rear_inner: Vector3<T>,
+        /// Chassis point `lower_rear_inner`.
+        pub lower_rear_inner: Vector3<T>,
+        /// Chassis point `track_rod_inner`.
+        pub track_rod_inner: Vector3<T>,
+    }
+
+    impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
+        const NAMES: &'static [&'static str] = &[
+            "lower_front_inner",
+            "upper_front_inner",
+            "upper_rear_inner",
+            "lower_rear_inner",
+            "track_rod_inner",
+        ];
+        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
+            Self {
+                lower_front_inner: value("lower_front_inner"),
+                upper_front_inner: value("upper_front_inner"),
+                upper_rear_inner: value("upper_rear_inner"),
+                lower_rear_inner: value("lower_rear_inner"),
+                track_rod_inner: value("track_rod_inner"),
+            }
+        }
+
+        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
+            [
+                self.lower_front_inner,
+                self.upper_front_inner,
+                self.upper_rear_inner,
+                self.lower_rear_inner,
+                self.track_rod_inner,
+            ]
+                .into_iter()
+        }
+    }
+
+    impl<T: Scalar> Default for Fixed<T> {
+        fn default() -> Self {
+            Self::from_fn(|_| Default::default())
+        }
+    }
+
+    /// The drives' values, or rates: coordinates in the unit of the points, angles in radians.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Drives<T> {
+        /// Angle of the lower leading link from the vertical, radians.
+        pub theta: T,
+    }
+
+    impl<T: Scalar> Named<T> for Drives<T> {
+        const NAMES: &'static [&'static str] = &["theta"];
+        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
+            Self { theta: value("theta") }
+        }
+
+        fn values(&self) -> impl Iterator<Item = T> {
+            [self.theta].into_iter()
+        }
+    }
+
+    impl<T: Scalar> Default for Drives<T> {
+        fn default() -> Self {
+            Self::from_fn(|_| Default::default())
+        }
+    }
+
+    /// The constant lengths of links and bodies.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Lengths<T> {
+        /// From `lower_front_inner` to `lower_front_outer`.
+        pub lower_front: T,
+        /// From `upper_front_inner` to `upper_front_outer`.
+        pub upper_front: T,
+        /// From `upper_rear_inner` to `upper_rear_outer`.
+        pub upper_rear: T,
+        /// From `lower_rear_inner` to `lower_rear_outer`.
+        pub lower_rear: T,
+        /// From `track_rod_inner` to `track_rod_outer`.
+        pub track_rod: T,
+        /// From `lower_front_outer` to `upper_front_outer`.
+        pub knuckle_lower_front_outer_upper_front_outer: T,
+        /// From `lower_front_outer` to `upper_rear_outer`.
+        pub knuckle_lower_front_outer_upper_rear_outer: T,
+        /// From `upper_front_outer` to `upper_rear_outer`.
+        pub knuckle_upper_front_outer_upper_rear_outer: T,
+        /// From `lower_rear_outer` to `lower_front_outer`.
+        pub knuckle_lower_rear_outer_lower_front_outer: T,
+        /// From `lower_rear_outer` to `upper_front_outer`.
+        pub knuckle_lower_rear_outer_upper_front_outer: T,
+        /// From `lower_rear_outer` to `upper_rear_outer`.
+        pub knuckle_lower_rear_outer_upper_rear_outer: T,
+        /// From `track_rod_outer` to `lower_front_outer`.
+        pub knuckle_track_rod_outer_lower_front_outer: T,
+        /// From `track_rod_outer` to `upper_front_outer`.
+        pub knuckle_track_rod_outer_upper_front_outer: T,
+        /// From `track_rod_outer` to `upper_rear_outer`.
+        pub knuckle_track_rod_outer_upper_rear_outer: T,
+    }
+
+    impl<T: Scalar> Named<T> for Lengths<T> {
+        const NAMES: &'static [&'static str] = &[
+            "lower_front",
+            "upper_front",
+            "upper_rear",
+            "lower_rear",
+            "track_rod",
+            "knuckle_lower_front_outer_upper_front_outer",
+            "knuckle_lower_front_outer_upper_rear_outer",
+            "knuckle_upper_front_outer_upper_rear_outer",
+            "knuckle_lower_rear_outer_lower_front_outer",
+            "knuckle_lower_rear_outer_upper_front_outer",
+            "knuckle_lower_rear_outer_upper_rear_outer",
+            "knuckle_track_rod_outer_lower_front_outer",
+            "knuckle_track_rod_outer_upper_front_outer",
+            "knuckle_track_rod_outer_upper_rear_outer",
+        ];
+        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
+            Self {
+                lower_front: value("lower_front"),
+                upper_front: value("upper_front"),
+                upper_rear: value("upper_rear"),
+                lower_rear: value("lower_rear"),
+                track_rod: value("track_rod"),
+                knuckle_lower_front_outer_upper_front_outer: value(
+                    "knuckle_lower_front_outer_upper_front_outer",
+                ),
+                knuckle_lower_front_outer_upper_rear_outer: value(
+                    "knuckle_lower_front_outer_upper_rear_outer",
+                ),
+                knuckle_upper_front_outer_upper_rear_outer: value(
+                    "knuckle_upper_front_outer_upper_rear_outer",
+                ),
+                knuckle_lower_rear_outer_lower_front_outer: value(
+                    "knuckle_lower_rear_outer_lower_front_outer",
+                ),
+                knuckle_lower_rear_outer_upper_front_outer: value(
+                    "knuckle_lower_rear_outer_upper_front_outer",
+                ),
+                knuckle_lower_rear_outer_upper_rear_outer: value(
+                    "knuckle_lower_rear_outer_upper_rear_outer",
+                ),
+                knuckle_track_rod_outer_lower_front_outer: value(
+                    "knuckle_track_rod_outer_lower_front_outer",
+                ),
+                knuckle_track_rod_outer_upper_front_outer: value(
+                    "knuckle_track_rod_outer_upper_front_outer",
+                ),
+                knuckle_track_rod_outer_upper_rear_outer: value(
+                    "knuckle_track_rod_outer_upper_rear_outer",
+                ),
+            }
+        }
+
+        fn values(&self) -> impl Iterator<Item = T> {
+            [
+                self.lower_front,
+                self.upper_front,
+                self.upper_rear,
+                self.lower_rear,
+                self.track_rod,
+                self.knuckle_lower_front_outer_upper_front_outer,
+                self.knuckle_lower_front_outer_upper_rear_outer,
+                self.knuckle_upper_front_outer_upper_rear_outer,
+                self.knuckle_lower_rear_outer_lower_front_outer,
+                self.knuckle_lower_rear_outer_upper_front_outer,
+                self.knuckle_lower_rear_outer_upper_rear_outer,
+                self.knuckle_track_rod_outer_lower_front_outer,
+                self.knuckle_track_rod_outer_upper_front_outer,
+                self.knuckle_track_rod_outer_upper_rear_outer,
+            ]
+                .into_iter()
+        }
+    }
+
+    impl<T: Scalar> Default for Lengths<T> {
+        fn default() -> Self {
+            Self::from_fn(|_| Default::default())
+        }
+    }
+
+    /// The free points: the unknowns under their names.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    struct Free<T> {
+        lower_front_outer: Vector3<T>,
+        upper_front_outer: Vector3<T>,
+        upper_rear_outer: Vector3<T>,
+        lower_rear_outer: Vector3<T>,
+        track_rod_outer: Vector3<T>,
+    }
+
+    impl<T: Scalar> Free<T> {
+        #[inline(always)]
+        fn of(q: &SVector<T, 15>) -> Self {
+            let [[lower_front_outer_x, lower_front_outer_y, lower_front_outer_z,
+            upper_front_outer_x, upper_front_outer_y, upper_front_outer_z,
+            upper_rear_outer_x, upper_rear_outer_y, upper_rear_outer_z,
+            lower_rear_outer_x, lower_rear_outer_y, lower_rear_outer_z,
+            track_rod_outer_x, track_rod_outer_y, track_rod_outer_z]] = q.data.0;
+            Self {
+                lower_front_outer: Vector3::new(
+                    lower_front_outer_x,
+                    lower_front_outer_y,
+                    lower_front_outer_z,
+                ),
+                upper_front_outer: Vector3::new(
+                    upper_front_outer_x,
+                    upper_front_outer_y,
+                    upper_front_outer_z,
+                ),
+                upper_rear_outer: Vector3::new(
+                    upper_rear_outer_x,
+                    upper_rear_outer_y,
+                    upper_rear_outer_z,
+                ),
+                lower_rear_outer: Vector3::new(
+                    lower_rear_outer_x,
+                    lower_rear_outer_y,
+                    lower_rear_outer_z,
+                ),
+                track_rod_outer: Vector3::new(
+                    track_rod_outer_x,
+                    track_rod_outer_y,
+                    track_rod_outer_z,
+                ),
+            }
+        }
+
+        #[inline(always)]
+        fn unknowns(&self) -> SVector<T, 15> {
+            let Self {
+                lower_front_outer,
+                upper_front_outer,
+                upper_rear_outer,
+                lower_rear_outer,
+                track_rod_outer,
+            } = self;
+            SVector::from([
+                lower_front_outer.x,
+                lower_front_outer.y,
+                lower_front_outer.z,
+                upper_front_outer.x,
+                upper_front_outer.y,
+                upper_front_outer.z,
+                upper_rear_outer.x,
+                upper_rear_outer.y,
+                upper_rear_outer.z,
+                lower_rear_outer.x,
+                lower_rear_outer.y,
+                lower_rear_outer.z,
+                track_rod_outer.x,
+                track_rod_outer.y,
+                track_rod_outer.z,
+            ])
+        }
+    }
+
+    /// The geometry: chassis points at rest and the constants of every equation.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Model<T> {
+        fixed: Fixed<T>,
+        size: T,
+        lower_front: Distance<T>,
+        upper_front: Distance<T>,
+        upper_rear: Distance<T>,
+        lower_rear: Distance<T>,
+        track_rod: Distance<T>,
+        knuckle_lower_front_outer_upper_front_outer: Distance<T>,
+        knuckle_lower_front_outer_upper_rear_outer: Distance<T>,
+        knuckle_upper_front_outer_upper_rear_outer: Distance<T>,
+        knuckle_frame: Frame<T>,
+        knuckle_lower_rear_outer: Carried<T>,
+        knuckle_track_rod_outer: Carried<T>,
+        wheel_centre: Carried<T>,
+    }
+
+    /// Rows of the residual and the Jacobian.
+    #[allow(missing_docs)]
+    pub mod equation {
+        pub const LOWER_FRONT: usize = 0;
+        pub const UPPER_FRONT: usize = 1;
+        pub const UPPER_REAR: usize = 2;
+        pub const LOWER_REAR: usize = 3;
+        pub const TRACK_ROD: usize = 4;
+        pub const KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER: usize = 5;
+        pub const KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER: usize = 6;
+        pub const KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER: usize = 7;
+        pub const KNUCKLE_LOWER_REAR_OUTER_X: usize = 8;
+        pub const KNUCKLE_LOWER_REAR_OUTER_Y: usize = 9;
+        pub const KNUCKLE_LOWER_REAR_OUTER_Z: usize = 10;
+        pub const KNUCKLE_TRACK_ROD_OUTER_X: usize = 11;
+        pub const KNUCKLE_TRACK_ROD_OUTER_Y: usize = 12;
+        pub const KNUCKLE_TRACK_ROD_OUTER_Z: usize = 13;
+        pub const THETA: usize = 14;
+    }
+
+    /// Entries of `q`, columns of the Jacobian.
+    #[allow(missing_docs)]
+    pub mod unknown {
+        pub const LOWER_FRONT_OUTER_X: usize = 0;
+        pub const LOWER_FRONT_OUTER_Y: usize = 1;
+        pub const LOWER_FRONT_OUTER_Z: usize = 2;
+        pub const UPPER_FRONT_OUTER_X: usize = 3;
+        pub const UPPER_FRONT_OUTER_Y: usize = 4;
+        pub const UPPER_FRONT_OUTER_Z: usize = 5;
+        pub const UPPER_REAR_OUTER_X: usize = 6;
+        pub const UPPER_REAR_OUTER_Y: usize = 7;
+        pub const UPPER_REAR_OUTER_Z: usize = 8;
+        pub const LOWER_REAR_OUTER_X: usize = 9;
+        pub const LOWER_REAR_OUTER_Y: usize = 10;
+        pub const LOWER_REAR_OUTER_Z: usize = 11;
+        pub const TRACK_ROD_OUTER_X: usize = 12;
+        pub const TRACK_ROD_OUTER_Y: usize = 13;
+        pub const TRACK_ROD_OUTER_Z: usize = 14;
+    }
+
+    impl<T: Scalar> Linkage<15> for Model<T> {
+        type Scalar = T;
+        type Fixed = Fixed<T>;
+        type Drives = Drives<T>;
+        type Points = Points<T>;
+        const EQUATIONS: [&'static str; 15] = [
+            "lower_front",
+            "upper_front",
+            "upper_rear",
+            "lower_rear",
+            "track_rod",
+            "knuckle_lower_front_outer_upper_front_outer",
+            "knuckle_lower_front_outer_upper_rear_outer",
+            "knuckle_upper_front_outer_upper_rear_outer",
+            "knuckle_lower_rear_outer_x",
+            "knuckle_lower_rear_outer_y",
+            "knuckle_lower_rear_outer_z",
+            "knuckle_track_rod_outer_x",
+            "knuckle_track_rod_outer_y",
+            "knuckle_track_rod_outer_z",
+            "theta",
+        ];
+        const UNKNOWNS: [&'static str; 15] = [
+            "lower_front_outer.x",
+            "lower_front_outer.y",
+            "lower_front_outer.z",
+            "upper_front_outer.x",
+            "upper_front_outer.y",
+            "upper_front_outer.z",
+            "upper_rear_outer.x",
+            "upper_rear_outer.y",
+            "upper_rear_outer.z",
+            "lower_rear_outer.x",
+            "lower_rear_outer.y",
+            "lower_rear_outer.z",
+            "track_rod_outer.x",
+            "track_rod_outer.y",
+            "track_rod_outer.z",
+        ];
+        const DRIVE_KINDS: &'static [DriveKind] = &[DriveKind::Angle];
+        fn fixed(&self) -> &Fixed<T> {
+            &self.fixed
+        }
+
+        fn size(&self) -> T {
+            self.size
+        }
+
+        #[inline(always)]
+        fn coordinates(&self, drives: &Signal<Drives<T>>) -> Signal<Drives<T>> {
+            let mut coordinates = *drives;
+            let coordinate = angle_to_coordinate(
+                self.lower_front.length(),
+                Signal {
+                    value: drives.value.theta,
+                    rate: drives.rate.theta,
+                    second_rate: drives.second_rate.theta,
+                },
+            );
+            coordinates.value.theta = coordinate.value;
+            coordinates.rate.theta = coordinate.rate;
+            coordinates.second_rate.theta = coordinate.second_rate;
+            coordinates
+        }
+
+        #[inline(always)]
+        fn drive_anchors(fixed: Fixed<T>, _drives: &Drives<T>) -> Fixed<T> {
+            fixed
+        }
+
+        #[inline(always)]
+        fn residual(
+            &self,
+            q: &SVector<T, 15>,
+            fixed: &Fixed<T>,
+            drives: &Drives<T>,
+        ) -> SVector<T, 15> {
+            let free = Free::of(q);
+            let knuckle_frame = Frame::new(
+                free.lower_front_outer,
+                free.upper_front_outer,
+                free.upper_rear_outer,
+            );
+            let knuckle_lower_rear_outer = self
+                .knuckle_lower_rear_outer
+                .residual(free.lower_rear_outer, &knuckle_frame);
+            let knuckle_track_rod_outer = self
+                .knuckle_track_rod_outer
+                .residual(free.track_rod_outer, &knuckle_frame);
+            let mut rows = [T::zero(); 15];
+            rows[equation::LOWER_FRONT] = self
+                .lower_front
+                .residual(free.lower_front_outer - fixed.lower_front_inner);
+            rows[equation::UPPER_FRONT] = self
+                .upper_front
+                .residual(free.upper_front_outer - fixed.upper_front_inner);
+            rows[equation::UPPER_REAR] = self
+                .upper_rear
+                .residual(free.upper_rear_outer - fixed.upper_rear_inner);
+            rows[equation::LOWER_REAR] = self
+                .lower_rear
+                .residual(free.lower_rear_outer - fixed.lower_rear_inner);
+            rows[equation::TRACK_ROD] = self
+                .track_rod
+                .residual(free.track_rod_outer - fixed.track_rod_inner);
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = self
+                .knuckle_lower_front_outer_upper_front_outer
+                .residual(free.upper_front_outer - free.lower_front_outer);
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = self
+                .knuckle_lower_front_outer_upper_rear_outer
+                .residual(free.upper_rear_outer - free.lower_front_outer);
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = self
+                .knuckle_upper_front_outer_upper_rear_outer
+                .residual(free.upper_rear_outer - free.upper_front_outer);
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = knuckle_lower_rear_outer.x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = knuckle_lower_rear_outer.y;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = knuckle_lower_rear_outer.z;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = knuckle_track_rod_outer.x;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = knuckle_track_rod_outer.y;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = knuckle_track_rod_outer.z;
+            rows[equation::THETA] = free.lower_front_outer.z - fixed.lower_front_inner.z
+                - drives.theta;
+            SVector::from(rows)
+        }
+
+        #[inline(always)]
+        fn jacobian(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SMatrix<T, 15, 15> {
+            let free = Free::of(q);
+            let knuckle_frame = Frame::new(
+                free.lower_front_outer,
+                free.upper_front_outer,
+                free.upper_rear_outer,
+            );
+            let mut columns = [[T::zero(); 15]; 15];
+            let gradient = self
+                .lower_front
+                .gradient(free.lower_front_outer - fixed.lower_front_inner);
+            columns[unknown::LOWER_FRONT_OUTER_X][equation::LOWER_FRONT] = gradient.x;
+            columns[unknown::LOWER_FRONT_OUTER_Y][equation::LOWER_FRONT] = gradient.y;
+            columns[unknown::LOWER_FRONT_OUTER_Z][equation::LOWER_FRONT] = gradient.z;
+            let gradient = self
+                .upper_front
+                .gradient(free.upper_front_outer - fixed.upper_front_inner);
+            columns[unknown::UPPER_FRONT_OUTER_X][equation::UPPER_FRONT] = gradient.x;
+            columns[unknown::UPPER_FRONT_OUTER_Y][equation::UPPER_FRONT] = gradient.y;
+            columns[unknown::UPPER_FRONT_OUTER_Z][equation::UPPER_FRONT] = gradient.z;
+            let gradient = self
+                .upper_rear
+                .gradient(free.upper_rear_outer - fixed.upper_rear_inner);
+            columns[unknown::UPPER_REAR_OUTER_X][equation::UPPER_REAR] = gradient.x;
+            columns[unknown::UPPER_REAR_OUTER_Y][equation::UPPER_REAR] = gradient.y;
+            columns[unknown::UPPER_REAR_OUTER_Z][equation::UPPER_REAR] = gradient.z;
+            let gradient = self
+                .lower_rear
+                .gradient(free.lower_rear_outer - fixed.lower_rear_inner);
+            columns[unknown::LOWER_REAR_OUTER_X][equation::LOWER_REAR] = gradient.x;
+            columns[unknown::LOWER_REAR_OUTER_Y][equation::LOWER_REAR] = gradient.y;
+            columns[unknown::LOWER_REAR_OUTER_Z][equation::LOWER_REAR] = gradient.z;
+            let gradient = self
+                .track_rod
+                .gradient(free.track_rod_outer - fixed.track_rod_inner);
+            columns[unknown::TRACK_ROD_OUTER_X][equation::TRACK_ROD] = gradient.x;
+            columns[unknown::TRACK_ROD_OUTER_Y][equation::TRACK_ROD] = gradient.y;
+            columns[unknown::TRACK_ROD_OUTER_Z][equation::TRACK_ROD] = gradient.z;
+            let gradient = self
+                .knuckle_lower_front_outer_upper_front_outer
+                .gradient(free.upper_front_outer - free.lower_front_outer);
+            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = gradient
+                .x;
+            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = gradient
+                .y;
+            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = gradient
+                .z;
+            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = -gradient
+                .x;
+            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = -gradient
+                .y;
+            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = -gradient
+                .z;
+            let gradient = self
+                .knuckle_lower_front_outer_upper_rear_outer
+                .gradient(free.upper_rear_outer - free.lower_front_outer);
+            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
+                .x;
+            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
+                .y;
+            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
+                .z;
+            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
+                .x;
+            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
+                .y;
+            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
+                .z;
+            let gradient = self
+                .knuckle_upper_front_outer_upper_rear_outer
+                .gradient(free.upper_rear_outer - free.upper_front_outer);
+            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
+                .x;
+            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
+                .y;
+            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
+                .z;
+            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
+                .x;
+            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
+                .y;
+            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
+                .z;
+            let gradient = self.knuckle_lower_rear_outer.gradient(&knuckle_frame);
+            columns[unknown::LOWER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X] = T::one();
+            columns[unknown::LOWER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = T::one();
+            columns[unknown::LOWER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = T::one();
+            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
+                .origin
+                .m11;
+            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
+                .origin
+                .m12;
+            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
+                .origin
+                .m13;
+            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
+                .origin
+                .m21;
+            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
+                .origin
+                .m22;
+            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
+                .origin
+                .m23;
+            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
+                .origin
+                .m31;
+            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
+                .origin
+                .m32;
+            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
+                .origin
+                .m33;
+            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
+                .second
+                .m11;
+            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
+                .second
+                .m12;
+            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
+                .second
+                .m13;
+            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
+                .second
+                .m21;
+            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
+                .second
+                .m22;
+            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
+                .second
+                .m23;
+            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
+                .second
+                .m31;
+            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
+                .second
+                .m32;
+            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
+                .second
+                .m33;
+            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
+                .third
+                .m11;
+            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
+                .third
+                .m12;
+            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
+                .third
+                .m13;
+            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
+                .third
+                .m21;
+            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
+                .third
+                .m22;
+            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
+                .third
+                .m23;
+            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
+                .third
+                .m31;
+            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
+                .third
+                .m32;
+            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
+                .third
+                .m33;
+            let gradient = self.knuckle_track_rod_outer.gradient(&knuckle_frame);
+            columns[unknown::TRACK_ROD_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X] = T::one();
+            columns[unknown::TRACK_ROD_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = T::one();
+            columns[unknown::TRACK_ROD_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = T::one();
+            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
+                .origin
+                .m11;
+            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
+                .origin
+                .m12;
+            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
+                .origin
+                .m13;
+            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
+                .origin
+                .m21;
+            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
+                .origin
+                .m22;
+            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
+                .origin
+                .m23;
+            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
+                .origin
+                .m31;
+            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
+                .origin
+                .m32;
+            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
+                .origin
+                .m33;
+            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
+                .second
+                .m11;
+            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
+                .second
+                .m12;
+            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
+                .second
+                .m13;
+            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
+                .second
+                .m21;
+            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
+                .second
+                .m22;
+            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
+                .second
+                .m23;
+            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
+                .second
+                .m31;
+            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
+                .second
+                .m32;
+            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
+                .second
+                .m33;
+            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
+                .third
+                .m11;
+            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
+                .third
+                .m12;
+            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
+                .third
+                .m13;
+            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
+                .third
+                .m21;
+            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
+                .third
+                .m22;
+            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
+                .third
+                .m23;
+            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
+                .third
+                .m31;
+            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
+                .third
+                .m32;
+            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
+                .third
+                .m33;
+            columns[unknown::LOWER_FRONT_OUTER_Z][equation::THETA] = T::one();
+            from_columns(columns)
+        }
+
+        #[inline(always)]
+        fn curvature(
+            &self,
+            v: &SVector<T, 15>,
+            v_fixed: &Fixed<T>,
+            w: &SVector<T, 15>,
+            w_fixed: &Fixed<T>,
+        ) -> SVector<T, 15> {
+            let v = Free::of(v);
+            let w = Free::of(w);
+            let knuckle_frame_v = Frame::new(
+                v.lower_front_outer,
+                v.upper_front_outer,
+                v.upper_rear_outer,
+            );
+            let knuckle_frame_w = Frame::new(
+                w.lower_front_outer,
+                w.upper_front_outer,
+                w.upper_rear_outer,
+            );
+            let knuckle_lower_rear_outer = self
+                .knuckle_lower_rear_outer
+                .curvature(&knuckle_frame_v, &knuckle_frame_w);
+            let knuckle_track_rod_outer = self
+                .knuckle_track_rod_outer
+                .curvature(&knuckle_frame_v, &knuckle_frame_w);
+            let mut rows = [T::zero(); 15];
+            rows[equation::LOWER_FRONT] = self
+                .lower_front
+                .curvature(
+                    v.lower_front_outer - v_fixed.lower_front_inner,
+                    w.lower_front_outer - w_fixed.lower_front_inner,
+                );
+            rows[equation::UPPER_FRONT] = self
+                .upper_front
+                .curvature(
+                    v.upper_front_outer - v_fixed.upper_front_inner,
+                    w.upper_front_outer - w_fixed.upper_front_inner,
+                );
+            rows[equation::UPPER_REAR] = self
+                .upper_rear
+                .curvature(
+                    v.upper_rear_outer - v_fixed.upper_rear_inner,
+                    w.upper_rear_outer - w_fixed.upper_rear_inner,
+                );
+            rows[equation::LOWER_REAR] = self
+                .lower_rear
+                .curvature(
+                    v.lower_rear_outer - v_fixed.lower_rear_inner,
+                    w.lower_rear_outer - w_fixed.lower_rear_inner,
+                );
+            rows[equation::TRACK_ROD] = self
+                .track_rod
+                .curvature(
+                    v.track_rod_outer - v_fixed.track_rod_inner,
+                    w.track_rod_outer - w_fixed.track_rod_inner,
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = self
+                .knuckle_lower_front_outer_upper_front_outer
+                .curvature(
+                    v.upper_front_outer - v.lower_front_outer,
+                    w.upper_front_outer - w.lower_front_outer,
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = self
+                .knuckle_lower_front_outer_upper_rear_outer
+                .curvature(
+                    v.upper_rear_outer - v.lower_front_outer,
+                    w.upper_rear_outer - w.lower_front_outer,
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = self
+                .knuckle_upper_front_outer_upper_rear_outer
+                .curvature(
+                    v.upper_rear_outer - v.upper_front_outer,
+                    w.upper_rear_outer - w.upper_front_outer,
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = knuckle_lower_rear_outer.x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = knuckle_lower_rear_outer.y;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = knuckle_lower_rear_outer.z;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = knuckle_track_rod_outer.x;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = knuckle_track_rod_outer.y;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = knuckle_track_rod_outer.z;
+            SVector::from(rows)
+        }
+
+        #[inline(always)]
+        fn drive_rate(
+            &self,
+            _q: &SVector<T, 15>,
+            _fixed: &Fixed<T>,
+            _fixed_rate: &Fixed<T>,
+            drive_rate: &Drives<T>,
+        ) -> SVector<T, 15> {
+            let mut rows = [T::zero(); 15];
+            rows[equation::THETA] = drive_rate.theta;
+            SVector::from(rows)
+        }
+
+        #[inline(always)]
+        fn chassis_rate(
+            &self,
+            q: &SVector<T, 15>,
+            fixed: &Fixed<T>,
+            fixed_rate: &Fixed<T>,
+        ) -> SVector<T, 15> {
+            let free = Free::of(q);
+            let mut rows = [T::zero(); 15];
+            rows[equation::LOWER_FRONT] = self
+                .lower_front
+                .gradient(free.lower_front_outer - fixed.lower_front_inner)
+                .dot(&fixed_rate.lower_front_inner);
+            rows[equation::UPPER_FRONT] = self
+                .upper_front
+                .gradient(free.upper_front_outer - fixed.upper_front_inner)
+                .dot(&fixed_rate.upper_front_inner);
+            rows[equation::UPPER_REAR] = self
+                .upper_rear
+                .gradient(free.upper_rear_outer - fixed.upper_rear_inner)
+                .dot(&fixed_rate.upper_rear_inner);
+            rows[equation::LOWER_REAR] = self
+                .lower_rear
+                .gradient(free.lower_rear_outer - fixed.lower_rear_inner)
+                .dot(&fixed_rate.lower_rear_inner);
+            rows[equation::TRACK_ROD] = self
+                .track_rod
+                .gradient(free.track_rod_outer - fixed.track_rod_inner)
+                .dot(&fixed_rate.track_rod_inner);
+            rows[equation::THETA] = fixed_rate.lower_front_inner.z;
+            SVector::from(rows)
+        }
+
+        fn points(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Points<T> {
+            let free = Free::of(q);
+            Points {
+                lower_front_inner: fixed.lower_front_inner,
+                upper_front_inner: fixed.upper_front_inner,
+                upper_rear_inner: fixed.upper_rear_inner,
+                lower_rear_inner: fixed.lower_rear_inner,
+                track_rod_inner: fixed.track_rod_inner,
+                lower_front_outer: free.lower_front_outer,
+                upper_front_outer: free.upper_front_outer,
+                upper_rear_outer: free.upper_rear_outer,
+                lower_rear_outer: free.lower_rear_outer,
+                track_rod_outer: free.track_rod_outer,
+                wheel_centre: self
+                    .wheel_centre
+                    .position(
+                        &Frame::new(
+                            free.lower_front_outer,
+                            free.upper_front_outer,
+                            free.upper_rear_outer,
+                        ),
+                    ),
+            }
+        }
+
+        fn velocities(
+            &self,
+            at: &Points<T>,
+            velocity: &SVector<T, 15>,
+            fixed_rate: &Fixed<T>,
+        ) -> Points<T> {
+            let rate = Free::of(velocity);
+            Points {
+                lower_front_inner: fixed_rate.lower_front_inner,
+                upper_front_inner: fixed_rate.upper_front_inner,
+                upper_rear_inner: fixed_rate.upper_rear_inner,
+                lower_rear_inner: fixed_rate.lower_rear_inner,
+                track_rod_inner: fixed_rate.track_rod_inner,
+                lower_front_outer: rate.lower_front_outer,
+                upper_front_outer: rate.upper_front_outer,
+                upper_rear_outer: rate.upper_rear_outer,
+                lower_rear_outer: rate.lower_rear_outer,
+                track_rod_outer: rate.track_rod_outer,
+                wheel_centre: self
+                    .wheel_centre
+                    .velocity(
+                        &Frame::new(
+                            at.lower_front_outer,
+                            at.upper_front_outer,
+                            at.upper_rear_outer,
+                        ),
+                        &Frame::new(
+                            rate.lower_front_outer,
+                            rate.upper_front_outer,
+                            rate.upper_rear_outer,
+                        ),
+                    ),
+            }
+        }
+
+        fn accelerations(
+            &self,
+            at: &Points<T>,
+            velocities: &Points<T>,
+            acceleration: &SVector<T, 15>,
+            fixed_second_rate: &Fixed<T>,
+        ) -> Points<T> {
+            let second_rate = Free::of(acceleration);
+            Points {
+                lower_front_inner: fixed_second_rate.lower_front_inner,
+                upper_front_inner: fixed_second_rate.upper_front_inner,
+                upper_rear_inner: fixed_second_rate.upper_rear_inner,
+                lower_rear_inner: fixed_second_rate.lower_rear_inner,
+                track_rod_inner: fixed_second_rate.track_rod_inner,
+                lower_front_outer: second_rate.lower_front_outer,
+                upper_front_outer: second_rate.upper_front_outer,
+                upper_rear_outer: second_rate.upper_rear_outer,
+                lower_rear_outer: second_rate.lower_rear_outer,
+                track_rod_outer: second_rate.track_rod_outer,
+                wheel_centre: self
+                    .wheel_centre
+                    .acceleration(
+                        &Frame::new(
+                            at.lower_front_outer,
+                            at.upper_front_outer,
+                            at.upper_rear_outer,
+                        ),
+                        &Frame::new(
+                            velocities.lower_front_outer,
+                            velocities.upper_front_outer,
+                            velocities.upper_rear_outer,
+                        ),
+                        &Frame::new(
+                            second_rate.lower_front_outer,
+                            second_rate.upper_front_outer,
+                            second_rate.upper_rear_outer,
+                        ),
+                    ),
+            }
+        }
+
+        fn unknowns(points: &Points<T>) -> SVector<T, 15> {
+            Free {
+                lower_front_outer: points.lower_front_outer,
+                upper_front_outer: points.upper_front_outer,
+                upper_rear_outer: points.upper_rear_outer,
+                lower_rear_outer: points.lower_rear_outer,
+                track_rod_outer: points.track_rod_outer,
+            }
+                .unknowns()
+        }
+    }
+
+    impl<T: Real> Model<T> {
+        /// With `size` brought up to the other constants.
+        fn sized(self) -> Self {
+            Self {
+                size: build::longest(
+                    &[
+                        self.lower_front.length(),
+                        self.upper_front.length(),
+                        self.upper_rear.length(),
+                        self.lower_rear.length(),
+                        self.track_rod.length(),
+                        self.knuckle_lower_front_outer_upper_front_outer.length(),
+                        self.knuckle_lower_front_outer_upper_rear_outer.length(),
+                        self.knuckle_upper_front_outer_upper_rear_outer.length(),
+                    ],
+                ),
+                ..self
+            }
+        }
+    }
+
+    impl<T: Real> Build<15> for Model<T> {
+        type Lengths = Lengths<T>;
+        fn new(design: &Points<T>) -> Result<Self, GeometryError> {
+            build::finite(design)?;
+            let knuckle_frame = build::frame(
+                "upper_rear_outer",
+                Frame::new(
+                    design.lower_front_outer,
+                    design.upper_front_outer,
+                    design.upper_rear_outer,
+                ),
+            )?;
+            let model = Self {
+                fixed: Fixed {
+                    lower_front_inner: design.lower_front_inner,
+                    upper_front_inner: design.upper_front_inner,
+                    upper_rear_inner: design.upper_rear_inner,
+                    lower_rear_inner: design.lower_rear_inner,
+                    track_rod_inner: design.track_rod_inner,
+                },
+                size: T::zero(),
+                lower_front: build::distance(
+                    "lower_front",
+                    design.lower_front_inner,
+                    design.lower_front_outer,
+                )?,
+                upper_front: build::distance(
+                    "upper_front",
+                    design.upper_front_inner,
+                    design.upper_front_outer,
+                )?,
+                upper_rear: build::distance(
+                    "upper_rear",
+                    design.upper_rear_inner,
+                    design.upper_rear_outer,
+                )?,
+                lower_rear: build::distance(
+                    "lower_rear",
+                    design.lower_rear_inner,
+                    design.lower_rear_outer,
+                )?,
+                track_rod: build::distance(
+                    "track_rod",
+                    design.track_rod_inner,
+                    design.track_rod_outer,
+                )?,
+                knuckle_lower_front_outer_upper_front_outer: build::distance(
+                    "knuckle_lower_front_outer_upper_front_outer",
+                    design.lower_front_outer,
+                    design.upper_front_outer,
+                )?,
+                knuckle_lower_front_outer_upper_rear_outer: build::distance(
+                    "knuckle_lower_front_outer_upper_rear_outer",
+                    design.lower_front_outer,
+                    design.upper_rear_outer,
+                )?,
+                knuckle_upper_front_outer_upper_rear_outer: build::distance(
+                    "knuckle_upper_front_outer_upper_rear_outer",
+                    design.upper_front_outer,
+                    design.upper_rear_outer,
+                )?,
+                knuckle_frame,
+                knuckle_lower_rear_outer: build::carried(
+                    "lower_rear_outer",
+                    design.lower_rear_outer,
+                    &knuckle_frame,
+                )?,
+                knuckle_track_rod_outer: build::carried(
+                    "track_rod_outer",
+                    design.track_rod_outer,
+                    &knuckle_frame,
+                )?,
+                wheel_centre: build::carried(
+                    "wheel_centre",
+                    design.wheel_centre,
+                    &Frame::new(
+                        design.lower_front_outer,
+                        design.upper_front_outer,
+                        design.upper_rear_outer,
+                    ),
+                )?,
+            };
+            Ok(model.sized())
+        }
+
+        fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
+            build::positive(lengths)?;
+            let knuckle_frame = build::frame_of_lengths(
+                "upper_rear_outer",
+                [
+                    lengths.knuckle_lower_front_outer_upper_front_outer,
+                    lengths.knuckle_lower_front_outer_upper_rear_outer,
+                    lengths.knuckle_upper_front_outer_upper_rear_outer,
+                ],
+            )?;
+            let model = Self {
+                lower_front: Distance::new(lengths.lower_front),
+                upper_front: Distance::new(lengths.upper_front),
+                upper_rear: Distance::new(lengths.upper_rear),
+                lower_rear: Distance::new(lengths.lower_rear),
+                track_rod: Distance::new(lengths.track_rod),
+                knuckle_lower_front_outer_upper_front_outer: Distance::new(
+                    lengths.knuckle_lower_front_outer_upper_front_outer,
+                ),
+                knuckle_lower_front_outer_upper_rear_outer: Distance::new(
+                    lengths.knuckle_lower_front_outer_upper_rear_outer,
+                ),
+                knuckle_upper_front_outer_upper_rear_outer: Distance::new(
+                    lengths.knuckle_upper_front_outer_upper_rear_outer,
+                ),
+                knuckle_frame,
+                knuckle_lower_rear_outer: build::carried_at(
+                    "lower_rear_outer",
+                    &self.knuckle_lower_rear_outer,
+                    &knuckle_frame,
+                    [
+                        lengths.knuckle_lower_rear_outer_lower_front_outer,
+                        lengths.knuckle_lower_rear_outer_upper_front_outer,
+                        lengths.knuckle_lower_rear_outer_upper_rear_outer,
+                    ],
+                )?,
+                knuckle_track_rod_outer: build::carried_at(
+                    "track_rod_outer",
+                    &self.knuckle_track_rod_outer,
+                    &knuckle_frame,
+                    [
+                        lengths.knuckle_track_rod_outer_lower_front_outer,
+                        lengths.knuckle_track_rod_outer_upper_front_outer,
+                        lengths.knuckle_track_rod_outer_upper_rear_outer,
+                    ],
+                )?,
+                ..self
+            };
+            Ok(model.sized())
+        }
+
+        fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
+            build::finite(points)?;
+            Ok(Self {
+                wheel_centre: build::carried(
+                    "wheel_centre",
+                    points.wheel_centre,
+                    &Frame::new(
+                        points.lower_front_outer,
+                        points.upper_front_outer,
+                        points.upper_rear_outer,
+                    ),
+                )?,
+                ..self
+            })
+        }
+
+        fn lengths(&self) -> Lengths<T> {
+            let [knuckle_lower_rear_outer_lower_front_outer,
+            knuckle_lower_rear_outer_upper_front_outer,
+            knuckle_lower_rear_outer_upper_rear_outer] = self
+                .knuckle_lower_rear_outer
+                .lengths(&self.knuckle_frame);
+            let [knuckle_track_rod_outer_lower_front_outer,
+            knuckle_track_rod_outer_upper_front_outer,
+            knuckle_track_rod_outer_upper_rear_outer] = self
+                .knuckle_track_rod_outer
+                .lengths(&self.knuckle_frame);
+            Lengths {
+                lower_front: self.lower_front.length(),
+                upper_front: self.upper_front.length(),
+                upper_rear: self.upper_rear.length(),
+                lower_rear: self.lower_rear.length(),
+                track_rod: self.track_rod.length(),
+                knuckle_lower_front_outer_upper_front_outer: self
+                    .knuckle_lower_front_outer_upper_front_outer
+                    .length(),
+                knuckle_lower_front_outer_upper_rear_outer: self
+                    .knuckle_lower_front_outer_upper_rear_outer
+                    .length(),
+                knuckle_upper_front_outer_upper_rear_outer: self
+                    .knuckle_upper_front_outer_upper_rear_outer
+                    .length(),
+                knuckle_lower_rear_outer_lower_front_outer,
+                knuckle_lower_rear_outer_upper_front_outer,
+                knuckle_lower_rear_outer_upper_rear_outer,
+                knuckle_track_rod_outer_lower_front_outer,
+                knuckle_track_rod_outer_upper_front_outer,
+                knuckle_track_rod_outer_upper_rear_outer,
+            }
+        }
+
+        fn drives_at(&self, points: &Points<T>) -> Drives<T> {
+            Drives {
+                theta: build::angle(
+                    points.lower_front_outer.z - points.lower_front_inner.z,
+                    self.lower_front.length(),
+                ),
+            }
+        }
+
+        fn fit(&self, q: &SVector<T, 15>, _fixed: &Fixed<T>) -> SVector<T, 15> {
+            let mut free = Free::of(q);
+            let [origin, second, third] = self.knuckle_frame.points();
+            [
+                free.lower_front_outer,
+                free.upper_front_outer,
+                free.upper_rear_outer,
+                free.lower_rear_outer,
+                free.track_rod_outer,
+            ] = best_rigid_fit(
+                &[
+                    origin,
+                    second,
+                    third,
+                    self.knuckle_lower_rear_outer.position(&self.knuckle_frame),
+                    self.knuckle_track_rod_outer.position(&self.knuckle_frame),
+                ],
+                &[
+                    free.lower_front_outer,
+                    free.upper_front_outer,
+                    free.upper_rear_outer,
+                    free.lower_rear_outer,
+                    free.track_rod_outer,
+                ],
+            );
+            free.unknowns()
+        }
+    }
+
+    impl<T: Scalar> HasWheel<15> for Model<T> {
+        fn wheel(points: &Points<T>) -> [Vector3<T>; 2] {
+            [points.upper_rear_outer, points.wheel_centre]
+        }
+
+        fn carrier(points: &Points<T>) -> [Vector3<T>; 3] {
+            [points.lower_front_outer, points.upper_front_outer, points.upper_rear_outer]
+        }
+    }
+
+    impl<T: Scalar> HasKingpin<15> for Model<T> {
+        fn kingpin(points: &Points<T>) -> [Vector3<T>; 2] {
+            [points.lower_front_outer, points.upper_front_outer]
+        }
+    }
+}

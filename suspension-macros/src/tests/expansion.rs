@@ -1,0 +1,57 @@
+//! Pretty-printed expansions of the catalogue against the committed snapshots.
+
+use super::catalogue_listing;
+use crate::expand::expand;
+
+/// Compares the expansion of a catalogue file with its snapshot, or rewrites the snapshot.
+fn snapshot(name: &str) {
+    let expansion = expand(catalogue_listing(name));
+    let file = syn::parse2(expansion).expect("the expansion is a Rust file");
+    let printed = spaced(&prettyplease::unparse(&file));
+    let path = format!("{}/src/snapshots/{name}.rs", env!("CARGO_MANIFEST_DIR"));
+    if std::env::var_os("UPDATE_SNAPSHOTS").is_some_and(|value| value == "1") {
+        std::fs::write(&path, &printed).unwrap_or_else(|e| panic!("{path}: {e}"));
+    }
+    let committed = std::fs::read_to_string(&path).unwrap_or_default();
+    let differs = committed
+        .lines()
+        .zip(printed.lines())
+        .position(|(committed, printed)| committed != printed);
+    assert!(
+        committed == printed,
+        "the expansion of `{name}` differs from {path} from line {} on; to accept it run \
+         `UPDATE_SNAPSHOTS=1 cargo test -p suspension-macros` and read the difference",
+        differs.map_or(
+            committed.lines().count().min(printed.lines().count()),
+            |i| i + 1
+        )
+    );
+}
+
+/// A blank line behind each item of a module or an implementation.
+fn spaced(code: &str) -> String {
+    let mut spaced = String::new();
+    let mut lines = code.lines().peekable();
+    while let Some(line) = lines.next() {
+        spaced.push_str(line);
+        spaced.push('\n');
+        let ends_item = ["    }", "        }"].contains(&line);
+        let next_is_item = lines
+            .peek()
+            .is_some_and(|next| !next.trim().starts_with('}'));
+        if ends_item && next_is_item {
+            spaced.push('\n');
+        }
+    }
+    spaced
+}
+
+#[test]
+fn attia2003() {
+    snapshot("attia2003");
+}
+
+#[test]
+fn five_link() {
+    snapshot("five_link");
+}

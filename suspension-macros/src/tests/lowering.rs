@@ -1,0 +1,178 @@
+//! Which equations a listing gives, on which unknowns, and whether they can determine them.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::catalogue_listing;
+use crate::errors::Errors;
+use crate::system::{Body, Equation, System};
+use crate::{check, lower, parse};
+
+/// The system of a listing, and what is wrong with it.
+fn lower(listing: TokenStream) -> (System, Errors) {
+    let (listing, mut errors) = parse::listing(listing).expect("a listing");
+    check::names(&listing, &mut errors);
+    assert!(errors.is_empty(), "names are right");
+    let system = lower::system(&listing);
+    check::determined(&system, &mut errors);
+    (system, errors)
+}
+
+fn determined(listing: TokenStream) -> System {
+    let (system, errors) = lower(listing);
+    assert!(errors.is_empty(), "{:?}", errors.into_result());
+    system
+}
+
+/// The messages of a listing whose names are right.
+fn messages(listing: TokenStream) -> Vec<String> {
+    let (_, errors) = lower(listing);
+    let error = errors.into_result().expect_err("a mistake");
+    error.into_iter().map(|error| error.to_string()).collect()
+}
+
+fn rows(system: &System) -> Vec<String> {
+    system.rows().iter().map(ToString::to_string).collect()
+}
+
+fn frame(body: &Body) -> [String; 3] {
+    body.frame.clone().map(|site| site.name.to_string())
+}
+
+#[test]
+fn the_paper_has_15_equations_and_70_non_zeros() {
+    let system = determined(catalogue_listing("attia2003"));
+    assert_eq!((system.rows().len(), system.size()), (15, 15));
+    let non_zeros: Vec<usize> = system.pattern().iter().map(Vec::len).collect();
+    // Five links to the chassis, nine distances within the knuckle, one driven coordinate.
+    assert_eq!(non_zeros, [3, 3, 3, 3, 3, 6, 6, 6, 6, 6, 6, 6, 6, 6, 1]);
+    assert_eq!(non_zeros.iter().sum::<usize>(), 70);
+}
+
+#[test]
+fn the_rigid_knuckle_is_a_frame_and_two_carried_points() {
+    let system = determined(catalogue_listing("five_link"));
+    let pattern = system.pattern();
+    let first_three_points: Vec<usize> = (0..9).collect();
+    assert_eq!(pattern[0], [0, 1, 2]);
+    assert_eq!(pattern[5], [0, 1, 2, 3, 4, 5]);
+    assert_eq!(pattern[7], [3, 4, 5, 6, 7, 8]);
+    for (row, own) in (8..14).zip(9..15) {
+        assert_eq!(pattern[row], [&first_three_points[..], &[own]].concat());
+    }
+    assert_eq!(pattern[14], [2]);
+    assert_eq!(pattern.iter().map(Vec::len).sum::<usize>(), 94);
+}
+
+#[test]
+fn a_frame_takes_chassis_points_first() {
+    let system = determined(quote! {
+        mod rocker {
+            fixed: front, rear;
+            free: push, pull;
+            body rocker: push, front, pull, rear;
+            drive lift: push.z;
+        }
+    });
+    assert_eq!(frame(&system.bodies[0]), ["front", "rear", "push"]);
+    // The distance from front to rear is the chassis' own.
+    assert_eq!(
+        rows(&system),
+        [
+            "rocker_front_push",
+            "rocker_rear_push",
+            "rocker_pull_x",
+            "rocker_pull_y",
+            "rocker_pull_z",
+            "lift"
+        ]
+    );
+}
+
+#[test]
+fn the_edge_of_a_hinge_is_stated_once() {
+    let system = determined(quote! {
+        mod hinge {
+            fixed: front, rear;
+            free: p, q, tip;
+            body arm: front, rear, p, q;
+            body flap: tip, p, q;
+            drive lift: p.z;
+            drive fold: tip.z - p.z;
+        }
+    });
+    assert_eq!(frame(&system.bodies[1]), ["p", "q", "tip"]);
+    let flap: Vec<String> = rows(&system)
+        .into_iter()
+        .filter(|row| row.starts_with("flap"))
+        .collect();
+    assert_eq!(flap, ["flap_p_tip", "flap_q_tip"]);
+}
+
+#[test]
+fn a_body_of_two_points_is_one_distance() {
+    let system = determined(quote! {
+        mod bar {
+            fixed: a;
+            free: p;
+            body bar: a, p;
+            drive y: p.y;
+            drive z: p.z;
+        }
+    });
+    assert!(system.bodies.is_empty());
+    assert!(matches!(
+        system.equations[0],
+        Equation::Distance { of_body: true, .. }
+    ));
+}
+
+#[test]
+fn a_drive_of_a_chassis_point_is_no_equation() {
+    let system = determined(quote! {
+        mod rack {
+            fixed: rack, a, b;
+            free: p;
+            link tie_rod: rack -> p;
+            link fore: a -> p;
+            link aft: b -> p;
+            drive steer: rack.y;
+        }
+    });
+    assert_eq!(rows(&system), ["tie_rod", "fore", "aft"]);
+}
+
+#[test]
+fn structural_rank_finds_an_over_determined_part() {
+    let messages = messages(quote! {
+        mod lopsided {
+            fixed: a, b, c, d;
+            free: p, q;
+            link first: a -> p;
+            link second: b -> p;
+            link third: c -> p;
+            link fourth: d -> p;
+            link bar: a -> q;
+            drive lift: q.z;
+        }
+    });
+    let [redundant, undetermined] = messages.as_slice() else {
+        panic!("one equation too many, one unknown left: {messages:?}");
+    };
+    assert!(redundant.starts_with("`fourth` is one equation too many"));
+    assert!(undetermined.starts_with("no equation is left to determine `q."));
+}
+
+#[test]
+fn counts_are_compared_before_ranks() {
+    let messages = messages(quote! {
+        mod short {
+            fixed: a;
+            free: p;
+            link rod: a -> p;
+            drive z: p.z;
+        }
+    });
+    assert_eq!(messages.len(), 1);
+    assert!(messages[0].starts_with("2 equations for 3 unknowns: 1 of links"));
+}

@@ -1,0 +1,10 @@
+//! Mechanisms outside the catalogue, written with `linkage!` and proved against closed-form
+//! answers, finite differences, and the published results of another program.
+
+mod mechanisms {
+    pub(crate) mod checks;
+    mod double_wishbone;
+    mod four_bar;
+    mod hinge;
+    mod rocker;
+}

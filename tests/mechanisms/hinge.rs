@@ -1,0 +1,87 @@
+//! Two bodies with a common edge: a semi-trailing arm that carries a flap.
+
+use nalgebra::{Rotation3, Unit, Vector3};
+use suspension_core::{Build, Inputs, Linkage};
+
+use super::checks;
+
+suspension_core::linkage! {
+    /// Semi-trailing arm with a flap hinged to it.
+    mod semi_trailing {
+        fixed: inner, outer;
+        free:  hinge_in, hinge_out, centre, tip;
+        body arm:  hinge_in, hinge_out, inner, outer, centre;
+        body flap: tip, hinge_in, hinge_out;
+        drive bump: centre.z;
+        drive fold: tip.z - hinge_in.z;
+        wheel: hinge_in -> centre;
+    }
+}
+
+use semi_trailing::{Drives, Model, Points};
+
+fn design() -> Points<f64> {
+    Points {
+        inner: Vector3::new(0.40, 0.20, 0.30),
+        outer: Vector3::new(0.35, 0.55, 0.28),
+        hinge_in: Vector3::new(0.05, 0.40, 0.32),
+        hinge_out: Vector3::new(0.02, 0.60, 0.30),
+        centre: Vector3::new(0.00, 0.72, 0.29),
+        tip: Vector3::new(-0.15, 0.50, 0.35),
+    }
+}
+
+/// `point` turned by `angle` about the line from `from` to `to`.
+fn turn(point: Vector3<f64>, [from, to]: [Vector3<f64>; 2], angle: f64) -> Vector3<f64> {
+    let axis = Unit::new_normalize(to - from);
+    from + Rotation3::from_axis_angle(&axis, angle) * (point - from)
+}
+
+/// The arm turned about the chassis, the flap about the arm.
+fn turned(arm: f64, flap: f64) -> Points<f64> {
+    let design = design();
+    let with_arm = |point| turn(point, [design.inner, design.outer], arm);
+    let (hinge_in, hinge_out) = (with_arm(design.hinge_in), with_arm(design.hinge_out));
+    Points {
+        hinge_in,
+        hinge_out,
+        centre: with_arm(design.centre),
+        tip: turn(with_arm(design.tip), [hinge_in, hinge_out], flap),
+        ..design
+    }
+}
+
+#[test]
+fn turns_about_both_hinges() {
+    let model = Model::new(&design()).expect("an arm with a flap");
+    for (arm, flap) in [(0.0, 0.0), (0.2, -0.3), (-0.3, 0.4), (0.1, 0.8)] {
+        let expected = turned(arm, flap);
+        let drives = Drives {
+            bump: expected.centre.z,
+            fold: expected.tip.z - expected.hinge_in.z,
+        };
+        let solved = checks::solve(&model, &turned(0.9 * arm, 0.9 * flap), drives);
+        assert!(
+            checks::apart(&solved, &expected) < 1e-14,
+            "at {arm}, {flap} rad"
+        );
+    }
+}
+
+#[test]
+fn the_wheel_is_carried_by_the_arm() {
+    let points = design();
+    let carrier = <Model<f64> as suspension_core::linkage::HasWheel<12>>::carrier(&points);
+    assert_eq!(carrier, [points.hinge_in, points.hinge_out, points.inner]);
+}
+
+#[test]
+fn derivatives_and_motion() {
+    let model = Model::new(&design()).expect("an arm with a flap");
+    checks::derivatives(&model, &design());
+    let inputs = |t| Inputs {
+        chassis: checks::heaving(model.fixed(), 0.01, t),
+        drives: checks::swinging(model.drives_at(&design()), 0.03, t),
+    };
+    checks::motion(&model, &design(), inputs);
+}

@@ -1,0 +1,8 @@
+//! Each mistake in a listing is reported on the user's own token, with what to write instead.
+
+#[test]
+fn ui() {
+    let cases = trybuild::TestCases::new();
+    cases.pass("tests/ui/pass/*.rs");
+    cases.compile_fail("tests/ui/*.rs");
+}

@@ -1,0 +1,15 @@
+suspension_core::linkage! {
+    mod m {
+        fixed: a, b;
+        free: p, q, r, s;
+        body plate: p, q, r, s;
+        link plate_s: a -> p;
+        link second: b -> q;
+        drive y: p.y;
+        drive z: p.z;
+        drive lift: q.z;
+        drive turn: r.z;
+    }
+}
+
+fn main() {}

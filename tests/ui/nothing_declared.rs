@@ -1,0 +1,5 @@
+suspension_core::linkage! {
+    mod m {}
+}
+
+fn main() {}

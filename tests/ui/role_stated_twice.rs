@@ -1,0 +1,14 @@
+suspension_core::linkage! {
+    mod m {
+        fixed: a;
+        free: p, q, r;
+        body plate: p, q, r;
+        wheel: p -> q;
+        wheel: p -> r;
+        kingpin: p -> q;
+        kingpin: p -> r;
+        drive z: p.z;
+    }
+}
+
+fn main() {}

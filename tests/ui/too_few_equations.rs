@@ -1,0 +1,10 @@
+suspension_core::linkage! {
+    mod m {
+        fixed: a;
+        free: p;
+        link rod: a -> p;
+        drive z: p.z;
+    }
+}
+
+fn main() {}

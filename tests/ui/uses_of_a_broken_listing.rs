@@ -1,0 +1,42 @@
+suspension_core::linkage! {
+    mod m {
+        fixed: a, b;
+        free: p, q, r;
+        link rod: a -> p;
+        body plate: p, q, r;
+        drive x: p.x;
+        drive y: p.y;
+        drive lift: q.z;
+        point hub: plate;
+        wheel: p -> hub;
+    }
+}
+
+use m::{Drives, Lengths, Model, Points, equation, unknown};
+use suspension_core::nalgebra::Vector3;
+use suspension_core::wheel::Wheel;
+use suspension_core::{Build, Inputs, Linkage, Named, Newton, Signal, Tracker, assemble};
+
+fn main() {
+    let mut points = Points {
+        a: Vector3::zeros(),
+        b: Vector3::zeros(),
+        p: Vector3::x(),
+        q: Vector3::y(),
+        r: Vector3::z(),
+        hub: Vector3::zeros(),
+    };
+    points.q.x += 0.5;
+    let model = Model::<f64>::new(&points).unwrap();
+    let lengths = Lengths::from_fn(|_| 1.0);
+    let model = model.with_lengths(&lengths).unwrap();
+    println!("{} {}", lengths.rod, lengths.plate_p_q);
+    let drives = |lift| Drives { x: 0.0, y: 0.0, lift };
+    let inputs = Inputs::still(Signal { value: drives(1.0), ..Signal::default() });
+    let mut q = Model::unknowns(&points);
+    assemble(&Newton::from_afar(), &model, &inputs, &mut q).unwrap();
+    let mut motion = suspension_core::Motion::at_rest(q);
+    Tracker::default().step(&model, &inputs, 0.1, &mut motion).unwrap();
+    let wheel = Wheel::of::<Model<f64>, 9>(&model.points(&q, model.fixed()));
+    println!("{} {} {:?}", equation::ROD, q[unknown::P_X], wheel);
+}
