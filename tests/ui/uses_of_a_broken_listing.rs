@@ -12,6 +12,16 @@ suspension_core::linkage! {
     }
 }
 
+suspension_core::linkage! {
+    mod misnamed {
+        fixed: a;
+        free: p;
+        link rod: a -> q;
+        drive y: p.y;
+        drive z: p.up;
+    }
+}
+
 use m::{Drives, Lengths, Model, Points, equation, unknown};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::wheel::Wheel;
@@ -39,4 +49,13 @@ fn main() {
     Tracker::default().step(&model, &inputs, 0.1, &mut motion).unwrap();
     let wheel = Wheel::of::<Model<f64>, 9>(&model.points(&q, model.fixed()));
     println!("{} {} {:?}", equation::ROD, q[unknown::P_X], wheel);
+    misuse();
+}
+
+fn misuse() {
+    use misnamed::{Drives, Lengths, Model, Points};
+    let points = Points { a: Vector3::zeros(), p: Vector3::x() };
+    let lengths = Lengths { rod: 1.0 };
+    let model = Model::<f64>::new(&points).and_then(|model| model.with_lengths(&lengths));
+    println!("{:?} {:?}", model, Drives { y: 0.0, z: 1.0 });
 }
