@@ -46,6 +46,15 @@ pub fn unit_of(kind: DriveKind, unit: Unit) -> &'static str {
     }
 }
 
+/// A time or a drive's value with all digits that a limit of the motion is known to.
+pub fn number(value: f64) -> String {
+    if value.abs() < 1e9 {
+        format!("{value:.12}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
 /// The drives' values in words, as `theta = 0.700000000000 rad`.
 pub fn in_words<L: Linkage<N, Scalar = f64>, const N: usize>(
     drives: &L::Drives,
@@ -54,7 +63,7 @@ pub fn in_words<L: Linkage<N, Scalar = f64>, const N: usize>(
     let names = <L::Drives as Named<f64>>::NAMES;
     let each = names.iter().zip(drives.values()).zip(L::DRIVE_KINDS);
     let words: Vec<String> = each
-        .map(|((name, value), kind)| format!("{name} = {value:.12} {}", unit_of(*kind, unit)))
+        .map(|((name, value), kind)| format!("{name} = {} {}", number(value), unit_of(*kind, unit)))
         .collect();
     words.join(", ")
 }

@@ -138,20 +138,21 @@ impl Chart {
                 .iter()
                 .flat_map(|c| c.line.iter().chain(&c.marks))
         };
-        let x = range(all().map(|point| point.0), 0.02)?;
-        let y = range(all().map(|point| point.1), 0.08)?;
+        let x = range(all().map(|point| point.0), [0.02, 0.02])?;
+        // The legend is above the curves.
+        let y = range(all().map(|point| point.1), [0.08, 0.2])?;
         Some([x, y])
     }
 }
 
-fn range(values: impl Iterator<Item = f64>, margin: f64) -> Option<[f64; 2]> {
+fn range(values: impl Iterator<Item = f64>, [below, above]: [f64; 2]) -> Option<[f64; 2]> {
     let (low, high) = values.fold(None, |ends: Option<(f64, f64)>, value| {
         let (low, high) = ends.unwrap_or((value, value));
         Some((low.min(value), high.max(value)))
     })?;
     // A constant gets a range of its own size, so that rounding is not drawn as a wave.
     let span = (high - low).max(high.abs().max(low.abs()) * 1e-6).max(1e-9);
-    Some([low - margin * span, high + margin * span])
+    Some([low - below * span, high + above * span])
 }
 
 /// Decimals that tell labels apart on an axis of about ten.

@@ -11,10 +11,11 @@ use crate::columns::PointNames;
 use crate::drives::{DriveLaws, in_words};
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position};
+use crate::follow::follow;
 use crate::instants::Instants;
 use crate::polynomial::Polynomial;
 use crate::source::Source;
-use crate::study::{Assembled, Study, Suspension, cause, follow};
+use crate::study::{Assembled, Study, Suspension, cause};
 
 type Prepare = fn(&Task<'_>) -> Result<Box<dyn Study>, Failure>;
 

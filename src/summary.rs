@@ -39,9 +39,10 @@ pub fn text(study: &dyn Study, outcome: &Outcome) -> String {
 /// What the solver did.
 pub fn totals(outcome: &Outcome, unit: Unit) -> String {
     format!(
-        "Newton iterations: {} for {} instants, at most {} for one\nLargest residual: {:.1e} {}\n",
+        "Newton iterations: {} for {} instant{}, at most {} for one, steps in between included\nLargest residual: {:.1e} {}\n",
         outcome.iterations,
         outcome.solved,
+        if outcome.solved == 1 { "" } else { "s" },
         outcome.most_iterations,
         outcome.residual,
         unit.symbol(),

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::csv_file::{CsvFile, Target};
+use crate::drives::number;
 use crate::failure::Failure;
 use crate::instants::Instants;
 use crate::progress::Progress;
@@ -199,7 +200,8 @@ impl Stop {
         };
         format!(
             "no configuration at t = {asked} s with {drives_asked}: the motion ends at \
-             t = {reached:.12} s with {drives_reached} ({cause});{locks}"
+             t = {} s with {drives_reached} ({cause});{locks}",
+            number(*reached)
         )
         .trim_end_matches(';')
         .to_owned()

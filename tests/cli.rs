@@ -151,6 +151,26 @@ fn without_options_a_summary_is_printed() {
     assert_eq!(files, 1);
 }
 
+#[test]
+fn far_instants_in_any_order_of_time_stay_in_the_same_assembly() {
+    let folder = folder();
+    for instants in ["[1.95, 1.0, 0.0]", "[0.0, 1.95]", "[1.95, 0.0]", "[1.0]"] {
+        let path = folder.path().join("a.toml");
+        let line = format!("instants = {instants}");
+        std::fs::write(path, edited("instants", &line)).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{instants}: {output:?}");
+        for row in rows(&output.stdout) {
+            let instant = support::INSTANTS.iter().position(|t| *t == row["t_s"]);
+            let expected = &Reference::load().rows[instant.expect("an instant of the paper")];
+            for column in ["p6_x", "p8_y", "p10_z"] {
+                let difference = (row[column] - expected[column]).abs();
+                assert!(difference < 5e-15, "{instants}: {column} {difference:e}");
+            }
+        }
+    }
+}
+
 const TWO_SECONDS: &str = "start = 0.0\nstop = 2.0\nstep = 0.05";
 
 #[test]
