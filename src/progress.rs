@@ -54,7 +54,7 @@ impl Drop for Progress {
 
 fn bar(total: usize) -> ProgressBar {
     let bar = ProgressBar::new(total as u64);
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} instants, {eta} left");
+    let style = ProgressStyle::with_template("{bar:40} {percent} % of {len} instants");
     match style {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
