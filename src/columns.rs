@@ -1,9 +1,8 @@
 //! The results of one instant as a row of numbers, and the names of its columns.
 
 use nalgebra::Vector3;
-use suspension_core::motion::Prescribed;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
-use suspension_core::{Advanced, Inputs, Linkage, Motion, Named, Still};
+use suspension_core::{Advanced, HasKingpin, HasWheel, Inputs, Motion, Named, Still};
 
 use crate::drives::unit_of;
 use crate::file::Unit;
@@ -32,12 +31,12 @@ impl PointNames {
         let mut numbers = (0..names.len()).map(|number| number as f64);
         let tags = L::Points::from_fn(|_| Vector3::repeat(numbers.next().unwrap_or_default()));
         let name_of = |tag: Vector3<f64>| names[tag.x as usize];
-        let [_, centre] = L::wheel(&tags);
+        let [_, centre] = tags.wheel();
         Self {
             free: free.to_vec(),
             markers: markers.to_vec(),
             wheel_centre: name_of(centre),
-            kingpin: L::kingpin(&tags).map(name_of),
+            kingpin: tags.kingpin().map(name_of),
         }
     }
 }
@@ -78,42 +77,28 @@ pub fn row<L: Suspension<N>, const N: usize>(
     motion: &Motion<f64, N>,
     advanced: &Advanced<f64>,
 ) -> Vec<f64> {
-    let [at, velocities, accelerations] = all_points(linkage, inputs, motion);
+    let points = motion.points(linkage, inputs);
     let mut row = vec![t];
     row.extend(inputs.drives.value.values());
     row.extend(&motion.position);
     row.extend(&motion.velocity);
     row.extend(&motion.acceleration);
     let undefined = Vector3::repeat(f64::NAN);
-    let turning = CarrierRotation::of::<L, N>(&at, &velocities, &accelerations);
+    let turning = CarrierRotation::of(&points);
     let [omega, alpha] = turning.map_or([undefined; 2], |turning| [turning.omega, turning.alpha]);
     row.extend(&omega);
     row.extend(&alpha);
     let markers = PointNames::of::<L, N>().markers.len();
     let first_marker = <L::Points as Named<Vector3<f64>>>::NAMES.len() - markers;
     for marker in 0..markers {
-        for points in [&at, &velocities, &accelerations] {
+        for points in [&points.value, &points.rate, &points.second_rate] {
             row.extend(points.values().nth(first_marker + marker).iter().flatten());
         }
     }
-    let kingpin = Kingpin::of::<L, N>(&at);
-    let wheel = Wheel::of::<L, N>(&at);
+    let kingpin = Kingpin::of(&points.value);
+    let wheel = Wheel::of(&points.value);
     let [camber, toe] = wheel.map_or([f64::NAN; 2], |wheel| [wheel.camber, wheel.toe]);
     row.extend([kingpin.angle, kingpin.caster, camber, toe]);
     row.extend([advanced.iterations as f64, advanced.last.residual]);
     row
-}
-
-/// Positions, velocities and accelerations of all points.
-fn all_points<L: Linkage<N, Scalar = f64>, const N: usize>(
-    linkage: &L,
-    inputs: &Inputs<Still, L::Drives>,
-    motion: &Motion<f64, N>,
-) -> [L::Points; 3] {
-    let fixed = Prescribed::new(linkage, inputs).fixed;
-    let at = linkage.points(&motion.position, &fixed.value);
-    let velocities = linkage.velocities(&at, &motion.velocity, &fixed.rate);
-    let accelerations =
-        linkage.accelerations(&at, &velocities, &motion.acceleration, &fixed.second_rate);
-    [at, velocities, accelerations]
 }

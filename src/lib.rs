@@ -12,7 +12,6 @@ pub mod csv_file;
 pub mod drives;
 pub mod failure;
 pub mod file;
-pub mod follow;
 pub mod instants;
 pub mod job;
 pub mod output;

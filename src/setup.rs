@@ -11,11 +11,10 @@ use crate::columns::PointNames;
 use crate::drives::{DriveLaws, in_words};
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position};
-use crate::follow::follow;
 use crate::instants::Instants;
 use crate::polynomial::Polynomial;
 use crate::source::Source;
-use crate::study::{Assembled, Study, Suspension, cause};
+use crate::study::{Assembled, Study, Suspension, cause, follow};
 
 type Prepare = fn(&Task<'_>) -> Result<Box<dyn Study>, Failure>;
 
@@ -175,7 +174,7 @@ fn at_design<L: Suspension<N>, const N: usize>(
     let model = model
         .with_markers(&points)
         .map_err(|error| refuse_geometry(task, &error))?;
-    match Wheel::of::<L, N>(&points) {
+    match Wheel::of(&points) {
         Some(_) => Ok((model, q, design)),
         None => {
             let centre = PointNames::of::<L, N>().wheel_centre;

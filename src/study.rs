@@ -4,24 +4,23 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use suspension_core::{
-    Build, HasKingpin, HasWheel, Inputs, Motion, SolveError, Still, Stopped, Tracker,
+    Advanced, Build, HasKingpin, HasWheel, Inputs, Motion, SolveError, Still, Stopped, Tracker,
 };
 
 use crate::columns::{self, PointNames};
 use crate::drives::{DriveLaws, in_words};
 use crate::failure::Failure;
 use crate::file::Unit;
-use crate::follow::follow;
 use crate::instants::Instants;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
 pub trait Suspension<const N: usize>:
-    Build<N, Scalar = f64> + HasWheel<N> + HasKingpin<N> + 'static
+    Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>> + 'static
 {
 }
 
 impl<L, const N: usize> Suspension<N> for L where
-    L: Build<N, Scalar = f64> + HasWheel<N> + HasKingpin<N> + 'static
+    L: Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>> + 'static
 {
 }
 
@@ -209,6 +208,20 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
             speed_up,
         }
     }
+}
+
+/// Follows the motion from one time to another, in as many steps as it takes.
+pub(crate) fn follow<L: Suspension<N>, const N: usize>(
+    model: &L,
+    drives: &DriveLaws,
+    [from, to]: [f64; 2],
+    motion: &mut Motion<f64, N>,
+) -> Result<Advanced<f64>, Stopped<f64>> {
+    let tracker = Tracker {
+        max_steps: 10_000,
+        ..Tracker::default()
+    };
+    tracker.advance(model, |t| drives.inputs(t), from, to, motion)
 }
 
 /// Why a step was refused, with the listing's names.

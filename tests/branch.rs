@@ -56,7 +56,7 @@ fn the_rigid_knuckle_assembles_as_published() {
 /// The published two seconds end at a turning point of the drive (extended system, 40 digits).
 #[test]
 fn the_motion_ends_where_the_mechanism_locks() {
-    let limit = 1.978367769183329863307713;
+    let limit = 1.978_367_769_183_33;
     let model: attia2003::Model<f64> = support::attia_model();
     let mut motion = *support::motions(&model, &support::attia_rough(), support::attia_inputs)
         .last()
@@ -73,6 +73,44 @@ fn the_motion_ends_where_the_mechanism_locks() {
     let coordinates = model.coordinates(&inputs);
     let residual = model.residual(&motion.position, model.fixed(), &coordinates.value);
     assert!(residual.amax() < 1e-14, "the motion is the last good one");
+}
+
+/// However far the next instant, the motion stays in its assembly: without the tracker's bound on
+/// corrections 56 of these 1,560 jumps ended in another.
+#[test]
+fn far_jumps_stay_in_the_assembly() {
+    let model: five_link::Model<f64> = support::five_link_model();
+    let mut motion = support::motions(
+        &model,
+        &support::five_link_rough(),
+        support::five_link_inputs,
+    )[0];
+    let tracker = Tracker::default();
+    let instants: Vec<f64> = (0..40).map(|index| f64::from(index) * 0.05).collect();
+    let mut motions = vec![motion];
+    for pair in instants.windows(2) {
+        let steps = tracker.advance(
+            &model,
+            support::five_link_inputs,
+            pair[0],
+            pair[1],
+            &mut motion,
+        );
+        steps.expect("a regular motion");
+        motions.push(motion);
+    }
+    for (from, start) in instants.iter().zip(&motions) {
+        for (to, expected) in instants.iter().zip(&motions) {
+            let mut motion = *start;
+            let steps = tracker.advance(&model, support::five_link_inputs, *from, *to, &mut motion);
+            steps.expect("a regular motion");
+            let difference = (motion.position - expected.position).amax();
+            assert!(
+                difference < 1e-13,
+                "from {from} s to {to} s: {difference:e} m"
+            );
+        }
+    }
 }
 
 /// A failed solve leaves the state as it was and says why.

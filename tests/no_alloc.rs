@@ -9,7 +9,7 @@ use std::cell::Cell;
 use std::hint::black_box;
 
 use nalgebra::{Isometry3, SVector, Vector3};
-use suspension_core::wheel::{Kingpin, Wheel};
+use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
     Build, HasKingpin, HasWheel, Inputs, Motion, Newton, Real, RigidMotion, Still, Tangent,
     Tracker, assemble,
@@ -56,7 +56,11 @@ struct Case<T, L: Build<15, Scalar = T>> {
     inputs: fn(T) -> Inputs<Still, L::Drives>,
 }
 
-impl<T: Real, L: HasKingpin<15> + HasWheel<15> + Build<15, Scalar = T>> Case<T, L> {
+impl<T, L> Case<T, L>
+where
+    T: Real,
+    L: Build<15, Scalar = T, Points: HasKingpin<T> + HasWheel<T>>,
+{
     fn check(&self) {
         let q = self.first_configuration();
         let motion = self.motion(q);
@@ -105,19 +109,12 @@ impl<T: Real, L: HasKingpin<15> + HasWheel<15> + Build<15, Scalar = T>> Case<T, 
     }
 
     fn readings(&self, motion: &Motion<T, 15>) {
-        let (model, still) = (&self.model, L::Fixed::default());
-        let points = without_allocating("points", || {
-            let points = model.points(&motion.position, model.fixed());
-            let velocities = model.velocities(&points, &motion.velocity, &still);
-            model.accelerations(&points, &velocities, &motion.acceleration, &still);
-            points
-        });
-        without_allocating("Wheel", || Wheel::of::<L, 15>(&points)).expect("a spin axis");
-        without_allocating("Kingpin", || Kingpin::of::<L, 15>(&points));
-        without_allocating("CarrierRotation", || {
-            support::carrier_rotation(model, motion)
-        })
-        .expect("a rigid carrier");
+        let inputs = (self.inputs)(T::constant(0.5));
+        let points = without_allocating("points", || motion.points(&self.model, &inputs));
+        without_allocating("Wheel", || Wheel::of(&points.value)).expect("a spin axis");
+        without_allocating("Kingpin", || Kingpin::of(&points.value));
+        without_allocating("CarrierRotation", || CarrierRotation::of(&points))
+            .expect("a rigid carrier");
     }
 
     fn moving_chassis(&self, motion: &Motion<T, 15>) {

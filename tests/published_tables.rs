@@ -2,6 +2,7 @@
 
 mod support;
 
+use support::Reference;
 use suspension::published::{Column, Paper};
 use suspension_core::linkages::attia2003;
 use suspension_core::wheel::CarrierRotation;
@@ -25,17 +26,11 @@ fn units(column: &Column, ours: impl Iterator<Item = f64>) -> Vec<f64> {
         .collect()
 }
 
-fn knuckle_rotation(motion: &Motion<f64, 15>) -> [f64; 6] {
-    let model = support::attia_model::<f64>();
-    let fixed = *model.fixed();
-    let still = attia2003::Fixed::default();
-    let at = model.points(&motion.position, &fixed);
-    let velocities = model.velocities(&at, &motion.velocity, &still);
-    let accelerations = model.accelerations(&at, &velocities, &motion.acceleration, &still);
-    let turning = CarrierRotation::of::<Model, 15>(&at, &velocities, &accelerations)
-        .expect("the knuckle is a triangle");
-    let [o, a] = [turning.omega, turning.alpha];
-    [o.x, o.y, o.z, a.x, a.y, a.z]
+fn knuckle_rotation(t: f64, motion: &Motion<f64, 15>) -> [f64; 6] {
+    let points = motion.points(&support::attia_model::<f64>(), &support::attia_inputs(t));
+    let turning = CarrierRotation::of(&points).expect("the knuckle is a triangle");
+    let [alpha, omega] = [turning.alpha, turning.omega];
+    [alpha.x, alpha.y, alpha.z, omega.x, omega.y, omega.z]
 }
 
 #[test]
@@ -59,31 +54,44 @@ fn table_2_is_met_within_0_85_mm_and_nine_tenths_of_it_within_half_a_millimetre(
     assert!(close * 10 >= differences.len() * 9, "{close}");
 }
 
-/// The lengths are known to 0.05 mm only, so that a few entries that lie on the edge of their
-/// rounding fall just beyond it.
+/// Of the 54 entries 51 are met within half a unit of their last digit. The other three are off by
+/// 0.51 to 0.54 units in the 40-digit reference too: the lengths were fitted to the tables.
 #[test]
-fn table_3_is_met_within_0_55_of_its_last_digit_and_nine_tenths_of_it_within_half() {
+fn table_3_is_met_to_its_last_digit_but_for_three_entries_of_the_reference() {
+    const BEYOND: [(&str, usize); 3] = [("omega_y", 5), ("omega_y", 8), ("alpha_z", 7)];
     let paper = Paper::built_in();
-    let ours: Vec<[f64; 6]> = motions().iter().map(knuckle_rotation).collect();
-    let mut differences = Vec::new();
-    for (index, column) in paper.table3.iter().enumerate() {
-        let axis = ["x", "y", "z"]
+    let reference = Reference::load();
+    let motions = support::INSTANTS.into_iter().zip(motions());
+    let ours: Vec<[f64; 6]> = motions
+        .map(|(t, motion)| knuckle_rotation(t, &motion))
+        .collect();
+    let names = [
+        "alpha_x", "alpha_y", "alpha_z", "omega_x", "omega_y", "omega_z",
+    ];
+    assert!(
+        paper
+            .table3
             .iter()
-            .position(|axis| column.name.ends_with(axis))
-            .unwrap_or_else(|| panic!("column {index} has an axis"));
-        let first = if column.name.starts_with("omega") {
-            0
-        } else {
-            3
-        };
-        let column_units = units(column, ours.iter().map(|row| row[first + axis]));
-        differences.extend(column_units);
+            .map(|column| column.name.as_str())
+            .eq(names)
+    );
+    for (index, column) in paper.table3.iter().enumerate() {
+        let found = units(column, ours.iter().map(|row| row[index]));
+        let exact = units(column, reference.rows.iter().map(|row| row[&column.name]));
+        for (instant, (found, exact)) in found.into_iter().zip(exact).enumerate() {
+            let bound = if BEYOND.contains(&(names[index], instant)) {
+                0.55
+            } else {
+                0.5
+            };
+            let place = format!("{} at {} s", column.name, support::INSTANTS[instant]);
+            assert!(found <= bound, "{place}: {found} units");
+            assert!(
+                (found - exact).abs() < 1e-6,
+                "{place}: the reference has {exact}"
+            );
+        }
     }
-    assert_eq!(differences.len(), 54);
-    let worst = differences.iter().fold(0.0_f64, |worst, d| worst.max(*d));
-    assert!(worst < 0.55, "{worst}");
-    let close = differences.iter().filter(|d| **d <= 0.5).count();
-    assert!(close * 10 >= differences.len() * 9, "{close}");
 }
 
 #[test]

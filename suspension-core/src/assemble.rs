@@ -30,7 +30,7 @@ where
 {
     let prescribed = Prescribed::new(linkage, inputs);
     let mut fitted = linkage.fit(q, &prescribed.fixed.value);
-    let converged = newton.solve_prescribed(linkage, &prescribed, &mut fitted)?;
+    let converged = newton.solve_prescribed(linkage, &prescribed, &mut fitted, None)?;
     *q = fitted;
     Ok(converged)
 }

@@ -173,17 +173,17 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     fn fit(&self, q: &SVector<Self::Scalar, N>, fixed: &Self::Fixed) -> SVector<Self::Scalar, N>;
 }
 
-/// A linkage that carries a wheel.
-pub trait HasWheel<const N: usize>: Linkage<N> {
-    /// Two points on the spin axis, the wheel centre last; or their velocities, or accelerations.
-    fn wheel(points: &Self::Points) -> [Vector3<Self::Scalar>; 2];
+/// Points among which a wheel is. Positions, velocities or accelerations alike.
+pub trait HasWheel<T> {
+    /// Two points on the spin axis, the wheel centre last.
+    fn wheel(&self) -> [Vector3<T>; 2];
 
-    /// Three points of the body that carries the wheel, or their rates.
-    fn carrier(points: &Self::Points) -> [Vector3<Self::Scalar>; 3];
+    /// Three points of the body that carries the wheel.
+    fn carrier(&self) -> [Vector3<T>; 3];
 }
 
-/// A linkage with a kingpin.
-pub trait HasKingpin<const N: usize>: Linkage<N> {
-    /// Two points on the kingpin, the lower one first; or their velocities, or accelerations.
-    fn kingpin(points: &Self::Points) -> [Vector3<Self::Scalar>; 2];
+/// Points among which a kingpin is. Positions, velocities or accelerations alike.
+pub trait HasKingpin<T> {
+    /// Two points on the kingpin, the lower one first.
+    fn kingpin(&self) -> [Vector3<T>; 2];
 }

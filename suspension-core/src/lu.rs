@@ -21,7 +21,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
     /// # Errors
     ///
     /// [`SolveError::Singular`] where the largest candidate for a pivot is at most
-    /// `N * EPSILON` times the largest entry of the matrix; so is a matrix with a NaN.
+    /// `N * EPSILON` times the largest entry of the matrix. A NaN is passed on to what is solved.
     pub fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, SolveError<T>> {
         let mut lu = Self {
             columns: matrix.data.0,
@@ -30,8 +30,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
         let threshold = matrix.amax() * T::EPSILON * T::constant(N as f64);
         for k in 0..N {
             let (row, pivot) = lu.largest_candidate(k);
-            // Written so that a NaN fails it too.
-            if !(pivot > threshold) {
+            if pivot <= threshold {
                 return Err(SolveError::Singular {
                     unknown: k,
                     pivot,
@@ -47,12 +46,11 @@ impl<T: Real, const N: usize> Lu<T, N> {
     /// Row and size of the largest entry of column `k` on or below the diagonal.
     fn largest_candidate(&self, k: usize) -> (usize, T) {
         let mut best = (k, T::zero());
-        if let Some(column) = self.columns.get(k) {
-            for (row, entry) in column.iter().enumerate().skip(k) {
-                let size = entry.abs();
-                if size > best.1 {
-                    best = (row, size);
-                }
+        let candidates = self.columns.get(k).and_then(|column| column.get(k..));
+        for (row, entry) in (k..).zip(candidates.into_iter().flatten()) {
+            let size = entry.abs();
+            if size > best.1 {
+                best = (row, size);
             }
         }
         best
@@ -92,13 +90,14 @@ impl<T: Real, const N: usize> Lu<T, N> {
             subtract_multiple(&mut x, column, k);
         }
         for (k, column) in self.columns.iter().enumerate().rev() {
-            let (Some(pivot), Some(value)) = (column.get(k), x.get_mut(k)) else {
+            let (Some([above @ .., value]), Some([upper @ .., pivot])) =
+                (x.get_mut(..=k), column.get(..=k))
+            else {
                 continue;
             };
             *value /= *pivot;
-            let factor = *value;
-            for (entry, upper) in x.iter_mut().zip(column).take(k) {
-                *entry -= *upper * factor;
+            for (entry, upper) in above.iter_mut().zip(upper) {
+                *entry -= *upper * *value;
             }
         }
         SVector::from(x)
@@ -118,10 +117,12 @@ fn swap<T: Copy, const N: usize>(array: &mut [T; N], i: usize, j: usize) {
 
 /// Below its entry `k`, `target -= target[k] * multipliers`.
 fn subtract_multiple<T: Real, const N: usize>(target: &mut [T; N], multipliers: &[T; N], k: usize) {
-    let Some(factor) = target.get(k).copied() else {
+    let (Some([factor, below @ ..]), Some([_, multipliers @ ..])) =
+        (target.get_mut(k..), multipliers.get(k..))
+    else {
         return;
     };
-    for (entry, multiplier) in target.iter_mut().zip(multipliers).skip(k + 1) {
-        *entry -= *multiplier * factor;
+    for (entry, multiplier) in below.iter_mut().zip(multipliers) {
+        *entry -= *multiplier * *factor;
     }
 }

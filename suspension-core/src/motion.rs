@@ -33,6 +33,25 @@ impl<T: Real, const N: usize> Motion<T, N> {
     pub fn predict(&self, dt: T) -> SVector<T, N> {
         self.position + (self.velocity + self.acceleration * (dt * T::constant(0.5))) * dt
     }
+
+    /// Positions, velocities and accelerations of all points of the linkage: chassis points, free
+    /// points and markers under their names.
+    pub fn points<L, C>(&self, linkage: &L, inputs: &Inputs<C, L::Drives>) -> Signal<L::Points>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let fixed = Prescribed::new(linkage, inputs).fixed;
+        let value = linkage.points(&self.position, &fixed.value);
+        let rate = linkage.velocities(&value, &self.velocity, &fixed.rate);
+        let second_rate =
+            linkage.accelerations(&value, &rate, &self.acceleration, &fixed.second_rate);
+        Signal {
+            value,
+            rate,
+            second_rate,
+        }
+    }
 }
 
 /// Inputs in the form that the equations take them.

@@ -82,14 +82,16 @@ impl<T: Real> Newton<T> {
         C: ChassisMotion<L::Fixed>,
     {
         let prescribed = Prescribed::new(linkage, inputs);
-        self.solve_prescribed(linkage, &prescribed, q)
+        self.solve_prescribed(linkage, &prescribed, q, None)
     }
 
+    /// [`solve`](Self::solve) with prepared inputs and a bound for the first correction.
     pub(crate) fn solve_prescribed<L, const N: usize>(
         &self,
         linkage: &L,
         prescribed: &Prescribed<L::Fixed, L::Drives>,
         q: &mut SVector<T, N>,
+        first_bound: Option<T>,
     ) -> Result<Converged<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
@@ -98,14 +100,15 @@ impl<T: Real> Newton<T> {
             linkage.residual(x, &prescribed.fixed.value, &prescribed.drives.value)
         };
         let mut at = Iterate::new(*q, residual_at(q))?;
-        let mut last_step = None;
+        let mut bound = first_bound;
         let mut tolerance = T::zero();
         for iterations in 1..=self.max_iterations {
             let lu = Lu::factor(&linkage.jacobian(&at.q, &prescribed.fixed.value))?;
             let step = lu.solve(&at.residual);
             let rounding = T::EPSILON * linkage.size().max(at.q.amax());
             tolerance = self.tolerance * rounding;
-            last_step = Some(self.contracting(&step, last_step, rounding)?);
+            let size = within(&step, bound, rounding)?;
+            bound = self.contraction.map(|contraction| contraction * size);
             at = self.damped(&at, &step, tolerance, residual_at)?;
             if at.worst <= tolerance {
                 // One more correction with the same factors takes off what the square of the
@@ -155,33 +158,29 @@ impl<T: Real> Newton<T> {
         let q = from.q - step * fraction;
         Iterate::new(q, residual_at(&q))
     }
-
-    /// Checks that a correction is small enough beside the one before it, and returns its size.
-    fn contracting<const N: usize>(
-        &self,
-        step: &SVector<T, N>,
-        last_step: Option<T>,
-        rounding: T,
-    ) -> Result<T, SolveError<T>> {
-        let (unknown, size) = largest(step)?;
-        if let (Some(contraction), Some(last)) = (self.contraction, last_step) {
-            // Corrections of the size of rounding errors need not shrink.
-            let bound = (contraction * last).max(rounding * T::constant(1024.0));
-            if !(size <= bound) {
-                return Err(SolveError::Diverging {
-                    unknown,
-                    step: size,
-                    bound,
-                });
-            }
-        }
-        Ok(size)
-    }
 }
 
 impl<T: Real> Default for Newton<T> {
     fn default() -> Self {
         Self::near_by()
+    }
+}
+
+/// The size of a correction, refused where it exceeds its bound. Corrections of the size of
+/// rounding errors are not bounded.
+fn within<T: Real, const N: usize>(
+    step: &SVector<T, N>,
+    bound: Option<T>,
+    rounding: T,
+) -> Result<T, SolveError<T>> {
+    let (unknown, size) = largest(step)?;
+    match bound.map(|bound| bound.max(rounding * T::constant(1024.0))) {
+        Some(bound) if size > bound => Err(SolveError::Diverging {
+            unknown,
+            step: size,
+            bound,
+        }),
+        _ => Ok(size),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::error::SolveError;
 use crate::linkage::Linkage;
-use crate::motion::{Motion, Tangent};
+use crate::motion::{Motion, Prescribed, Tangent};
 use crate::newton::{Converged, Newton};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
@@ -14,6 +14,12 @@ pub struct Tracker<T> {
     pub newton: Newton<T>,
     /// Steps that one advance may try, the refused ones included.
     pub max_steps: usize,
+    /// The largest first correction of a predicted position, as a part of the predicted move. A
+    /// larger one tells that the prediction has left the motion, and the root may be another's.
+    pub correction_of_move: T,
+    /// The correction that is allowed in any case, as a part of the linkage's size: for drives
+    /// that jump, and for the first step from rest.
+    pub correction_of_size: T,
 }
 
 /// Where and why an advance ended early. The motion is that of the last good step.
@@ -43,6 +49,8 @@ impl<T: Real> Default for Tracker<T> {
         Self {
             newton: Newton::near_by(),
             max_steps: 200,
+            correction_of_move: T::constant(0.1),
+            correction_of_size: T::constant(0.02),
         }
     }
 }
@@ -64,8 +72,14 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        let mut position = motion.predict(dt);
-        let converged = self.newton.solve(linkage, inputs, &mut position)?;
+        let predicted = motion.predict(dt);
+        let moved = (predicted - motion.position).amax();
+        let bound = (self.correction_of_move * moved).max(self.correction_of_size * linkage.size());
+        let mut position = predicted;
+        let prescribed = Prescribed::new(linkage, inputs);
+        let newton = &self.newton;
+        let converged =
+            newton.solve_prescribed(linkage, &prescribed, &mut position, Some(bound))?;
         let tangent = Tangent::new(linkage, inputs, &position)?;
         let velocity = tangent.velocity();
         let acceleration = tangent.acceleration(&velocity);

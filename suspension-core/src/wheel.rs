@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 use crate::body;
 use crate::linkage::{HasKingpin, HasWheel};
 use crate::scalar::Real;
+use crate::signal::Signal;
 
 /// Camber, positive where the top of the wheel leans outboard: the angle in the y-z plane between
 /// the spin axis and the y axis, `atan2(-s_z, |s_y|)`.
@@ -92,8 +93,8 @@ pub struct Wheel<T> {
 
 impl<T: Real> Wheel<T> {
     /// Reads the wheel off the points of a linkage; `None` where the axis has no direction.
-    pub fn of<L: HasWheel<N, Scalar = T>, const N: usize>(points: &L::Points) -> Option<Self> {
-        let [inner, centre] = L::wheel(points);
+    pub fn of(points: &impl HasWheel<T>) -> Option<Self> {
+        let [inner, centre] = points.wheel();
         let axis = (centre - inner).try_normalize(T::zero())?;
         Some(Self {
             centre,
@@ -115,12 +116,9 @@ pub struct Kingpin<T> {
 
 impl<T: Real> Kingpin<T> {
     /// Reads the kingpin off the points of a linkage.
-    pub fn of<L, const N: usize>(points: &L::Points) -> Self
-    where
-        L: HasKingpin<N, Scalar = T> + HasWheel<N>,
-    {
-        let [inner, centre] = L::wheel(points);
-        let [lower, upper] = L::kingpin(points);
+    pub fn of<P: HasKingpin<T> + HasWheel<T>>(points: &P) -> Self {
+        let [inner, centre] = points.wheel();
+        let [lower, upper] = points.kingpin();
         let kingpin = upper - lower;
         Self {
             angle: kingpin_angle(&kingpin, &(centre - inner)),
@@ -139,16 +137,12 @@ pub struct CarrierRotation<T> {
 }
 
 impl<T: Real> CarrierRotation<T> {
-    /// From positions, velocities and accelerations of all points; `None` where the carrier's
-    /// points are in line.
-    pub fn of<L: HasWheel<N, Scalar = T>, const N: usize>(
-        points: &L::Points,
-        velocities: &L::Points,
-        accelerations: &L::Points,
-    ) -> Option<Self> {
-        let at = L::carrier(points);
-        let omega = body::angular_velocity(&at, &L::carrier(velocities))?;
-        let alpha = body::angular_acceleration(&at, &omega, &L::carrier(accelerations))?;
+    /// From positions, velocities and accelerations of all points
+    /// ([`Motion::points`](crate::Motion::points)); `None` where the carrier's points are in line.
+    pub fn of<P: HasWheel<T>>(points: &Signal<P>) -> Option<Self> {
+        let at = points.value.carrier();
+        let omega = body::angular_velocity(&at, &points.rate.carrier())?;
+        let alpha = body::angular_acceleration(&at, &omega, &points.second_rate.carrier())?;
         Some(Self { omega, alpha })
     }
 }

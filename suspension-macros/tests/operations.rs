@@ -18,14 +18,18 @@ thread_local! {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Counting(f64);
 
+fn note(kind: usize) {
+    let mut done = DONE.get();
+    done[kind] += 1;
+    DONE.set(done);
+}
+
 macro_rules! counted {
     ($operator:ident, $method:ident, $assign:ident, $assign_method:ident, $kind:literal) => {
         impl $operator for Counting {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
-                let mut done = DONE.get();
-                done[$kind] += 1;
-                DONE.set(done);
+                note($kind);
                 Self(self.0.$method(other.0))
             }
         }

@@ -209,22 +209,10 @@ where
     L: Build<N, Scalar = f64>,
     C: ChassisMotion<L::Fixed>,
 {
-    let drives = model.coordinates(&inputs.drives);
-    let chassis = inputs.chassis.signal(model.fixed());
-    let points = model.points(
-        &motion.position,
-        &L::drive_anchors(chassis.value, &drives.value),
-    );
-    let velocities = model.velocities(
-        &points,
-        &motion.velocity,
-        &L::drive_anchors(chassis.rate, &drives.rate),
-    );
-    let accelerations = model.accelerations(
-        &points,
-        &velocities,
-        &motion.acceleration,
-        &L::drive_anchors(chassis.second_rate, &drives.second_rate),
-    );
-    [points, velocities, accelerations]
+    let Signal {
+        value,
+        rate,
+        second_rate,
+    } = motion.points(model, inputs);
+    [value, rate, second_rate]
 }

@@ -117,7 +117,7 @@ fn differences(
         steer: design.rack.y - row("rack_mm"),
     };
     let points = checks::solve(model, design, drives);
-    let [inner, centre] = Model::wheel(&points);
+    let [inner, centre] = points.wheel();
     let axis = centre - inner;
     let prefix = format!("{side:?}").to_lowercase();
     let published = |what: &str| row(&format!("{prefix}_{what}"));

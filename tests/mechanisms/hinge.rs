@@ -71,7 +71,7 @@ fn turns_about_both_hinges() {
 #[test]
 fn the_wheel_is_carried_by_the_arm() {
     let points = design();
-    let carrier = <Model<f64> as suspension_core::linkage::HasWheel<12>>::carrier(&points);
+    let carrier = suspension_core::HasWheel::carrier(&points);
     assert_eq!(carrier, [points.hinge_in, points.hinge_out, points.inner]);
 }
 

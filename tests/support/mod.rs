@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Build, HasWheel, Inputs, Motion, Named, Newton, Real, Signal, Still, Tracker, assemble,
+    Build, Inputs, Motion, Named, Newton, Real, Signal, Still, Tracker, assemble,
 };
 
 /// The instants of Table 2, s.
@@ -274,20 +274,4 @@ where
             motion
         })
         .to_vec()
-}
-
-/// How the knuckle turns in a motion with the chassis at rest.
-pub(crate) fn carrier_rotation<T, L>(
-    model: &L,
-    motion: &Motion<T, 15>,
-) -> Option<suspension_core::wheel::CarrierRotation<T>>
-where
-    T: Real,
-    L: HasWheel<15, Scalar = T>,
-{
-    let still = L::Fixed::default();
-    let points = model.points(&motion.position, model.fixed());
-    let velocities = model.velocities(&points, &motion.velocity, &still);
-    let accelerations = model.accelerations(&points, &velocities, &motion.acceleration, &still);
-    suspension_core::wheel::CarrierRotation::of::<L, 15>(&points, &velocities, &accelerations)
 }

@@ -47,7 +47,7 @@ fn main() {
     assemble(&Newton::from_afar(), &model, &inputs, &mut q).unwrap();
     let mut motion = suspension_core::Motion::at_rest(q);
     Tracker::default().step(&model, &inputs, 0.1, &mut motion).unwrap();
-    let wheel = Wheel::of::<Model<f64>, 9>(&model.points(&q, model.fixed()));
+    let wheel = Wheel::of(&model.points(&q, model.fixed()));
     println!("{} {} {:?}", equation::ROD, q[unknown::P_X], wheel);
     misuse();
 }

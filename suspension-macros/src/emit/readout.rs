@@ -114,25 +114,24 @@ pub(super) fn frame_of(marker: &Marker, points: &TokenStream) -> TokenStream {
 
 /// `impl HasWheel` and `impl HasKingpin`, where the listing states them.
 pub(super) fn roles(system: &System) -> TokenStream {
-    let n = Literal::usize_unsuffixed(system.size());
     let wheel = system.wheel.as_ref().map(|Wheel { axis, carrier }| {
         quote! {
-            impl<T: Scalar> HasWheel<#n> for Model<T> {
-                fn wheel(points: &Points<T>) -> [Vector3<T>; 2] {
-                    [#(points.#axis),*]
+            impl<T: Scalar> HasWheel<T> for Points<T> {
+                fn wheel(&self) -> [Vector3<T>; 2] {
+                    [#(self.#axis),*]
                 }
 
-                fn carrier(points: &Points<T>) -> [Vector3<T>; 3] {
-                    [#(points.#carrier),*]
+                fn carrier(&self) -> [Vector3<T>; 3] {
+                    [#(self.#carrier),*]
                 }
             }
         }
     });
     let kingpin = system.kingpin.as_ref().map(|axis| {
         quote! {
-            impl<T: Scalar> HasKingpin<#n> for Model<T> {
-                fn kingpin(points: &Points<T>) -> [Vector3<T>; 2] {
-                    [#(points.#axis),*]
+            impl<T: Scalar> HasKingpin<T> for Points<T> {
+                fn kingpin(&self) -> [Vector3<T>; 2] {
+                    [#(self.#axis),*]
                 }
             }
         }

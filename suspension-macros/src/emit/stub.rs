@@ -22,7 +22,7 @@ pub(crate) fn stub(listing: &Listing, system: &System, error: &syn::Error) -> To
     let indices = indices::modules(system);
     let linkage = linkage_impl(system);
     let build = build_impl(system);
-    let roles = roles(system);
+    let roles = roles();
     quote! {
         #errors
         #(#docs)*
@@ -141,16 +141,15 @@ fn build_impl(system: &System) -> TokenStream {
 }
 
 /// Both roles, whether or not the statements that give them could be read.
-fn roles(system: &System) -> TokenStream {
-    let n = Literal::usize_unsuffixed(system.size());
+fn roles() -> TokenStream {
     quote! {
-        impl<T: Scalar> HasWheel<#n> for Model<T> {
-            fn wheel(_: &Points<T>) -> [Vector3<T>; 2] { loop {} }
-            fn carrier(_: &Points<T>) -> [Vector3<T>; 3] { loop {} }
+        impl<T: Scalar> HasWheel<T> for Points<T> {
+            fn wheel(&self) -> [Vector3<T>; 2] { loop {} }
+            fn carrier(&self) -> [Vector3<T>; 3] { loop {} }
         }
 
-        impl<T: Scalar> HasKingpin<#n> for Model<T> {
-            fn kingpin(_: &Points<T>) -> [Vector3<T>; 2] { loop {} }
+        impl<T: Scalar> HasKingpin<T> for Points<T> {
+            fn kingpin(&self) -> [Vector3<T>; 2] { loop {} }
         }
     }
 }

@@ -854,19 +854,19 @@ pub mod attia2003 {
         }
     }
 
-    impl<T: Scalar> HasWheel<15> for Model<T> {
-        fn wheel(points: &Points<T>) -> [Vector3<T>; 2] {
-            [points.p8, points.p11]
+    impl<T: Scalar> HasWheel<T> for Points<T> {
+        fn wheel(&self) -> [Vector3<T>; 2] {
+            [self.p8, self.p11]
         }
 
-        fn carrier(points: &Points<T>) -> [Vector3<T>; 3] {
-            [points.p6, points.p7, points.p8]
+        fn carrier(&self) -> [Vector3<T>; 3] {
+            [self.p6, self.p7, self.p8]
         }
     }
 
-    impl<T: Scalar> HasKingpin<15> for Model<T> {
-        fn kingpin(points: &Points<T>) -> [Vector3<T>; 2] {
-            [points.p6, points.p7]
+    impl<T: Scalar> HasKingpin<T> for Points<T> {
+        fn kingpin(&self) -> [Vector3<T>; 2] {
+            [self.p6, self.p7]
         }
     }
 }

@@ -1294,19 +1294,19 @@ pub mod five_link {
         }
     }
 
-    impl<T: Scalar> HasWheel<15> for Model<T> {
-        fn wheel(points: &Points<T>) -> [Vector3<T>; 2] {
-            [points.upper_rear_outer, points.wheel_centre]
+    impl<T: Scalar> HasWheel<T> for Points<T> {
+        fn wheel(&self) -> [Vector3<T>; 2] {
+            [self.upper_rear_outer, self.wheel_centre]
         }
 
-        fn carrier(points: &Points<T>) -> [Vector3<T>; 3] {
-            [points.lower_front_outer, points.upper_front_outer, points.upper_rear_outer]
+        fn carrier(&self) -> [Vector3<T>; 3] {
+            [self.lower_front_outer, self.upper_front_outer, self.upper_rear_outer]
         }
     }
 
-    impl<T: Scalar> HasKingpin<15> for Model<T> {
-        fn kingpin(points: &Points<T>) -> [Vector3<T>; 2] {
-            [points.lower_front_outer, points.upper_front_outer]
+    impl<T: Scalar> HasKingpin<T> for Points<T> {
+        fn kingpin(&self) -> [Vector3<T>; 2] {
+            [self.lower_front_outer, self.upper_front_outer]
         }
     }
 }

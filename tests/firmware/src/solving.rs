@@ -112,35 +112,29 @@ where
         .is_ok()
 }
 
-fn read<T, L>(
+fn read<T, L, C>(
     linkage: &L,
-    fixed: &Signal<L::Fixed>,
+    inputs: &Inputs<C, L::Drives>,
     motion: &Motion<T, 15>,
     readout: &mut Readout<T>,
 ) -> bool
 where
     T: Real,
-    L: HasWheel<15, Scalar = T> + HasKingpin<15>,
+    L: Linkage<15, Scalar = T, Points: HasWheel<T> + HasKingpin<T>>,
+    C: ChassisMotion<L::Fixed>,
 {
-    let points = linkage.points(&motion.position, &fixed.value);
-    let velocities = linkage.velocities(&points, &motion.velocity, &fixed.rate);
-    let accelerations = linkage.accelerations(
-        &points,
-        &velocities,
-        &motion.acceleration,
-        &fixed.second_rate,
-    );
-    let carrier = CarrierRotation::of::<L, 15>(&points, &velocities, &accelerations);
-    let (Some(wheel), Some(carrier)) = (Wheel::of::<L, 15>(&points), carrier) else {
+    let points = motion.points(linkage, inputs);
+    let (Some(wheel), Some(carrier)) = (Wheel::of(&points.value), CarrierRotation::of(&points))
+    else {
         return false;
     };
-    let kingpin = Kingpin::of::<L, 15>(&points);
+    let kingpin = Kingpin::of(&points.value);
     let centre = |points: &L::Points| -> [T; 3] {
-        let [_, centre]: [Vector3<T>; 2] = L::wheel(points);
+        let [_, centre] = points.wheel();
         centre.into()
     };
     *readout = Readout {
-        centre: [&points, &velocities, &accelerations].map(centre),
+        centre: [&points.value, &points.rate, &points.second_rate].map(centre),
         camber: wheel.camber,
         toe: wheel.toe,
         kingpin_angle: kingpin.angle,
