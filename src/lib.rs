@@ -4,6 +4,10 @@
 //! the mechanism to its first instant ([`setup`]), [sweeps](mod@sweep) through the instants and
 //! writes what the core found.
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 pub mod check;
 pub mod cli;
 pub mod columns;

@@ -1,5 +1,7 @@
 //! Following a motion in time: last good motion in, next motion out.
 
+use core::fmt;
+
 use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::motion::{Motion, Prescribed, Tangent};
@@ -32,6 +34,18 @@ pub struct Stopped<T> {
     /// Why; `None` where `max_steps` were used up by good steps.
     pub cause: Option<SolveError<T>>,
 }
+
+impl<T: fmt::Display + fmt::LowerExp> fmt::Display for Stopped<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "stopped at time {}: ", self.reached)?;
+        match &self.cause {
+            Some(cause) => cause.fmt(f),
+            None => f.write_str("all steps that were allowed are used up"),
+        }
+    }
+}
+
+impl<T: fmt::Debug + fmt::Display + fmt::LowerExp> core::error::Error for Stopped<T> {}
 
 /// What an advance did.
 #[derive(Clone, Copy, Debug, PartialEq)]
