@@ -1,6 +1,6 @@
 //! From a rough guess to a configuration.
 
-use nalgebra::{Matrix3, Matrix4, Quaternion, SVector, SymmetricEigen, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Matrix4, Quaternion, SVector, UnitQuaternion, Vector3, Vector4};
 
 use crate::error::SolveError;
 use crate::linkage::Build;
@@ -57,12 +57,10 @@ fn centroid<T: Real, const K: usize>(points: &[Vector3<T>; K]) -> Vector3<T> {
     points.iter().sum::<Vector3<T>>() / T::constant(K as f64)
 }
 
-/// The eigenvector of Horn's matrix that belongs to its largest eigenvalue, as a quaternion.
+/// The eigenvector of Horn's matrix that belongs to its largest eigenvalue, as a quaternion:
+/// a column of the matrix, made positive and squared until only that eigenvector is left.
 fn best_rotation<T: Real>(s: &Matrix3<T>) -> Option<UnitQuaternion<T>> {
-    const EIGEN_ITERATIONS: usize = 100;
-    if !s.iter().all(|entry| entry.is_finite()) {
-        return None;
-    }
+    const SQUARINGS: usize = 40;
     let (x, y, z) = (s.m23 - s.m32, s.m31 - s.m13, s.m12 - s.m21);
     #[rustfmt::skip]
     let horn = Matrix4::new(
@@ -71,12 +69,22 @@ fn best_rotation<T: Real>(s: &Matrix3<T>) -> Option<UnitQuaternion<T>> {
         y, s.m12 + s.m21, s.m22 - s.m11 - s.m33, s.m23 + s.m32,
         z, s.m31 + s.m13, s.m23 + s.m32, s.m33 - s.m11 - s.m22,
     );
-    let eigen = SymmetricEigen::try_new(horn, T::EPSILON, EIGEN_ITERATIONS)?;
-    let column = eigen
-        .eigenvectors
-        .column(eigen.eigenvalues.imax())
-        .into_owned();
-    Some(UnitQuaternion::new_normalize(Quaternion::new(
-        column.x, column.y, column.z, column.w,
-    )))
+    let mut power = horn + Matrix4::from_diagonal_element(horn.norm());
+    for _ in 0..SQUARINGS {
+        power /= power.trace();
+        power *= power;
+    }
+    let columns = power.column_iter();
+    let longest = columns.fold(Vector4::zeros(), |longest, column| {
+        if column.norm_squared() > longest.norm_squared() {
+            column.into_owned()
+        } else {
+            longest
+        }
+    });
+    let usable = longest.norm_squared() > T::zero() && longest.iter().all(|x| x.is_finite());
+    usable.then(|| {
+        let quaternion = Quaternion::new(longest.x, longest.y, longest.z, longest.w);
+        UnitQuaternion::new_normalize(quaternion)
+    })
 }

@@ -1,7 +1,6 @@
 //! The solving path. All settings come from outside, so that no branch is folded away.
 
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::nalgebra::Vector3;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
     ChassisMotion, HasKingpin, HasWheel, Inputs, Linkage, Motion, Named, Newton, Real, RigidMotion,
@@ -206,11 +205,14 @@ macro_rules! export {
         #[unsafe(no_mangle)]
         extern "C" fn $read(
             linkage: &$linkage::Model<$number>,
-            fixed: &Signal<$linkage::Fixed<$number>>,
+            chassis: &RigidMotion<$number>,
+            drive: &Drive<$number>,
             motion: &Motion<$number, 15>,
             readout: &mut Readout<$number>,
         ) -> bool {
-            read(linkage, fixed, motion, readout)
+            let chassis = chassis.anchors(linkage.fixed());
+            let drives = drive.signal();
+            read(linkage, &Inputs { chassis, drives }, motion, readout)
         }
     };
 }
