@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
-use crate::csv_file::Target;
 use crate::job::Wanted;
+use crate::output::csv_file::Target;
 
 /// Suspension kinematics: positions, velocities and accelerations of a driven suspension.
 ///

@@ -3,18 +3,18 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use crate::comparison;
-use crate::csv_file::Target;
 use crate::failure::Failure;
-use crate::instants::Instants;
-use crate::output::{print, write_file};
-use crate::plot::{Chart, Curve};
-use crate::published::Paper;
-use crate::setup;
-use crate::source::Source;
+use crate::input::instants::Instants;
+use crate::input::setup;
+use crate::input::source::Source;
+use crate::output::csv_file::Target;
+use crate::output::files::{print, write_file};
+use crate::output::plot::{Chart, Curve};
+use crate::output::summary;
+use crate::published::comparison;
+use crate::published::paper::Paper;
+use crate::study::sweep::{Outcome, Rows, run};
 use crate::study::{End, Study, Timing};
-use crate::summary;
-use crate::sweep::{Outcome, Rows, run};
 
 /// The file that the published motion is solved from, and its name.
 const BUILT_IN: (&str, &str) = (

@@ -1,5 +1,8 @@
 //! A mechanism ready to move, whatever its linkage.
 
+pub mod columns;
+pub mod sweep;
+
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -7,11 +10,11 @@ use suspension_core::{
     Advanced, Build, HasKingpin, HasWheel, Inputs, Motion, SolveError, Still, Stopped, Tracker,
 };
 
-use crate::columns::{self, PointNames};
-use crate::drives::{DriveLaws, in_words};
 use crate::failure::Failure;
-use crate::file::Unit;
-use crate::instants::Instants;
+use crate::input::drives::{DriveLaws, in_words};
+use crate::input::file::Unit;
+use crate::input::instants::Instants;
+use columns::PointNames;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
 pub trait Suspension<const N: usize>:

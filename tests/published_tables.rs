@@ -3,7 +3,7 @@
 mod support;
 
 use support::Reference;
-use suspension::published::{Column, Paper};
+use suspension::published::paper::{Column, Paper};
 use suspension_core::linkages::attia2003;
 use suspension_core::wheel::CarrierRotation;
 use suspension_core::{Linkage, Motion};

@@ -4,7 +4,7 @@ use std::io::{self, BufWriter, Stdout, Write};
 use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
-use crate::output::Pending;
+use crate::output::files::Pending;
 
 /// Where comma-separated values go.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{Advanced, HasKingpin, HasWheel, Inputs, Motion, Named, Still};
 
-use crate::drives::unit_of;
-use crate::file::Unit;
+use crate::input::drives::unit_of;
+use crate::input::file::Unit;
 use crate::study::Suspension;
 
 /// The names of a linkage's points, by what they are.

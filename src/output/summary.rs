@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::file::Unit;
+use crate::input::file::Unit;
 use crate::study::Study;
-use crate::sweep::{Outcome, Rows};
+use crate::study::sweep::{Outcome, Rows};
 
 /// The wheel at the kept instants, and the totals.
 pub fn text(study: &dyn Study, outcome: &Outcome) -> String {

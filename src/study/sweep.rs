@@ -3,11 +3,11 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::csv_file::{CsvFile, Target};
-use crate::drives::number;
 use crate::failure::Failure;
-use crate::instants::Instants;
-use crate::progress::Progress;
+use crate::input::drives::number;
+use crate::input::instants::Instants;
+use crate::output::csv_file::{CsvFile, Target};
+use crate::output::progress::Progress;
 use crate::study::{End, Stop, Study};
 
 /// The rows of a table: names above, numbers below.

@@ -3,9 +3,9 @@
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Position, Table, Time};
-use crate::instants::Instants;
-use crate::source::Source;
+use crate::input::file::{MotionFile, Position, Table, Time};
+use crate::input::instants::Instants;
+use crate::input::source::Source;
 
 /// More instants than this are taken for a mistyped step.
 const MOST_INSTANTS: f64 = 1e7;
@@ -82,7 +82,7 @@ pub fn points(source: &Source, file: &MotionFile, markers: &[&str]) -> Result<()
     for (name, position) in in_file_order(&file.points) {
         let refuse = |message: String| Err(source.refuse(&position.span(), message));
         let (Position::At(numbers)
-        | Position::Off(crate::file::Offset {
+        | Position::Off(crate::input::file::Offset {
             offset: numbers, ..
         })) = position.get_ref();
         if numbers.iter().any(|number| !number.is_finite()) {

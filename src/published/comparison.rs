@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::published::{Column, Pair, Paper, beside};
-use crate::sweep::Rows;
+use crate::published::paper::{Column, Pair, Paper, beside};
+use crate::study::sweep::Rows;
 
 /// Columns that are printed next to each other.
 struct Block<'a> {

@@ -3,7 +3,7 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::sweep::Rows;
+use crate::study::sweep::Rows;
 
 /// A plot over time.
 #[derive(Clone, Debug)]

@@ -2,8 +2,8 @@
 
 use suspension_core::{DriveKind, Inputs, Linkage, Named, Signal, Still};
 
-use crate::file::Unit;
-use crate::polynomial::Polynomial;
+use crate::input::file::Unit;
+use crate::input::polynomial::Polynomial;
 
 /// The drives of a linkage over time, in the order of its drives.
 #[derive(Clone, Debug)]

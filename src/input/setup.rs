@@ -6,14 +6,14 @@ use suspension_core::wheel::Wheel;
 use suspension_core::{GeometryError, Linkage, Motion, Named, Newton, assemble};
 use toml::Spanned;
 
-use crate::check;
-use crate::columns::PointNames;
-use crate::drives::{DriveLaws, in_words};
 use crate::failure::Failure;
-use crate::file::{MotionFile, Offset, Position};
-use crate::instants::Instants;
-use crate::polynomial::Polynomial;
-use crate::source::Source;
+use crate::input::check;
+use crate::input::drives::{DriveLaws, in_words};
+use crate::input::file::{MotionFile, Offset, Position};
+use crate::input::instants::Instants;
+use crate::input::polynomial::Polynomial;
+use crate::input::source::Source;
+use crate::study::columns::PointNames;
 use crate::study::{Assembled, Study, Suspension, cause, follow};
 
 type Prepare = fn(&Task<'_>) -> Result<Box<dyn Study>, Failure>;

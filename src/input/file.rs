@@ -8,7 +8,7 @@ use serde::de::{self, MapAccess, SeqAccess, Visitor, value::MapAccessDeserialize
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::source::Source;
+use crate::input::source::Source;
 
 /// Values by name, each with its place in the file.
 pub type Table<V> = Spanned<BTreeMap<Spanned<String>, Spanned<V>>>;
