@@ -2,7 +2,8 @@
 //!
 //! Ids are `group/function/linkage/number`:
 //! - `kernel`: `residual`, `jacobian`, `lu` (the factorisation), `solve` (with the factors);
-//! - `newton`: one iteration with our own LU (`dense`) and with that of `nalgebra`;
+//! - `newton`: one iteration with the macro's elimination (`generated`), with our dense LU
+//!   (`dense`) and with that of `nalgebra`;
 //! - `step`: a step of 1 ms from the last motion to the next `position`, `velocity`,
 //!   `acceleration`, each including the ones before it.
 //!
@@ -14,6 +15,7 @@ use std::time::Duration;
 
 use criterion::{Bencher, Criterion, criterion_group, criterion_main};
 use nalgebra::SVector;
+use suspension_core::factored::Factored;
 use suspension_core::lu::Lu;
 use suspension_core::motion::Prescribed;
 use suspension_core::{
@@ -119,19 +121,26 @@ impl<T: Real, L: Build<15, Scalar = T>> Case<L> {
 
     fn iterations(&self, criterion: &mut Criterion) {
         let mut group = criterion.benchmark_group("newton");
+        let jacobian = |model: &L, start: &Start<L>| {
+            model.jacobian(&start.motion.position, &start.prescribed.fixed.value)
+        };
+        group.bench_function(format!("generated/{}", self.name), |bencher| {
+            self.time(bencher, |model, start| {
+                let factored = Factored::<L::Factors, T, 15>::new(&jacobian(model, start));
+                factored.map(|f| start.motion.position - f.solve(&residual(model, start)))
+            });
+        });
         group.bench_function(format!("dense/{}", self.name), |bencher| {
             self.time(bencher, |model, start| {
-                let q = start.motion.position;
-                let jacobian = model.jacobian(&q, &start.prescribed.fixed.value);
-                Lu::factor(&jacobian).map(|lu| q - lu.solve(&residual(model, start)))
+                let lu = Lu::factor(&jacobian(model, start));
+                lu.map(|lu| start.motion.position - lu.solve(&residual(model, start)))
             });
         });
         group.bench_function(format!("nalgebra/{}", self.name), |bencher| {
             self.time(bencher, |model, start| {
-                let q = start.motion.position;
-                let jacobian = model.jacobian(&q, &start.prescribed.fixed.value);
-                let step = jacobian.lu().solve(&residual(model, start));
-                step.map(|step| q - step)
+                let lu = jacobian(model, start).lu();
+                let step = lu.solve(&residual(model, start));
+                step.map(|step| start.motion.position - step)
             });
         });
     }

@@ -22,7 +22,7 @@ pub struct PointNames {
 }
 
 impl PointNames {
-    /// Of a linkage. [`Linkage::Points`] lists chassis points, free points, markers.
+    /// Of a linkage. [`suspension_core::Linkage::Points`] lists chassis points, free points, markers.
     pub fn of<L: Suspension<N>, const N: usize>() -> Self {
         let names = <L::Points as Named<Vector3<f64>>>::NAMES;
         let chassis = <L::Fixed as Named<Vector3<f64>>>::NAMES.len();

@@ -6,7 +6,7 @@ pub use crate::assemble::best_rigid_fit;
 pub use crate::build;
 pub use crate::constraint::{Carried, Distance, Frame, angle_to_coordinate};
 pub use crate::error::GeometryError;
-pub use crate::linkage::{Build, DriveKind, HasKingpin, HasWheel, Linkage, Named};
+pub use crate::linkage::{Build, DriveKind, Elimination, HasKingpin, HasWheel, Linkage, Named};
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
 
@@ -14,4 +14,10 @@ pub use crate::signal::Signal;
 #[inline(always)]
 pub fn from_columns<T: Scalar, const N: usize>(columns: [[T; N]; N]) -> SMatrix<T, N, N> {
     SMatrix::from_array_storage(nalgebra::ArrayStorage(columns))
+}
+
+/// The largest magnitude; zero where there are none.
+#[inline(always)]
+pub fn largest<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
+    numbers.into_iter().fold(T::zero(), T::larger_magnitude)
 }

@@ -26,6 +26,7 @@ pub mod build;
 pub mod chassis;
 pub mod constraint;
 pub mod error;
+pub mod factored;
 #[doc(hidden)]
 pub mod generated;
 pub mod linkage;

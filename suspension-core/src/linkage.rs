@@ -36,6 +36,22 @@ pub enum DriveKind {
     Angle,
 }
 
+/// An LU factorisation in a fixed order of pivots: straight-line code over the non-zero entries.
+pub trait Elimination<const N: usize>: Copy {
+    /// The number type.
+    type Scalar: Scalar;
+
+    /// Eliminates a Jacobian with the linkage's pattern of non-zeros.
+    fn factor(jacobian: &SMatrix<Self::Scalar, N, N>) -> Self;
+
+    /// The health of the pivots: the largest multiplier or inverse pivot in magnitude. Rounding
+    /// errors grow with it. Entries of the Jacobian are of the size of 1.
+    fn growth(&self) -> Self::Scalar;
+
+    /// Solves `J x = right`.
+    fn solve(&self, right: &SVector<Self::Scalar, N>) -> SVector<Self::Scalar, N>;
+}
+
 /// A linkage of `N` equations in `N` unknowns: the free points' coordinates `q`.
 ///
 /// Implemented by the `Model` that `linkage!` writes. All methods are straight-line code without
@@ -51,6 +67,8 @@ pub trait Linkage<const N: usize> {
     type Drives: Named<Self::Scalar> + Default;
     /// Chassis points, free points and markers, named.
     type Points: Named<Vector3<Self::Scalar>>;
+    /// The Jacobian eliminated in the order that the macro chose.
+    type Factors: Elimination<N, Scalar = Self::Scalar>;
     /// Names of the equations, rows of the Jacobian.
     const EQUATIONS: [&'static str; N];
     /// Names of the unknowns, columns of the Jacobian.

@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 
 use crate::error::SolveError;
+use crate::factored::Factored;
 use crate::linkage::Linkage;
-use crate::lu::Lu;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 
@@ -90,7 +90,7 @@ pub struct Tangent<'a, L: Linkage<N>, C, const N: usize> {
     chassis: core::marker::PhantomData<C>,
     prescribed: Prescribed<L::Fixed, L::Drives>,
     position: SVector<L::Scalar, N>,
-    lu: Lu<L::Scalar, N>,
+    factored: Factored<L::Factors, L::Scalar, N>,
 }
 
 impl<'a, T, L, C, const N: usize> Tangent<'a, L, C, N>
@@ -110,19 +110,19 @@ where
         position: &SVector<T, N>,
     ) -> Result<Self, SolveError<T>> {
         let prescribed = Prescribed::new(linkage, inputs);
-        let lu = Lu::factor(&linkage.jacobian(position, &prescribed.fixed.value))?;
+        let factored = Factored::new(&linkage.jacobian(position, &prescribed.fixed.value))?;
         Ok(Self {
             linkage,
             chassis: core::marker::PhantomData,
             prescribed,
             position: *position,
-            lu,
+            factored,
         })
     }
 
     /// `J qdot = -dF/du udot` (Attia 2003, eq. 3).
     pub fn velocity(&self) -> SVector<T, N> {
-        self.lu
+        self.factored
             .solve(&self.input_terms(&self.prescribed.fixed.rate, &self.prescribed.drives.rate))
     }
 
@@ -132,7 +132,7 @@ where
             rate, second_rate, ..
         } = &self.prescribed.fixed;
         let inputs = self.input_terms(second_rate, &self.prescribed.drives.second_rate);
-        self.lu
+        self.factored
             .solve(&(inputs - self.linkage.curvature(velocity, rate, velocity, rate)))
     }
 

@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 
 use crate::error::SolveError;
+use crate::factored::Factored;
 use crate::linkage::Linkage;
-use crate::lu::Lu;
 use crate::motion::Prescribed;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
@@ -103,7 +103,8 @@ impl<T: Real> Newton<T> {
         let mut bound = first_bound;
         let mut tolerance = T::zero();
         for iterations in 1..=self.max_iterations {
-            let lu = Lu::factor(&linkage.jacobian(&at.q, &prescribed.fixed.value))?;
+            let jacobian = linkage.jacobian(&at.q, &prescribed.fixed.value);
+            let lu = Factored::<L::Factors, T, N>::new(&jacobian)?;
             let step = lu.solve(&at.residual);
             let rounding = T::EPSILON * linkage.size().max(at.q.amax());
             tolerance = self.tolerance * rounding;

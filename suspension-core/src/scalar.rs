@@ -21,6 +21,9 @@ pub trait Scalar:
     /// The number nearest to `value`.
     fn constant(value: f64) -> Self;
 
+    /// The larger of two magnitudes.
+    fn larger_magnitude(self, other: Self) -> Self;
+
     /// Sine and cosine of an angle in radians, the same bits on every target.
     fn sine_cosine(self) -> (Self, Self);
 }
@@ -36,6 +39,11 @@ impl Scalar for f32 {
         value as f32
     }
 
+    #[inline(always)]
+    fn larger_magnitude(self, other: Self) -> Self {
+        f32::max(f32::abs(self), f32::abs(other))
+    }
+
     fn sine_cosine(self) -> (Self, Self) {
         libm::sincosf(self)
     }
@@ -48,6 +56,11 @@ impl Real for f32 {
 impl Scalar for f64 {
     fn constant(value: f64) -> Self {
         value
+    }
+
+    #[inline(always)]
+    fn larger_magnitude(self, other: Self) -> Self {
+        f64::max(f64::abs(self), f64::abs(other))
     }
 
     fn sine_cosine(self) -> (Self, Self) {

@@ -9,6 +9,8 @@ pub(crate) struct Listing {
     pub(crate) name: Ident,
     pub(crate) fixed: Vec<Named>,
     pub(crate) free: Vec<Named>,
+    /// Design positions, of the points that state one.
+    pub(crate) design: Vec<(Ident, [f64; 3])>,
     /// Where the free points are declared: the token for messages about counts.
     pub(crate) free_span: Span,
     pub(crate) constraints: Vec<Constraint>,

@@ -2,6 +2,7 @@
 
 mod build;
 mod docs;
+mod elimination;
 mod equations;
 mod indices;
 mod jacobian;
@@ -14,19 +15,21 @@ mod types;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::eliminate::Order;
 use crate::system::System;
 
 pub(crate) use stub::stub;
 
 /// The whole module.
-pub(crate) fn module(system: &System) -> TokenStream {
+pub(crate) fn module(system: &System, order: &Order) -> TokenStream {
     let System {
         docs, vis, name, ..
     } = system;
-    let header = docs::header(system);
+    let header = docs::header(system, order);
     let types = types::all(system);
     let indices = indices::modules(system);
     let linkage = equations::linkage_impl(system);
+    let elimination = elimination::elimination(system, order);
     let build = build::build_impl(system);
     let roles = readout::roles(system);
     quote! {
@@ -40,6 +43,7 @@ pub(crate) fn module(system: &System) -> TokenStream {
             #types
             #indices
             #linkage
+            #elimination
             #build
             #roles
         }

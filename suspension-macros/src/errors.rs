@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use proc_macro2::Span;
 use syn::spanned::Spanned;
-use syn::{Attribute, Error, Ident};
+use syn::{Attribute, Error, Ident, Lit};
 
 /// Errors gathered so that all of them are reported at once.
 #[derive(Default)]
@@ -241,5 +241,26 @@ pub(crate) fn undetermined(point: &Ident, axis: &str) -> Error {
         format!(
             "no equation is left to determine `{point}.{axis}`; join `{point}` by a link or a body"
         ),
+    )
+}
+
+pub(crate) fn not_a_position(keyword: &Ident) -> Error {
+    at(
+        keyword,
+        format!("unexpected `{keyword}`; write `,`, or a design position: `at [x, y, z]`"),
+    )
+}
+
+pub(crate) fn not_three_coordinates(span: Span, count: usize) -> Error {
+    Error::new(
+        span,
+        format!("a design position has three coordinates, {count} are given; write `[x, y, z]`"),
+    )
+}
+
+pub(crate) fn not_a_number(literal: &Lit) -> Error {
+    Error::new(
+        literal.span(),
+        "a coordinate is a number, for example `-1.25`",
     )
 }

@@ -1,8 +1,8 @@
-//! The pipeline: parse, check, lower, check, emit.
+//! The pipeline: parse, check, lower, check, order, emit.
 
 use proc_macro2::TokenStream;
 
-use crate::{check, emit, lower, parse};
+use crate::{check, eliminate, emit, lower, parse};
 
 /// Expands a listing. Where it has mistakes, all of them are reported, and the types are still
 /// emitted so that code which uses them raises no further errors.
@@ -17,7 +17,7 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
         check::determined(&system, &mut errors);
     }
     match errors.into_result() {
-        Ok(()) => emit::module(&system),
+        Ok(()) => emit::module(&system, &eliminate::order(system.size(), &system.entries())),
         Err(error) => emit::stub(&listing, &system, &error),
     }
 }

@@ -4,11 +4,13 @@
 
 mod ast;
 mod check;
+mod eliminate;
 mod emit;
 mod errors;
 mod expand;
 mod lower;
 mod parse;
+mod sample;
 mod system;
 #[cfg(test)]
 mod tests;

@@ -45,6 +45,11 @@ pub(crate) fn system(listing: &Listing) -> System {
         free_span: listing.free_span,
         fixed: listing.fixed.clone(),
         free: listing.free.clone(),
+        design: listing
+            .design
+            .iter()
+            .map(|(point, at)| (point.to_string(), *at))
+            .collect(),
         markers,
         bodies: lowering.bodies,
         equations: lowering.equations,

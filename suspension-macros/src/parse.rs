@@ -3,7 +3,7 @@
 use proc_macro2::{TokenStream, TokenTree};
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Ident, Token, Visibility, braced, parenthesized};
+use syn::{Attribute, Ident, Lit, Token, Visibility, braced, bracketed, parenthesized};
 
 use crate::ast::{
     Axis, Body, Constraint, Coordinate, Drive, Link, Listing, Marker, Named, Quantity,
@@ -29,6 +29,7 @@ fn parse_listing(input: ParseStream<'_>) -> syn::Result<(Listing, Errors)> {
         name,
         fixed: Vec::new(),
         free: Vec::new(),
+        design: Vec::new(),
         constraints: Vec::new(),
         drives: Vec::new(),
         markers: Vec::new(),
@@ -57,10 +58,14 @@ fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
     }
     let keyword: Ident = input.parse()?;
     match keyword.to_string().as_str() {
-        "fixed" => listing.fixed.extend(points(input)?),
+        "fixed" => {
+            let points = points(input, &mut listing.design)?;
+            listing.fixed.extend(points);
+        }
         "free" => {
             listing.free_span = keyword.span();
-            listing.free.extend(points(input)?);
+            let points = points(input, &mut listing.design)?;
+            listing.free.extend(points);
         }
         "link" => {
             let named = named(input, docs)?;
@@ -109,21 +114,56 @@ fn named(input: ParseStream<'_>, docs: Vec<Attribute>) -> syn::Result<Named> {
     Ok(Named { docs, name })
 }
 
-/// `: a, b, c`, each with its own docs.
-fn points(input: ParseStream<'_>) -> syn::Result<Vec<Named>> {
+/// `: a, b at [x, y, z], c`, each with its own docs.
+fn points(input: ParseStream<'_>, design: &mut Vec<(Ident, [f64; 3])>) -> syn::Result<Vec<Named>> {
     input.parse::<Token![:]>()?;
     let mut points = Vec::new();
     while !input.peek(Token![;]) {
         let docs = input.call(Attribute::parse_outer)?;
-        points.push(Named {
-            docs,
-            name: input.parse()?,
-        });
+        let name: Ident = input.parse()?;
+        if input.peek(Ident) {
+            design.push((name.clone(), position(input)?));
+        }
+        points.push(Named { docs, name });
         if !input.peek(Token![;]) {
             input.parse::<Token![,]>()?;
         }
     }
     Ok(points)
+}
+
+/// `at [x, y, z]`.
+fn position(input: ParseStream<'_>) -> syn::Result<[f64; 3]> {
+    let keyword: Ident = input.parse()?;
+    if keyword != "at" {
+        return Err(errors::not_a_position(&keyword));
+    }
+    let content;
+    let bracket = bracketed!(content in input);
+    let numbers = Punctuated::<Number, Token![,]>::parse_terminated(&content)?;
+    let numbers: Vec<f64> = numbers.into_iter().map(|Number(value)| value).collect();
+    <[f64; 3]>::try_from(numbers)
+        .map_err(|numbers| errors::not_three_coordinates(bracket.span.join(), numbers.len()))
+}
+
+/// A number with or without sign.
+struct Number(f64);
+
+impl Parse for Number {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        let sign = if input.parse::<Option<Token![-]>>()?.is_some() {
+            -1.0
+        } else {
+            1.0
+        };
+        let number: Lit = input.parse()?;
+        let value = match &number {
+            Lit::Int(digits) => digits.base10_parse::<f64>(),
+            Lit::Float(digits) => digits.base10_parse::<f64>(),
+            other => Err(errors::not_a_number(other)),
+        };
+        Ok(Self(sign * value?))
+    }
 }
 
 fn names(input: ParseStream<'_>) -> syn::Result<Vec<Ident>> {

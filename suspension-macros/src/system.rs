@@ -6,6 +6,8 @@ use quote::format_ident;
 use syn::{Attribute, Ident, Visibility};
 
 use crate::ast::Named;
+use crate::eliminate::Entry;
+use crate::sample::{Design, derivative};
 
 pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -16,6 +18,7 @@ pub(crate) struct System {
     pub(crate) free_span: Span,
     pub(crate) fixed: Vec<Named>,
     pub(crate) free: Vec<Named>,
+    pub(crate) design: Design,
     pub(crate) markers: Vec<Marker>,
     pub(crate) bodies: Vec<Body>,
     pub(crate) equations: Vec<Equation>,
@@ -134,35 +137,57 @@ impl Equation {
         }
     }
 
-    /// For each row, the unknowns on which it depends, as free point and axis.
-    pub(crate) fn columns(&self) -> Vec<Vec<(&Ident, usize)>> {
+    /// For each row, its dependences.
+    fn columns(&self) -> Vec<Vec<Dependence<'_>>> {
         match self {
             Self::Distance { from, to, .. } => vec![free_axes([from, to])],
             Self::Carried { point, frame, .. } => (0..3)
                 .map(|row| {
                     let mut columns = free_axes(frame.iter());
-                    columns.push((&point.name, row));
+                    columns.push(Dependence {
+                        point: &point.name,
+                        axis: row,
+                        unit: true,
+                    });
                     columns
                 })
                 .collect(),
             Self::Coordinate {
                 axis, of, minus, ..
             } => {
-                let ends = [Some(of), minus.as_ref()].into_iter().flatten();
-                vec![
-                    ends.filter(|site| site.is_free())
-                        .map(|site| (&site.name, *axis))
-                        .collect(),
-                ]
+                let ends = [(Some(of), true), (minus.as_ref(), false)];
+                let ends = ends.into_iter().filter_map(|(site, unit)| {
+                    let point = &site.filter(|site| site.is_free())?.name;
+                    Some(Dependence {
+                        point,
+                        axis: *axis,
+                        unit,
+                    })
+                });
+                vec![ends.collect()]
             }
         }
     }
 }
 
-fn free_axes<'a>(sites: impl IntoIterator<Item = &'a Site>) -> Vec<(&'a Ident, usize)> {
+/// That a row depends on a coordinate of a free point.
+struct Dependence<'a> {
+    point: &'a Ident,
+    axis: usize,
+    /// Whether the derivative is 1 in every position.
+    unit: bool,
+}
+
+fn free_axes<'a>(sites: impl IntoIterator<Item = &'a Site>) -> Vec<Dependence<'a>> {
     let free = sites.into_iter().filter(|site| site.is_free());
-    free.flat_map(|site| (0..3).map(move |axis| (&site.name, axis)))
-        .collect()
+    let all_axes = |point| {
+        (0..3).map(move |axis| Dependence {
+            point,
+            axis,
+            unit: false,
+        })
+    };
+    free.flat_map(|site| all_axes(&site.name)).collect()
 }
 
 impl System {
@@ -178,12 +203,34 @@ impl System {
 
     /// The column of each entry of each row that is not always zero.
     pub(crate) fn pattern(&self) -> Vec<Vec<usize>> {
-        let column = |(point, axis): (&Ident, usize)| {
-            let index = self.free.iter().position(|free| free.name == *point);
-            index.map(|index| 3 * index + axis)
-        };
-        let rows = self.equations.iter().flat_map(Equation::columns);
-        rows.map(|columns| columns.into_iter().filter_map(column).collect())
-            .collect()
+        let mut pattern = vec![Vec::new(); self.rows().len()];
+        for entry in self.entries() {
+            pattern[entry.row].push(entry.column);
+        }
+        pattern
+    }
+
+    /// The entries of the Jacobian that are not always zero.
+    pub(crate) fn entries(&self) -> Vec<Entry> {
+        let mut entries = Vec::new();
+        let mut first_row = 0;
+        for equation in &self.equations {
+            let rows = equation.columns();
+            for (row, columns) in rows.iter().enumerate() {
+                for Dependence { point, axis, unit } in columns {
+                    let Some(index) = self.free.iter().position(|free| free.name == **point) else {
+                        continue;
+                    };
+                    entries.push(Entry {
+                        row: first_row + row,
+                        column: 3 * index + axis,
+                        unit: *unit,
+                        value: derivative(equation, row, point, *axis, &self.design),
+                    });
+                }
+            }
+            first_row += rows.len();
+        }
+        entries
     }
 }

@@ -5,6 +5,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use nalgebra::{SVector, Vector3};
 use num_traits::{One, Zero};
+use suspension_core::linkage::Elimination;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Linkage, Named, Scalar};
 
@@ -72,6 +73,9 @@ impl Scalar for Counting {
     fn constant(value: f64) -> Self {
         Self(value)
     }
+    fn larger_magnitude(self, other: Self) -> Self {
+        Self(self.0.abs().max(other.0.abs()))
+    }
     fn sine_cosine(self) -> (Self, Self) {
         (Self(self.0.sin()), Self(self.0.cos()))
     }
@@ -83,25 +87,29 @@ fn count<R>(action: impl FnOnce() -> R) -> Counts {
     DONE.get()
 }
 
-/// The counts of residual, Jacobian and curvature. The code has no branches, so that any numbers
+/// The counts of residual, Jacobian, curvature, factorisation and solution. The code has no branches, so that any numbers
 /// will do.
-fn counts<L, const N: usize>(model: &L) -> [Counts; 3]
+fn counts<L, const N: usize>(model: &L) -> [Counts; 5]
 where
     L: Linkage<N, Scalar = Counting>,
 {
     let q = SVector::<Counting, N>::repeat(Counting(0.5));
     let fixed = L::Fixed::from_fn(|_| Vector3::repeat(Counting(0.25)));
     let drives = L::Drives::from_fn(|_| Counting(0.1));
+    let jacobian = model.jacobian(&q, &fixed);
+    let factors = L::Factors::factor(&jacobian);
     [
         count(|| model.residual(&q, &fixed, &drives)),
         count(|| model.jacobian(&q, &fixed)),
         count(|| model.curvature(&q, &fixed, &q, &fixed)),
+        count(|| L::Factors::factor(&jacobian)),
+        count(|| factors.solve(&q)),
     ]
 }
 
 /// The counts that the header of an expansion claims.
-fn claimed(expansion: &str) -> [Counts; 3] {
-    ["residual", "Jacobian", "curvature"].map(|method| {
+fn claimed(expansion: &str) -> [Counts; 5] {
+    ["residual", "Jacobian", "curvature", "factor", "solve"].map(|method| {
         let row = format!("/// | {method} |");
         let mut rows = expansion.lines().filter_map(|line| line.strip_prefix(&row));
         let row = rows.next().expect("a row of the table");
@@ -109,10 +117,9 @@ fn claimed(expansion: &str) -> [Counts; 3] {
             .split('|')
             .filter_map(|cell| cell.trim().parse().ok())
             .collect();
-        let [multiplications, additions] = numbers[..] else {
-            panic!("two numbers in {row}");
-        };
-        [multiplications, additions, 0]
+        numbers
+            .try_into()
+            .unwrap_or_else(|_| panic!("three numbers in {row}"))
     })
 }
 

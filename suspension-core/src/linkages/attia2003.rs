@@ -13,8 +13,12 @@ linkage! {
     /// The paper prints no coordinates for the wheel centre, point 11. Which position it is given
     /// is up to the host; that the spin axis runs through points 8 and 11 is an assumption.
     pub mod attia2003 {
-        fixed: p1, p2, p3, p4, p5;
-        free:  p6, p7, p8, p9, p10;
+        fixed: p1 at [-1.396, -0.025, -0.082], p2 at [-1.301, 0.1168, 0.106],
+               p3 at [-1.0941, 0.1987, 0.09], p4 at [-0.9838, 0.2609, -0.0501],
+               p5 at [-1.095, 0.183, -0.0158];
+        free:  p6 at [-1.315, 0.400, 0.027], p7 at [-1.302, 0.383, 0.240],
+               p8 at [-1.270, 0.315, 0.218], p9 at [-1.292, 0.309, -0.005],
+               p10 at [-1.188, 0.418, 0.167];
 
         /// Eq. (1.1)
         link d6_1: p1 -> p6;

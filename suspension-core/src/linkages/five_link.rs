@@ -9,17 +9,20 @@ linkage! {
     /// Axes as ISO 8855: x forward, y left, z up.
     pub mod five_link {
         /// Chassis end of the lower leading link.
-        fixed: lower_front_inner;
+        fixed: lower_front_inner at [-1.396, -0.025, -0.082];
         /// Chassis end of the upper leading link.
-        fixed: upper_front_inner;
+        fixed: upper_front_inner at [-1.301, 0.1168, 0.106];
         /// Chassis end of the upper trailing link.
-        fixed: upper_rear_inner;
+        fixed: upper_rear_inner at [-1.0941, 0.1987, 0.09];
         /// Chassis end of the lower trailing link.
-        fixed: lower_rear_inner;
+        fixed: lower_rear_inner at [-0.9838, 0.2609, -0.0501];
         /// Chassis end of the track rod.
-        fixed: track_rod_inner;
-        free: lower_front_outer, upper_front_outer, upper_rear_outer, lower_rear_outer,
-              track_rod_outer;
+        fixed: track_rod_inner at [-1.095, 0.183, -0.0158];
+        free: lower_front_outer at [-1.315, 0.400, 0.027],
+              upper_front_outer at [-1.302, 0.383, 0.240],
+              upper_rear_outer at [-1.270, 0.315, 0.218],
+              lower_rear_outer at [-1.292, 0.309, -0.005],
+              track_rod_outer at [-1.188, 0.418, 0.167];
 
         link lower_front: lower_front_inner -> lower_front_outer;
         link upper_front: upper_front_inner -> upper_front_outer;

@@ -3,13 +3,15 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::eliminate::{self, Order};
 use crate::system::{Equation, System};
 
-/// Multiplications and additions of straight-line code.
+/// Operations of straight-line code. A change of sign is none.
 #[derive(Clone, Copy, Default)]
 struct Operations {
     multiplications: usize,
     additions: usize,
+    divisions: usize,
 }
 
 fn add(total: &mut Operations, multiplications: usize, additions: usize) {
@@ -17,9 +19,8 @@ fn add(total: &mut Operations, multiplications: usize, additions: usize) {
     total.additions += additions;
 }
 
-/// Operations of residual, Jacobian and curvature, as `suspension_core::constraint` writes them;
-/// a change of sign is none.
-fn operations(system: &System) -> [Operations; 3] {
+/// Operations of residual, Jacobian and curvature, as `suspension_core::constraint` writes them.
+fn evaluations(system: &System) -> [Operations; 3] {
     let [mut residual, mut jacobian, mut curvature] = [Operations::default(); 3];
     let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
     let frames = bodies.count();
@@ -46,35 +47,60 @@ fn operations(system: &System) -> [Operations; 3] {
     [residual, jacobian, curvature]
 }
 
-pub(super) fn header(system: &System) -> TokenStream {
+/// Operations of factorisation and solution.
+fn eliminations(order: &Order) -> [Operations; 2] {
+    let [mut factor, mut solve] = [Operations::default(); 2];
+    for step in &order.steps {
+        let (right, below) = (step.right.len(), step.below.len());
+        let scaled = usize::from(!step.unit);
+        factor.divisions += scaled;
+        add(&mut factor, below * (right + scaled), below * right);
+        add(&mut solve, below + right + scaled, below + right);
+    }
+    // An entry that fills in starts from nothing.
+    factor.additions -= order.fill.len();
+    [factor, solve]
+}
+
+pub(super) fn header(system: &System, order: &Order) -> TokenStream {
     let n = system.size();
-    let non_zeros: usize = system.pattern().iter().map(Vec::len).sum();
+    let non_zeros = system.entries().len();
     let unknowns = list(system.free.iter().map(|point| &point.name));
     let equations = list(system.rows().iter());
-    let row = |(what, count): (&str, Operations)| {
-        let Operations {
-            multiplications,
-            additions,
-        } = count;
-        format!(" | {what} | {multiplications} | {additions} |")
-    };
-    let [residual, jacobian, curvature] = operations(system);
+    let [residual, jacobian, curvature] = evaluations(system);
+    let [factor, solve] = eliminations(order);
     let counts = [
         ("residual", residual),
         ("Jacobian", jacobian),
         ("curvature", curvature),
+        ("factor", factor),
+        ("solve", solve),
     ]
-    .map(row);
+    .map(|(what, count)| {
+        let Operations {
+            multiplications,
+            additions,
+            divisions,
+        } = count;
+        format!(" | {what} | {multiplications} | {additions} | {divisions} |")
+    });
     let text = [
         String::new(),
         format!(" {n} unknowns `q`: the coordinates of {unknowns}."),
         String::new(),
         format!(" {n} equations `F(q) = 0`: {equations}."),
         String::new(),
-        format!(" Jacobian: {n} x {n}, {non_zeros} non-zeros of {}.", n * n),
+        format!(
+            " Jacobian: {n} x {n}, {non_zeros} non-zeros of {}; its factors have {}. The longest \
+             chain of operations in the factorisation is {}, a division counted as {}.",
+            n * n,
+            non_zeros + order.fill.len(),
+            order.chain,
+            eliminate::DIVISION,
+        ),
         String::new(),
-        " | no division, no branch | multiplications | additions |".to_owned(),
-        " |---|---|---|".to_owned(),
+        " | no branch | multiplications | additions | divisions |".to_owned(),
+        " |---|---|---|---|".to_owned(),
     ];
     quote!(#(#[doc = #text])* #(#[doc = #counts])*)
 }

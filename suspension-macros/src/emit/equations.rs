@@ -28,6 +28,7 @@ pub(super) fn linkage_impl(system: &System) -> TokenStream {
             type Fixed = Fixed<T>;
             type Drives = Drives<T>;
             type Points = Points<T>;
+            type Factors = Factors<T>;
             #tables
 
             fn fixed(&self) -> &Fixed<T> {

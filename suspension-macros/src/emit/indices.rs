@@ -57,10 +57,13 @@ pub(super) fn equation(row: &Ident) -> TokenStream {
     quote!(equation::#name)
 }
 
+/// `unknown::NAME`.
+pub(super) fn unknown(column: &Ident) -> TokenStream {
+    let name = upper(column);
+    quote!(unknown::#name)
+}
+
 /// `unknown::POINT_X`, ... for the three coordinates of a point.
 pub(super) fn unknowns(point: &Ident) -> [TokenStream; 3] {
-    unknown_names(point).map(|name| {
-        let name = upper(&name);
-        quote!(unknown::#name)
-    })
+    unknown_names(point).map(|name| unknown(&name))
 }

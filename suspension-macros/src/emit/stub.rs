@@ -80,11 +80,22 @@ fn distinct<'a>(names: impl Iterator<Item = &'a Ident>) -> Vec<Field> {
 fn linkage_impl(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     quote! {
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Factors<T>(T);
+
+        impl<T: Scalar> Elimination<#n> for Factors<T> {
+            type Scalar = T;
+            fn factor(_: &SMatrix<T, #n, #n>) -> Self { loop {} }
+            fn growth(&self) -> T { loop {} }
+            fn solve(&self, _: &SVector<T, #n>) -> SVector<T, #n> { loop {} }
+        }
+
         impl<T: Scalar> Linkage<#n> for Model<T> {
             type Scalar = T;
             type Fixed = Fixed<T>;
             type Drives = Drives<T>;
             type Points = Points<T>;
+            type Factors = Factors<T>;
             const EQUATIONS: [&'static str; #n] = [""; #n];
             const UNKNOWNS: [&'static str; #n] = [""; #n];
             const DRIVE_KINDS: &'static [DriveKind] = &[];

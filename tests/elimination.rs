@@ -1,0 +1,100 @@
+//! The fixed order of elimination against LU with partial pivoting, and the way out where its
+//! pivots are unhealthy.
+
+mod support;
+
+use nalgebra::{SVector, Vector3};
+use proptest::prelude::*;
+use suspension_core::factored::Factored;
+use suspension_core::linkage::Elimination;
+use suspension_core::lu::Lu;
+use suspension_core::{Build, Linkage, Named, Newton, Real};
+
+/// Solves with both factorisations near the published design and compares.
+fn agree<T: Real, L: Build<15, Scalar = T>>(
+    rough: &L::Points,
+    by: &[f64],
+) -> Result<(), TestCaseError> {
+    let mut by = by.iter().map(|by| T::constant(*by));
+    let mut next = || by.next().unwrap_or_default();
+    let displaced = rough.map_each(|point| point + Vector3::new(next(), next(), next()));
+    let Ok(model) = L::new(&displaced) else {
+        return Ok(());
+    };
+    let jacobian = model.jacobian(&L::unknowns(&displaced), model.fixed());
+    let right = SVector::<T, 15>::from_fn(|row, _| T::constant(0.1 + row as f64));
+    let fixed = L::Factors::factor(&jacobian);
+    let Ok(pivoted) = Lu::factor(&jacobian) else {
+        return Ok(());
+    };
+    let expected = pivoted.solve(&right);
+    // Backward stable to the growth of the pivots: judged by the residual, not by the condition.
+    let residual = |x: &SVector<T, 15>| (jacobian * x - right).amax();
+    let scale = T::EPSILON * expected.amax() * T::constant(64.0);
+    prop_assert!(residual(&expected) <= scale);
+    if fixed.growth() < T::constant(1e3) {
+        prop_assert!(residual(&fixed.solve(&right)) <= scale * fixed.growth());
+    }
+    let chosen = Factored::<L::Factors, T, 15>::new(&jacobian).expect("regular");
+    prop_assert!(residual(&chosen.solve(&right)) <= scale * T::constant(1e3));
+    Ok(())
+}
+
+/// A struct of points with each replaced.
+trait MapEach<V>: Named<V> {
+    fn map_each(&self, mut value: impl FnMut(V) -> V) -> Self {
+        let mut values = self.values();
+        Self::from_fn(|_| value(values.next().expect("a value for each name")))
+    }
+}
+
+impl<V, S: Named<V>> MapEach<V> for S {}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn both_factorisations_solve(by in prop::collection::vec(-0.03_f64..0.03, 33)) {
+        use suspension_core::linkages::{attia2003::Model as Listed, five_link::Model as Rigid};
+        agree::<f64, Listed<f64>>(&support::attia_rough(), &by)?;
+        agree::<f32, Listed<f32>>(&support::attia_rough(), &by)?;
+        agree::<f64, Rigid<f64>>(&support::five_link_rough(), &by)?;
+        agree::<f32, Rigid<f32>>(&support::five_link_rough(), &by)?;
+    }
+}
+
+/// With link 6-1 square to the x axis the pivot that the design chose for it is zero.
+#[test]
+fn a_zero_pivot_is_seen_and_solved_with_pivoting() {
+    use suspension_core::linkages::attia2003::{Factors, Model, Points};
+    let design = support::attia_rough::<f64>();
+    let p6 = design.p1 + Vector3::new(0.0, 0.3, 0.33);
+    let square = Points { p6, ..design };
+    let model = Model::new(&square).expect("a geometry");
+    let jacobian = model.jacobian(&Model::unknowns(&square), model.fixed());
+    assert!(Factors::factor(&jacobian).growth().is_infinite());
+    let factored = Factored::<Factors<f64>, f64, 15>::new(&jacobian).expect("regular");
+    assert!(matches!(factored, Factored::WithPivoting(_)));
+    let x = SVector::<f64, 15>::from_fn(|row, _| 1.0 + row as f64);
+    assert!((factored.solve(&(jacobian * x)) - x).amax() < 1e-11);
+}
+
+/// Newton's method through the fixed order ends where it ends through partial pivoting.
+#[test]
+fn newton_does_not_notice() {
+    let motions = support::motions(
+        &support::five_link_model::<f64>(),
+        &support::five_link_rough(),
+        support::five_link_inputs,
+    );
+    let reference = support::Reference::load();
+    for (instant, motion) in motions.iter().enumerate() {
+        let mut q = motion.position.map(|x| x + 1e-3);
+        let inputs = support::five_link_inputs(support::INSTANTS[instant]);
+        let newton = Newton::from_afar();
+        newton
+            .solve(&support::five_link_model::<f64>(), &inputs, &mut q)
+            .expect("a root");
+        assert!((q - reference.unknowns(instant, "")).amax() < 5e-15);
+    }
+}
