@@ -79,7 +79,7 @@ fn is_root<T: Real, L: Linkage<15, Scalar = T>>(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 120, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn a_root_or_an_error(

@@ -2,6 +2,7 @@
 #![allow(dead_code)]
 
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
@@ -53,11 +54,11 @@ impl Reference {
 }
 
 /// The data file of the paper.
-pub(crate) fn paper() -> toml::Table {
+static PAPER: LazyLock<toml::Table> = LazyLock::new(|| {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/published/attia2003.toml");
-    let text = std::fs::read_to_string(path).expect("the paper's data is part of the tests");
+    let text = std::fs::read_to_string(path).expect("the paper's data is part of the program");
     text.parse().expect("valid TOML")
-}
+});
 
 fn number(value: &toml::Value) -> f64 {
     value.as_float().expect("a number")
@@ -70,7 +71,7 @@ fn point(value: &toml::Value) -> Vector3<f64> {
 
 /// A chassis point of Table 1, the printed sign of point 4's x corrected.
 pub(crate) fn chassis_point(name: &str) -> Vector3<f64> {
-    let mut p = point(&paper()["table1"][name]);
+    let mut p = point(&PAPER["table1"][name]);
     if name == "p4" {
         p.x = -p.x;
     }
@@ -79,12 +80,12 @@ pub(crate) fn chassis_point(name: &str) -> Vector3<f64> {
 
 /// A knuckle point of the paper's printed initial guess.
 pub(crate) fn printed_guess(name: &str) -> Vector3<f64> {
-    point(&paper()["table2"]["initial_guess"][name])
+    point(&PAPER["table2"]["initial_guess"][name])
 }
 
 /// A column of Table 2 or 3, misprints corrected.
 pub(crate) fn table(table: &str, column: &str) -> Vec<f64> {
-    let paper = paper();
+    let paper = &*PAPER;
     let mut values: Vec<f64> = paper[table][column]
         .as_array()
         .expect("a column")
@@ -115,7 +116,7 @@ pub(crate) fn table2_point(name: &str, instant: usize) -> Vector3<f64> {
 
 /// The recovered length of the paper's link `name`.
 pub(crate) fn length(name: &str) -> f64 {
-    number(&paper()["lengths"][name])
+    number(&PAPER["lengths"][name])
 }
 
 /// The drive of the paper at time `t`: value, rate, second rate.
