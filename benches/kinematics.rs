@@ -126,7 +126,8 @@ impl<T: Real, L: Build<15, Scalar = T>> Case<L> {
         };
         group.bench_function(format!("generated/{}", self.name), |bencher| {
             self.time(bencher, |model, start| {
-                let factored = Factored::<L::Factors, T, 15>::new(&jacobian(model, start));
+                let (q, fixed) = (&start.motion.position, &start.prescribed.fixed.value);
+                let factored = Factored::new(model, q, fixed);
                 factored.map(|f| start.motion.position - f.solve(&residual(model, start)))
             });
         });

@@ -1,10 +1,10 @@
 //! A factored Jacobian: in the macro's order of pivots, or where that is unhealthy, with partial
 //! pivoting.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use crate::error::SolveError;
-use crate::linkage::Elimination;
+use crate::linkage::{Elimination, Linkage};
 use crate::lu::Lu;
 use crate::scalar::Real;
 
@@ -23,23 +23,40 @@ pub enum Factored<F, T, const N: usize> {
 }
 
 impl<T: Real, F: Elimination<N, Scalar = T>, const N: usize> Factored<F, T, N> {
-    /// Factors `jacobian`, which has the linkage's pattern of non-zeros.
+    /// Factors the Jacobian of a linkage.
     ///
     /// # Errors
     ///
     /// [`SolveError::Singular`], from partial pivoting.
-    #[inline]
-    pub fn new(jacobian: &SMatrix<T, N, N>) -> Result<Self, SolveError<T>> {
-        let factors = F::factor(jacobian);
+    #[inline(always)]
+    pub fn new<L>(linkage: &L, q: &SVector<T, N>, fixed: &L::Fixed) -> Result<Self, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T, Factors = F>,
+    {
+        // Only its non-zeros are ever computed: the matrix does not outlive this line.
+        let factors = F::factor(&linkage.jacobian(q, fixed));
         if factors.growth() <= T::constant(GROWTH_LIMIT) {
             Ok(Self::InFixedOrder(factors))
         } else {
-            Lu::factor(jacobian).map(Self::WithPivoting)
+            Self::with_pivoting(linkage, q, fixed)
         }
     }
 
+    #[cold]
+    #[inline(never)]
+    fn with_pivoting<L>(
+        linkage: &L,
+        q: &SVector<T, N>,
+        fixed: &L::Fixed,
+    ) -> Result<Self, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T, Factors = F>,
+    {
+        Lu::factor(&linkage.jacobian(q, fixed)).map(Self::WithPivoting)
+    }
+
     /// Solves `J x = right`.
-    #[inline]
+    #[inline(always)]
     pub fn solve(&self, right: &SVector<T, N>) -> SVector<T, N> {
         match self {
             Self::InFixedOrder(factors) => factors.solve(right),

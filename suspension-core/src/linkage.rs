@@ -44,7 +44,7 @@ pub trait Elimination<const N: usize>: Copy {
     /// Eliminates a Jacobian with the linkage's pattern of non-zeros.
     fn factor(jacobian: &SMatrix<Self::Scalar, N, N>) -> Self;
 
-    /// The health of the pivots: the largest multiplier or inverse pivot in magnitude. Rounding
+    /// The health of the pivots: the largest inverse of a pivot in magnitude. Rounding
     /// errors grow with it. Entries of the Jacobian are of the size of 1.
     fn growth(&self) -> Self::Scalar;
 

@@ -110,7 +110,7 @@ where
         position: &SVector<T, N>,
     ) -> Result<Self, SolveError<T>> {
         let prescribed = Prescribed::new(linkage, inputs);
-        let factored = Factored::new(&linkage.jacobian(position, &prescribed.fixed.value))?;
+        let factored = Factored::new(linkage, position, &prescribed.fixed.value)?;
         Ok(Self {
             linkage,
             chassis: core::marker::PhantomData,

@@ -103,8 +103,7 @@ impl<T: Real> Newton<T> {
         let mut bound = first_bound;
         let mut tolerance = T::zero();
         for iterations in 1..=self.max_iterations {
-            let jacobian = linkage.jacobian(&at.q, &prescribed.fixed.value);
-            let lu = Factored::<L::Factors, T, N>::new(&jacobian)?;
+            let lu = Factored::new(linkage, &at.q, &prescribed.fixed.value)?;
             let step = lu.solve(&at.residual);
             let rounding = T::EPSILON * linkage.size().max(at.q.amax());
             tolerance = self.tolerance * rounding;

@@ -112,19 +112,13 @@ impl Named<'_> {
             .steps
             .iter()
             .filter_map(|step| self.inverse(step));
-        let multipliers = self
-            .order
-            .steps
-            .iter()
-            .flat_map(|step| step.below.iter().map(|&row| self.entry(row, step.column)));
-        let growing = pivots.chain(multipliers);
         quote! {
             #[inline(always)]
             fn factor(jacobian: &SMatrix<T, #n, #n>) -> Self {
                 let columns = &jacobian.data.0;
                 let mut lu = Self { growth: T::zero(), #(#initial),* };
                 #(#steps)*
-                lu.growth = largest([#(lu.#growing),*]);
+                lu.growth = largest([#(lu.#pivots),*]);
                 lu
             }
         }
