@@ -204,9 +204,9 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
             drives_asked: drives(asked),
             reached: stopped.reached,
             drives_reached: drives(stopped.reached),
-            cause: stopped.cause.map_or_else(
+            cause: stopped.refused.map_or_else(
                 || "the time is too far away".to_owned(),
-                |error| cause::<L, N>(&error, self.unit),
+                |(_, error)| cause::<L, N>(&error, self.unit),
             ),
             speed_up,
         }
@@ -237,6 +237,12 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
     match error {
         SolveError::NotFinite { .. } => {
             format!("the residual of equation `{name}` is not a finite number")
+        }
+        SolveError::Overflow { .. } => {
+            format!("the change of unknown `{name}` is not a finite number")
+        }
+        SolveError::CrossedSingularity { .. } => {
+            format!("a step of unknown `{name}` ended in another assembly")
         }
         SolveError::Singular { .. } => format!("unknown `{name}` is no longer determined"),
         SolveError::Diverging { .. } => {

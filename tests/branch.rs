@@ -113,6 +113,62 @@ fn far_jumps_stay_in_the_assembly() {
     }
 }
 
+/// A start so far away that its rounding is larger than the mechanism proves nothing.
+#[test]
+fn a_start_at_astronomical_distance_is_no_excuse() {
+    let model: five_link::Model<f64> = support::five_link_model();
+    for exponent in [6, 10, 12, 14, 20, 60, 100] {
+        for unknown in 0..15 {
+            let mut q = Reference::load().unknowns(4, "");
+            q[unknown] = 10_f64.powi(exponent);
+            let inputs = support::five_link_inputs(1.0);
+            if let Ok(converged) = Newton::from_afar().solve(&model, &inputs, &mut q) {
+                let coordinates = model.coordinates(&inputs.drives).value;
+                let residual = model.residual(&q, model.fixed(), &coordinates).amax();
+                assert!(residual <= converged.tolerance && converged.tolerance < 1e-13);
+            }
+        }
+    }
+}
+
+/// Beside a fold the position is known to the square root of rounding only, and no digit of the
+/// velocity: it is refused, not guessed.
+#[test]
+fn no_velocity_beside_a_fold() {
+    suspension_core::linkage! {
+        mod pendulum {
+            fixed: a;
+            free:  p;
+            link rod: a -> p;
+            drive theta: angle(a -> p, z);
+            drive y: p.y;
+        }
+    }
+    use pendulum::{Drives, Model, Points};
+    let design = Points {
+        a: Vector3::zeros(),
+        p: Vector3::new(0.3, 0.0, 0.4),
+    };
+    let model = Model::new(&design).expect("a rod");
+    for theta in [0.0, 1e-8, std::f64::consts::PI] {
+        let drives = |theta| Drives { theta, y: 0.0 };
+        let drives = Signal {
+            value: drives(theta),
+            rate: drives(1.0),
+            second_rate: drives(0.0),
+        };
+        let inputs = Inputs::still(drives);
+        let mut q = Model::unknowns(&design);
+        if Newton::from_afar().solve(&model, &inputs, &mut q).is_ok() {
+            let tangent = suspension_core::Tangent::new(&model, &inputs, &q);
+            assert!(
+                matches!(tangent, Err(SolveError::Singular { .. })),
+                "theta = {theta}"
+            );
+        }
+    }
+}
+
 /// A failed solve leaves the state as it was and says why.
 #[test]
 fn failures_leave_the_state_untouched() {

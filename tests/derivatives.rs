@@ -104,13 +104,14 @@ fn carried<T: Real>() {
 /// Jacobian, input rates and curvature of a whole linkage.
 fn listing<T: Real, L: Linkage<15, Scalar = T>>(model: &L) {
     let q = SVector::<T, 15>::from_fn(|i, _| crooked(100 + i));
-    let fixed = L::Fixed::from_fn(|name| crooked_vector(200 + 3 * name.len()));
-    let mut seed = 300;
-    let fixed_rate = fixed.map(|_| crooked_vector::<T>(301));
-    let drives = L::Drives::from_fn(|_| {
+    let mut seed = 200;
+    let mut next_seed = || {
         seed += 1;
-        crooked(seed)
-    });
+        seed
+    };
+    let fixed = L::Fixed::from_fn(|_| crooked_vector(next_seed()));
+    let fixed_rate = L::Fixed::from_fn(|_| crooked_vector::<T>(next_seed()));
+    let drives = L::Drives::from_fn(|_| crooked(next_seed()));
     let zero = L::Fixed::default();
     let step = T::constant(STEP);
     let two_steps = step + step;

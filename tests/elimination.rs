@@ -33,6 +33,9 @@ fn agree<T: Real, L: Build<15, Scalar = T>>(
     let scale = T::EPSILON * expected.amax() * T::constant(64.0);
     prop_assert!(residual(&expected) <= scale);
     if fixed.growth() < T::constant(1e3) {
+        let positive = fixed.determinant_sign() > T::zero();
+        prop_assert_eq!(positive, pivoted.has_positive_determinant());
+        prop_assert_eq!(positive, jacobian.determinant() > T::zero());
         prop_assert!(residual(&fixed.solve(&right)) <= scale * fixed.growth());
     }
     let chosen = Factored::new(&model, &L::unknowns(&displaced), model.fixed()).expect("regular");

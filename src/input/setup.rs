@@ -232,7 +232,9 @@ fn to_first_instant<L: Suspension<N>, const N: usize>(
         Err(stopped) => {
             let unit = task.file.unit;
             let reached = way.inputs::<L::Drives>(stopped.reached).drives.value;
-            let cause = stopped.cause.map(|error| cause::<L, N>(&error, unit));
+            let cause = stopped
+                .refused
+                .map(|(_, error)| cause::<L, N>(&error, unit));
             Err(Failure::Solver(format!(
                 "{}: the first instant, t = {} s with {}, is out of reach: driven there from the \
                  design position, the mechanism stops at {} ({})",

@@ -7,7 +7,22 @@ use crate::error::GeometryError;
 use crate::linkage::Named;
 use crate::scalar::Real;
 
-/// Checks that every coordinate is finite.
+/// The largest number whose fourth power is finite: constants of bodies are of that degree.
+fn is_moderate<T: Real>(number: T) -> bool {
+    let square = number * number;
+    (square * square).is_finite()
+}
+
+/// Whether a length can be squared and divided by.
+fn is_usable<T: Real>(length: T) -> bool {
+    let square = length * length;
+    length > T::zero()
+        && square > T::zero()
+        && is_moderate(length)
+        && is_moderate(T::one() / length)
+}
+
+/// Checks that every coordinate is finite and not too large to compute with.
 ///
 /// # Errors
 ///
@@ -15,7 +30,7 @@ use crate::scalar::Real;
 pub fn finite<T: Real>(points: &impl Named<Vector3<T>>) -> Result<(), GeometryError> {
     check_each(
         points,
-        |point| point.iter().all(|x| x.is_finite()),
+        |point| point.iter().all(|x| is_moderate(*x)),
         |point| GeometryError::NotFinite { point },
     )
 }
@@ -26,8 +41,11 @@ pub fn finite<T: Real>(points: &impl Named<Vector3<T>>) -> Result<(), GeometryEr
 ///
 /// [`GeometryError::BadLength`].
 pub fn positive<T: Real>(lengths: &impl Named<T>) -> Result<(), GeometryError> {
-    let good = |length: &T| *length > T::zero() && length.is_finite();
-    check_each(lengths, good, |length| GeometryError::BadLength { length })
+    check_each(
+        lengths,
+        |length| is_usable(*length),
+        |length| GeometryError::BadLength { length },
+    )
 }
 
 fn check_each<V, S: Named<V>>(
@@ -56,13 +74,16 @@ pub fn distance<T: Real>(
     b: Vector3<T>,
 ) -> Result<Distance<T>, GeometryError> {
     let value = (b - a).norm();
-    let usable = value > T::zero() && value.is_finite() && (T::one() / value).is_finite();
-    if usable {
+    if is_usable(value) {
         Ok(Distance::new(value))
     } else {
         Err(GeometryError::BadLength { length })
     }
 }
+
+/// The smallest sine of the angle between a frame's edges. With less, rounding errors of a body's
+/// equations grow beyond the tolerance of the solver.
+const FLATTEST_FRAME: f64 = 1e-2;
 
 /// A frame, with `third` the name of its last point.
 ///
@@ -70,9 +91,11 @@ pub fn distance<T: Real>(
 ///
 /// [`GeometryError::Collinear`].
 pub fn frame<T: Real>(third: &'static str, frame: Frame<T>) -> Result<Frame<T>, GeometryError> {
-    match frame.normal() {
-        Some(_) => Ok(frame),
-        None => Err(GeometryError::Collinear { point: third }),
+    let flat = T::constant(FLATTEST_FRAME) * frame.u.norm() * frame.v.norm();
+    if frame.u.cross(&frame.v).norm() > flat {
+        Ok(frame)
+    } else {
+        Err(GeometryError::Collinear { point: third })
     }
 }
 
@@ -103,7 +126,8 @@ pub fn carried<T: Real>(
     point: Vector3<T>,
     frame: &Frame<T>,
 ) -> Result<Carried<T>, GeometryError> {
-    Carried::new(point, frame).ok_or(GeometryError::Collinear { point: name })
+    let frame = self::frame(name, *frame)?;
+    Carried::new(point, &frame).ok_or(GeometryError::Collinear { point: name })
 }
 
 /// The constants of a carried point from its distances to the frame's points, on the side where

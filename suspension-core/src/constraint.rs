@@ -208,7 +208,8 @@ impl<T: Real> Carried<T> {
     }
 
     /// The constants of a point at the given distances from the frame's three points, on the
-    /// side of the frame on which `self` lies; `None` where no point has these distances.
+    /// side of the frame on which `self` lies; `None` where no point has these distances. A point
+    /// nearer to the frame's plane than rounding can tell is put into it.
     pub fn with_lengths(&self, frame: &Frame<T>, lengths: [T; 3]) -> Option<Self> {
         let [from_origin, from_second, from_third] = lengths;
         let (uu, uv, vv) = (
@@ -225,11 +226,18 @@ impl<T: Real> Carried<T> {
         let b = (along_v * uu - along_u * uv) / area_squared;
         let in_plane = frame.u * a + frame.v * b;
         let height_squared = reach - in_plane.norm_squared();
-        let rounding = reach * T::EPSILON * T::constant(16.0);
+        // What cancellation leaves of a height of zero.
+        let flatness = uu * vv / area_squared;
+        let rounding = reach * flatness * T::EPSILON * T::constant(64.0);
         if height_squared < -rounding {
             return None;
         }
-        let c = (height_squared.max(T::zero()) / area_squared).sqrt();
+        let is_flat = height_squared <= rounding;
+        let c = if is_flat {
+            T::zero()
+        } else {
+            (height_squared / area_squared).sqrt()
+        };
         Some(Self {
             a,
             b,

@@ -14,6 +14,18 @@ pub enum SolveError<T> {
         /// The equation whose residual it is.
         equation: usize,
     },
+    /// A correction, velocity or acceleration is NaN or infinite: so is a rate of an input, or it
+    /// is too large for the number type.
+    Overflow {
+        /// The unknown whose change it is.
+        unknown: usize,
+    },
+    /// The determinant of the Jacobian has another sign than at the last good motion: a
+    /// singularity lies between, and the root belongs to another assembly.
+    CrossedSingularity {
+        /// The unknown that moved farthest.
+        unknown: usize,
+    },
     /// `pivot <= threshold`: to rounding, the equations do not determine this unknown.
     Singular {
         /// The unknown whose column has no usable pivot.
@@ -53,7 +65,10 @@ impl<T> SolveError<T> {
             Self::NotFinite { equation } | Self::NotConverged { equation, .. } => {
                 (equations, equation)
             }
-            Self::Singular { unknown, .. } | Self::Diverging { unknown, .. } => (unknowns, unknown),
+            Self::Overflow { unknown }
+            | Self::CrossedSingularity { unknown }
+            | Self::Singular { unknown, .. }
+            | Self::Diverging { unknown, .. } => (unknowns, unknown),
         };
         table.get(*index).copied().unwrap_or("?")
     }
@@ -68,6 +83,13 @@ impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
                     "the residual of equation {equation} is not a finite number"
                 )
             }
+            Self::Overflow { unknown } => {
+                write!(f, "the change of unknown {unknown} is not a finite number")
+            }
+            Self::CrossedSingularity { unknown } => write!(
+                f,
+                "a singularity was crossed: unknown {unknown} moved to another assembly"
+            ),
             Self::Singular {
                 unknown,
                 pivot,

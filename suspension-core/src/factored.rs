@@ -55,6 +55,25 @@ impl<T: Real, F: Elimination<N, Scalar = T>, const N: usize> Factored<F, T, N> {
         Lu::factor(&linkage.jacobian(q, fixed)).map(Self::WithPivoting)
     }
 
+    /// The inverse of the smallest pivot, and where partial pivoting met it, its unknown.
+    pub fn growth(&self) -> (T, usize) {
+        match self {
+            Self::InFixedOrder(factors) => (factors.growth(), 0),
+            Self::WithPivoting(lu) => {
+                let (unknown, pivot) = lu.smallest_pivot();
+                (T::one() / pivot, unknown)
+            }
+        }
+    }
+
+    /// Whether the determinant of the Jacobian is positive.
+    pub fn has_positive_determinant(&self) -> bool {
+        match self {
+            Self::InFixedOrder(factors) => factors.determinant_sign() > T::zero(),
+            Self::WithPivoting(lu) => lu.has_positive_determinant(),
+        }
+    }
+
     /// Solves `J x = right`.
     #[inline(always)]
     pub fn solve(&self, right: &SVector<T, N>) -> SVector<T, N> {

@@ -29,3 +29,16 @@ pub fn largest<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
     a.larger_magnitude(b)
         .larger_magnitude(c.larger_magnitude(d))
 }
+
+/// The product, in four chains side by side.
+#[inline(always)]
+pub fn product<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
+    let mut products = [T::one(); 4];
+    for (index, number) in numbers.into_iter().enumerate() {
+        if let Some(chain) = products.get_mut(index % 4) {
+            *chain *= number;
+        }
+    }
+    let [a, b, c, d] = products;
+    (a * b) * (c * d)
+}

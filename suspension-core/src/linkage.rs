@@ -32,7 +32,8 @@ pub trait Named<V>: Copy {
 pub enum DriveKind {
     /// A coordinate of a point, or the difference of two, in the unit of the hardpoints.
     Coordinate,
-    /// The angle in radians between a link and the positive direction of an axis.
+    /// The angle in radians, from 0 to pi, between a link and the positive direction of an axis.
+    /// Only its cosine enters: an angle beyond that range acts as the one within that has the same.
     Angle,
 }
 
@@ -47,6 +48,10 @@ pub trait Elimination<const N: usize>: Copy {
     /// The health of the pivots: the largest inverse of a pivot in magnitude. Rounding
     /// errors grow with it. Entries of the Jacobian are of the size of 1.
     fn growth(&self) -> Self::Scalar;
+
+    /// A number with the sign of the Jacobian's determinant. It changes only where the Jacobian
+    /// is singular, so that it tells assemblies apart.
+    fn determinant_sign(&self) -> Self::Scalar;
 
     /// Solves `J x = right`.
     fn solve(&self, right: &SVector<Self::Scalar, N>) -> SVector<Self::Scalar, N>;

@@ -13,6 +13,8 @@ use crate::scalar::Real;
 pub struct Lu<T, const N: usize> {
     columns: [[T; N]; N],
     swaps: [usize; N],
+    smallest: (usize, T),
+    positive: bool,
 }
 
 impl<T: Real, const N: usize> Lu<T, N> {
@@ -26,6 +28,8 @@ impl<T: Real, const N: usize> Lu<T, N> {
         let mut lu = Self {
             columns: matrix.data.0,
             swaps: [0; N],
+            smallest: (0, matrix.amax()),
+            positive: true,
         };
         let threshold = matrix.amax() * T::EPSILON * T::constant(N as f64);
         for k in 0..N {
@@ -37,10 +41,23 @@ impl<T: Real, const N: usize> Lu<T, N> {
                     threshold,
                 });
             }
+            if pivot < lu.smallest.1 {
+                lu.smallest = (k, pivot);
+            }
             lu.swap_rows(k, row);
             lu.eliminate(k);
         }
         Ok(lu)
+    }
+
+    /// Column and size of the smallest pivot.
+    pub fn smallest_pivot(&self) -> (usize, T) {
+        self.smallest
+    }
+
+    /// Whether the determinant is positive.
+    pub fn has_positive_determinant(&self) -> bool {
+        self.positive
     }
 
     /// Row and size of the largest entry of column `k` on or below the diagonal.
@@ -60,6 +77,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
         if let Some(swap) = self.swaps.get_mut(k) {
             *swap = row;
         }
+        self.positive ^= row != k;
         for column in &mut self.columns {
             swap(column, k, row);
         }
@@ -73,6 +91,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
         };
         let mut below = pivot_column.iter_mut().skip(k);
         let Some(pivot) = below.next() else { return };
+        self.positive ^= *pivot < T::zero();
         let inverse = T::one() / *pivot;
         below.for_each(|entry| *entry *= inverse);
         for column in columns {

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use crate::error::SolveError;
 use crate::factored::Factored;
 use crate::linkage::Linkage;
+use crate::newton::largest;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 
@@ -17,15 +18,20 @@ pub struct Motion<T, const N: usize> {
     pub velocity: SVector<T, N>,
     /// `qddot`, per second squared.
     pub acceleration: SVector<T, N>,
+    /// The sign of the Jacobian's determinant, where known: it changes only at a singularity, so
+    /// that it tells assemblies apart.
+    pub positive_determinant: Option<bool>,
 }
 
 impl<T: Real, const N: usize> Motion<T, N> {
     /// At rest in a position.
     pub fn at_rest(position: SVector<T, N>) -> Self {
+        let zero = SVector::zeros();
         Self {
             position,
-            velocity: SVector::zeros(),
-            acceleration: SVector::zeros(),
+            velocity: zero,
+            acceleration: zero,
+            positive_determinant: None,
         }
     }
 
@@ -103,20 +109,57 @@ where
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] where the velocity is not determined.
+    /// [`SolveError::Singular`] where a pivot is not above 16 times the square root of `EPSILON`: so
+    /// close to a singularity a residual at rounding level leaves the position off by as much, and
+    /// no digit of a velocity is known.
     pub fn new(
         linkage: &'a L,
         inputs: &Inputs<C, L::Drives>,
         position: &SVector<T, N>,
     ) -> Result<Self, SolveError<T>> {
-        let prescribed = Prescribed::new(linkage, inputs);
+        Self::prescribed(linkage, Prescribed::new(linkage, inputs), position)
+    }
+
+    pub(crate) fn prescribed(
+        linkage: &'a L,
+        prescribed: Prescribed<L::Fixed, L::Drives>,
+        position: &SVector<T, N>,
+    ) -> Result<Self, SolveError<T>> {
         let factored = Factored::new(linkage, position, &prescribed.fixed.value)?;
+        let (growth, unknown) = factored.growth();
+        let threshold = T::EPSILON.sqrt() * T::constant(16.0);
+        if growth * threshold >= T::one() {
+            let pivot = T::one() / growth;
+            return Err(SolveError::Singular {
+                unknown,
+                pivot,
+                threshold,
+            });
+        }
+        let chassis = core::marker::PhantomData;
         Ok(Self {
             linkage,
-            chassis: core::marker::PhantomData,
+            chassis,
             prescribed,
             position: *position,
             factored,
+        })
+    }
+
+    /// Position, velocity and acceleration.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Overflow`] where a velocity or an acceleration is not finite.
+    pub fn motion(&self) -> Result<Motion<T, N>, SolveError<T>> {
+        let velocity = self.velocity();
+        let acceleration = self.acceleration(&velocity);
+        largest(&acceleration).map_err(|unknown| SolveError::Overflow { unknown })?;
+        Ok(Motion {
+            position: self.position,
+            velocity,
+            acceleration,
+            positive_determinant: Some(self.factored.has_positive_determinant()),
         })
     }
 

@@ -99,27 +99,18 @@ impl<T: Real> Newton<T> {
         let residual_at = |x: &SVector<T, N>| {
             linkage.residual(x, &prescribed.fixed.value, &prescribed.drives.value)
         };
+        let rounding_at = |x: &SVector<T, N>| T::EPSILON * linkage.size().max(x.amax());
         let mut at = Iterate::new(*q, residual_at(q))?;
         let mut bound = first_bound;
-        let mut tolerance = T::zero();
         for iterations in 1..=self.max_iterations {
-            let lu = Factored::new(linkage, &at.q, &prescribed.fixed.value)?;
-            let step = lu.solve(&at.residual);
-            let rounding = T::EPSILON * linkage.size().max(at.q.amax());
-            tolerance = self.tolerance * rounding;
-            let size = within(&step, bound, rounding)?;
+            let factored = Factored::new(linkage, &at.q, &prescribed.fixed.value)?;
+            let step = factored.solve(&at.residual);
+            let size = within(&step, bound, rounding_at(&at.q))?;
             bound = self.contraction.map(|contraction| contraction * size);
-            at = self.damped(&at, &step, tolerance, residual_at)?;
+            at = self.damped(&at, &step, residual_at)?;
+            let tolerance = self.tolerance * rounding_at(&at.q);
             if at.worst <= tolerance {
-                // One more correction with the same factors takes off what the square of the
-                // step has left. It is kept only where the residual agrees.
-                let polished = at.q - lu.solve(&at.residual);
-                let polished = Iterate::new(polished, residual_at(&polished))?;
-                let best = if polished.worst < at.worst {
-                    polished
-                } else {
-                    at
-                };
+                let best = at.polished(factored.solve(&at.residual), residual_at);
                 *q = best.q;
                 return Ok(Converged {
                     iterations,
@@ -131,7 +122,7 @@ impl<T: Real> Newton<T> {
         Err(SolveError::NotConverged {
             equation: at.equation,
             residual: at.worst,
-            tolerance,
+            tolerance: self.tolerance * rounding_at(&at.q),
             iterations: self.max_iterations,
         })
     }
@@ -142,7 +133,6 @@ impl<T: Real> Newton<T> {
         &self,
         from: &Iterate<T, N>,
         step: &SVector<T, N>,
-        tolerance: T,
         residual_at: impl Fn(&SVector<T, N>) -> SVector<T, N>,
     ) -> Result<Iterate<T, N>, SolveError<T>> {
         let mut fraction = T::one();
@@ -150,7 +140,7 @@ impl<T: Real> Newton<T> {
             let q = from.q - step * fraction;
             let residual = residual_at(&q);
             let bound = (T::one() - fraction * T::constant(0.25)) * from.residual.norm();
-            if residual.norm() <= bound || residual.amax() <= tolerance {
+            if residual.norm() <= bound {
                 return Iterate::new(q, residual);
             }
             fraction *= T::constant(0.5);
@@ -173,7 +163,7 @@ fn within<T: Real, const N: usize>(
     bound: Option<T>,
     rounding: T,
 ) -> Result<T, SolveError<T>> {
-    let (unknown, size) = largest(step)?;
+    let (unknown, size) = largest(step).map_err(|unknown| SolveError::Overflow { unknown })?;
     match bound.map(|bound| bound.max(rounding * T::constant(1024.0))) {
         Some(bound) if size > bound => Err(SolveError::Diverging {
             unknown,
@@ -195,7 +185,8 @@ struct Iterate<T, const N: usize> {
 
 impl<T: Real, const N: usize> Iterate<T, N> {
     fn new(q: SVector<T, N>, residual: SVector<T, N>) -> Result<Self, SolveError<T>> {
-        let (equation, worst) = largest(&residual)?;
+        let largest = largest(&residual);
+        let (equation, worst) = largest.map_err(|equation| SolveError::NotFinite { equation })?;
         Ok(Self {
             q,
             residual,
@@ -203,14 +194,31 @@ impl<T: Real, const N: usize> Iterate<T, N> {
             worst,
         })
     }
+
+    /// One more correction with the same factors, which takes off what the square of the last
+    /// one has left. It is kept only where the residual agrees.
+    fn polished(
+        self,
+        step: SVector<T, N>,
+        residual_at: impl Fn(&SVector<T, N>) -> SVector<T, N>,
+    ) -> Self {
+        let q = self.q - step;
+        match Self::new(q, residual_at(&q)) {
+            Ok(polished) if polished.worst < self.worst => polished,
+            _ => self,
+        }
+    }
 }
 
-/// Index and size of the entry with the largest magnitude.
-fn largest<T: Real, const N: usize>(vector: &SVector<T, N>) -> Result<(usize, T), SolveError<T>> {
+/// Index and size of the entry with the largest magnitude; the index of the first entry that is
+/// not finite as the error.
+pub(crate) fn largest<T: Real, const N: usize>(
+    vector: &SVector<T, N>,
+) -> Result<(usize, T), usize> {
     let mut best = (0, T::zero());
     for (index, entry) in vector.iter().enumerate() {
         if !entry.is_finite() {
-            return Err(SolveError::NotFinite { equation: index });
+            return Err(index);
         }
         if entry.abs() > best.1 {
             best = (index, entry.abs());

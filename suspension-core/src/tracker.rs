@@ -5,7 +5,7 @@ use core::fmt;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::motion::{Motion, Prescribed, Tangent};
-use crate::newton::{Converged, Newton};
+use crate::newton::{Converged, Newton, largest};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 
@@ -29,17 +29,16 @@ pub struct Tracker<T> {
 pub struct Stopped<T> {
     /// The time of the last good motion.
     pub reached: T,
-    /// The shortest step that was refused.
-    pub refused: T,
-    /// Why; `None` where `max_steps` were used up by good steps.
-    pub cause: Option<SolveError<T>>,
+    /// The last step that was refused, and why; `None` where `max_steps` were used up by good
+    /// steps.
+    pub refused: Option<(T, SolveError<T>)>,
 }
 
 impl<T: fmt::Display + fmt::LowerExp> fmt::Display for Stopped<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "stopped at time {}: ", self.reached)?;
-        match &self.cause {
-            Some(cause) => cause.fmt(f),
+        match &self.refused {
+            Some((_, cause)) => cause.fmt(f),
             None => f.write_str("all steps that were allowed are used up"),
         }
     }
@@ -86,27 +85,29 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        let predicted = motion.predict(dt);
-        let moved = (predicted - motion.position).amax();
+        let mut position = motion.predict(dt);
+        let moved = (position - motion.position).amax();
         let bound = (self.correction_of_move * moved).max(self.correction_of_size * linkage.size());
-        let mut position = predicted;
         let prescribed = Prescribed::new(linkage, inputs);
-        let newton = &self.newton;
         let converged =
-            newton.solve_prescribed(linkage, &prescribed, &mut position, Some(bound))?;
-        let tangent = Tangent::new(linkage, inputs, &position)?;
-        let velocity = tangent.velocity();
-        let acceleration = tangent.acceleration(&velocity);
-        *motion = Motion {
-            position,
-            velocity,
-            acceleration,
-        };
+            self.newton
+                .solve_prescribed(linkage, &prescribed, &mut position, Some(bound))?;
+        let tangent = Tangent::<L, C, N>::prescribed(linkage, prescribed, &position)?;
+        let next = tangent.motion()?;
+        let before = motion.positive_determinant;
+        if before.is_some() && before != next.positive_determinant {
+            let (unknown, _) = largest(&(position - motion.position)).unwrap_or_default();
+            return Err(SolveError::CrossedSingularity { unknown });
+        }
+        *motion = next;
         Ok(converged)
     }
 
     /// Follows the motion from time `from` to time `to`, either way, in as few steps as the
-    /// contraction of Newton's method allows: a refused step is halved, a good one doubled.
+    /// bounds on corrections allow: a refused step is halved, a good one doubled.
+    ///
+    /// A step into another assembly is refused where the determinant of the Jacobian tells it:
+    /// where an odd number of singularities lies between.
     ///
     /// # Errors
     ///
@@ -132,14 +133,14 @@ impl<T: Real> Tracker<T> {
             iterations: 0,
             last: Converged::default(),
         };
-        let mut cause = None;
+        let mut refused = None;
         for _ in 0..self.max_steps {
             let last_step = (to - reached).abs() <= dt.abs();
             let next = if last_step { to } else { reached + dt };
             match self.step(linkage, &inputs(next), next - reached, motion) {
                 Ok(converged) => {
                     reached = next;
-                    cause = None;
+                    refused = None;
                     advanced.steps += 1;
                     advanced.iterations += converged.iterations;
                     advanced.last = converged;
@@ -149,7 +150,7 @@ impl<T: Real> Tracker<T> {
                     dt *= T::constant(2.0);
                 }
                 Err(error) => {
-                    cause = Some(error);
+                    refused = Some((next - reached, error));
                     dt = (next - reached) * T::constant(0.5);
                     if dt.abs() <= shortest {
                         break;
@@ -157,10 +158,6 @@ impl<T: Real> Tracker<T> {
                 }
             }
         }
-        Err(Stopped {
-            reached,
-            refused: dt,
-            cause,
-        })
+        Err(Stopped { reached, refused })
     }
 }

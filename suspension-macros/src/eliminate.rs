@@ -7,7 +7,7 @@
 //! cheapest order found is kept.
 
 use std::cmp::Reverse;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// One entry of the Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +43,26 @@ pub(crate) struct Step {
     pub(crate) right: Vec<usize>,
     /// Rows below the pivot that have an entry in its column.
     pub(crate) below: Vec<usize>,
+}
+
+impl Order {
+    /// Whether the order of rows and columns changes the sign of the product of the pivots
+    /// against that of the determinant: by the cycles of the permutation from rows to columns.
+    pub(crate) fn is_odd(&self) -> bool {
+        let mut column_of: BTreeMap<usize, usize> = self
+            .steps
+            .iter()
+            .map(|step| (step.row, step.column))
+            .collect();
+        let mut odd = false;
+        while let Some((start, mut next)) = column_of.pop_first() {
+            while next != start {
+                odd = !odd;
+                next = column_of.remove(&next).unwrap_or(start);
+            }
+        }
+        odd
+    }
 }
 
 /// A pivot must be at least this part of the largest entry of its column in the design position.

@@ -168,12 +168,7 @@ pub(crate) fn motion<L, C, const N: usize>(
         let mut q = L::unknowns(guess);
         assemble(&Newton::from_afar(), model, &inputs, &mut q).expect("a configuration near by");
         let tangent = Tangent::new(model, &inputs, &q).expect("a regular configuration");
-        let velocity = tangent.velocity();
-        let motion = Motion {
-            position: q,
-            velocity,
-            acceleration: tangent.acceleration(&velocity),
-        };
+        let motion = tangent.motion().expect("finite rates");
         all_points(model, &inputs, &motion)
     };
     let [back2, back, at, on, on2] =

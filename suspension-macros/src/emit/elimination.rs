@@ -35,6 +35,7 @@ pub(super) fn elimination(system: &System, order: &Order) -> TokenStream {
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Factors<T> {
             growth: T,
+            determinant_sign: T,
             #(#fields: T,)*
         }
 
@@ -45,6 +46,10 @@ pub(super) fn elimination(system: &System, order: &Order) -> TokenStream {
 
             fn growth(&self) -> T {
                 self.growth
+            }
+
+            fn determinant_sign(&self) -> T {
+                self.determinant_sign
             }
 
             #solve
@@ -107,18 +112,21 @@ impl Named<'_> {
             .iter()
             .map(|step| self.eliminate(step, &mut filled))
             .collect();
-        let pivots = self
+        let pivots: Vec<Ident> = self
             .order
             .steps
             .iter()
-            .filter_map(|step| self.inverse(step));
+            .filter_map(|step| self.inverse(step))
+            .collect();
+        let sign = self.order.is_odd().then(|| quote!(-));
         quote! {
             #[inline(always)]
             fn factor(jacobian: &SMatrix<T, #n, #n>) -> Self {
                 let columns = &jacobian.data.0;
-                let mut lu = Self { growth: T::zero(), #(#initial),* };
+                let mut lu = Self { growth: T::zero(), determinant_sign: T::zero(), #(#initial),* };
                 #(#steps)*
                 lu.growth = largest([#(lu.#pivots),*]);
+                lu.determinant_sign = #sign product([#(lu.#pivots),*]);
                 lu
             }
         }

@@ -87,6 +87,7 @@ fn linkage_impl(system: &System) -> TokenStream {
             type Scalar = T;
             fn factor(_: &SMatrix<T, #n, #n>) -> Self { loop {} }
             fn growth(&self) -> T { loop {} }
+            fn determinant_sign(&self) -> T { loop {} }
             fn solve(&self, _: &SVector<T, #n>) -> SVector<T, #n> { loop {} }
         }
 

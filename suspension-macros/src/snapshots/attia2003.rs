@@ -19,7 +19,7 @@
 /// | residual | 84 | 86 | 0 |
 /// | Jacobian | 42 | 42 | 0 |
 /// | curvature | 56 | 112 | 0 |
-/// | factor | 96 | 54 | 14 |
+/// | factor | 113 | 54 | 14 |
 /// | solve | 80 | 66 | 0 |
 #[allow(dead_code, unreachable_pub)]
 pub mod attia2003 {
@@ -736,6 +736,7 @@ pub mod attia2003 {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Factors<T> {
         growth: T,
+        determinant_sign: T,
         d6_1_by_p6_z: T,
         d7_6_by_p6_z: T,
         d8_6_by_p6_z: T,
@@ -825,6 +826,7 @@ pub mod attia2003 {
             let columns = &jacobian.data.0;
             let mut lu = Self {
                 growth: T::zero(),
+                determinant_sign: T::zero(),
                 d6_1_by_p6_z: columns[unknown::P6_Z][equation::D6_1],
                 d7_6_by_p6_z: columns[unknown::P6_Z][equation::D7_6],
                 d8_6_by_p6_z: columns[unknown::P6_Z][equation::D8_6],
@@ -1032,11 +1034,31 @@ pub mod attia2003 {
                 lu.d10_7_by_p8_y,
                 lu.d9_7_by_p8_x,
             ]);
+            lu.determinant_sign = product([
+                lu.d6_1_by_p6_x,
+                lu.d10_5_by_p10_y,
+                lu.d10_6_by_p10_z,
+                lu.d10_8_by_p10_x,
+                lu.d9_4_by_p9_x,
+                lu.d9_6_by_p9_y,
+                lu.d9_8_by_p9_z,
+                lu.d7_2_by_p7_y,
+                lu.d7_6_by_p7_z,
+                lu.d8_7_by_p7_x,
+                lu.d8_3_by_p8_z,
+                lu.d8_6_by_p6_y,
+                lu.d10_7_by_p8_y,
+                lu.d9_7_by_p8_x,
+            ]);
             lu
         }
 
         fn growth(&self) -> T {
             self.growth
+        }
+
+        fn determinant_sign(&self) -> T {
+            self.determinant_sign
         }
 
         #[inline(always)]

@@ -14,7 +14,7 @@
 /// | residual | 78 | 86 | 0 |
 /// | Jacobian | 36 | 66 | 0 |
 /// | curvature | 62 | 94 | 0 |
-/// | factor | 96 | 68 | 10 |
+/// | factor | 109 | 68 | 10 |
 /// | solve | 94 | 84 | 0 |
 #[allow(dead_code, unreachable_pub)]
 pub mod five_link {
@@ -1057,6 +1057,7 @@ pub mod five_link {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Factors<T> {
         growth: T,
+        determinant_sign: T,
         lower_front_by_lower_front_outer_z: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z: T,
         knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z: T,
@@ -1160,6 +1161,7 @@ pub mod five_link {
             let columns = &jacobian.data.0;
             let mut lu = Self {
                 growth: T::zero(),
+                determinant_sign: T::zero(),
                 lower_front_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::LOWER_FRONT],
                 knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
@@ -1563,11 +1565,27 @@ pub mod five_link {
                 lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
                 lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
             ]);
+            lu.determinant_sign = -product([
+                lu.track_rod_by_track_rod_outer_y,
+                lu.lower_rear_by_lower_rear_outer_x,
+                lu.lower_front_by_lower_front_outer_y,
+                lu.upper_front_by_upper_front_outer_y,
+                lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
+                lu.knuckle_track_rod_outer_y_by_upper_front_outer_x,
+                lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                lu.upper_rear_by_upper_rear_outer_x,
+                lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+            ]);
             lu
         }
 
         fn growth(&self) -> T {
             self.growth
+        }
+
+        fn determinant_sign(&self) -> T {
+            self.determinant_sign
         }
 
         #[inline(always)]
