@@ -15,7 +15,7 @@ use std::time::Duration;
 
 use criterion::{Bencher, Criterion, criterion_group, criterion_main};
 use nalgebra::SVector;
-use suspension_core::factored::Factored;
+use suspension_core::factored::with_factors;
 use suspension_core::lu::Lu;
 use suspension_core::motion::Prescribed;
 use suspension_core::{
@@ -127,8 +127,9 @@ impl<T: Real, L: Build<15, Scalar = T>> Case<L> {
         group.bench_function(format!("generated/{}", self.name), |bencher| {
             self.time(bencher, |model, start| {
                 let (q, fixed) = (&start.motion.position, &start.prescribed.fixed.value);
-                let factored = Factored::new(model, q, fixed);
-                factored.map(|f| start.motion.position - f.solve(&residual(model, start)))
+                with_factors(model, q, fixed, T::zero(), |factors| {
+                    q - factors.solve(&residual(model, start))
+                })
             });
         });
         group.bench_function(format!("dense/{}", self.name), |bencher| {

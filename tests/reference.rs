@@ -5,7 +5,7 @@ mod support;
 use support::{INSTANTS, Reference};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::CarrierRotation;
-use suspension_core::{HasWheel, Inputs, Linkage, Motion, Still};
+use suspension_core::{HasWheel, Inputs, Linkage, Motion, Still, Tracker};
 
 /// What the largest differences may be: positions in m, velocities in m/s, accelerations in
 /// m/s^2, angular velocity in rad/s, angular acceleration in rad/s^2.
@@ -76,4 +76,19 @@ fn single_precision_follows() {
         let difference = (position - reference.unknowns(instant, "")).amax();
         assert!(difference <= 5e-6, "instant {instant}: {difference:e} m");
     }
+}
+
+/// The control loop in single precision: a step each millisecond over the whole motion.
+#[test]
+fn single_precision_steps_each_millisecond() {
+    let model: attia2003::Model<f32> = support::attia_model();
+    let mut motion = support::motions(&model, &support::attia_rough(), support::attia_inputs)[0];
+    let tracker = Tracker::<f32>::default();
+    for millisecond in 1..=1950 {
+        let inputs = support::attia_inputs(millisecond as f32 * 1e-3);
+        let step = tracker.step(&model, &inputs, 1e-3, &mut motion);
+        step.unwrap_or_else(|error| panic!("at {millisecond} ms: {error}"));
+    }
+    let difference = motion.position.map(f64::from) - Reference::load().unknowns(8, "");
+    assert!(difference.amax() <= 5e-6, "{:e} m", difference.amax());
 }

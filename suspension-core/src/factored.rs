@@ -4,82 +4,111 @@
 use nalgebra::SVector;
 
 use crate::error::SolveError;
-use crate::linkage::{Elimination, Linkage};
+use crate::linkage::{Elimination, Factors, Linkage};
 use crate::lu::Lu;
 use crate::scalar::Real;
 
 /// The [growth](Elimination::growth) up to which the fixed order is used: what rounding may cost
 /// at most, as a multiple of what it costs with partial pivoting. Over the published motion it is
-/// 2 to 300.
+/// below 300.
 const GROWTH_LIMIT: f64 = 1e3;
 
-/// The factors of a Jacobian.
+/// A pivot, as a multiple of the square root of `EPSILON`, at which no digit of a velocity is
+/// known: a residual at rounding level leaves the position off by as much there.
+const SMALLEST_PIVOT: f64 = 8.0;
+
+/// The smallest pivot that determines a velocity.
+pub(crate) fn smallest_pivot<T: Real>() -> T {
+    T::EPSILON.sqrt() * T::constant(SMALLEST_PIVOT)
+}
+
+fn is_healthy<T: Real>(growth: T) -> bool {
+    growth <= T::constant(GROWTH_LIMIT) && growth * smallest_pivot() < T::one()
+}
+
+/// Gives `work` the factors of a linkage's Jacobian, whose pivots must exceed `threshold`.
+///
+/// # Errors
+///
+/// [`SolveError::Singular`], from partial pivoting.
+#[inline(always)]
+pub fn with_factors<T, L, R, const N: usize>(
+    linkage: &L,
+    q: &SVector<T, N>,
+    fixed: &L::Fixed,
+    threshold: T,
+    work: impl FnOnce(&dyn Factors<T, N>) -> R,
+) -> Result<R, SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    // Only its non-zeros are ever computed: the matrix does not outlive this line.
+    let factors = L::Factors::factor(&linkage.jacobian(q, fixed));
+    if is_healthy(factors.growth()) {
+        Ok(work(&factors))
+    } else {
+        Ok(work(&with_pivoting(linkage, q, fixed, threshold)?))
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn with_pivoting<T, L, const N: usize>(
+    linkage: &L,
+    q: &SVector<T, N>,
+    fixed: &L::Fixed,
+    threshold: T,
+) -> Result<Lu<T, N>, SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let lu = Lu::factor(&linkage.jacobian(q, fixed))?;
+    let (unknown, pivot) = lu.smallest_pivot();
+    if pivot > threshold {
+        Ok(lu)
+    } else {
+        Err(SolveError::Singular {
+            unknown,
+            pivot,
+            threshold,
+        })
+    }
+}
+
+/// The factors of a Jacobian, to keep.
 #[derive(Clone, Copy, Debug)]
 pub enum Factored<F, T, const N: usize> {
     /// In the macro's order.
     InFixedOrder(F),
-    /// With partial pivoting, because `growth > limit` in the macro's order.
+    /// With partial pivoting, because the pivots of the macro's order are unhealthy.
     WithPivoting(Lu<T, N>),
 }
 
-impl<T: Real, F: Elimination<N, Scalar = T>, const N: usize> Factored<F, T, N> {
-    /// Factors the Jacobian of a linkage.
+impl<T: Real, F: Elimination<T, N>, const N: usize> Factored<F, T, N> {
+    /// Factors the Jacobian of a linkage, for velocities.
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`], from partial pivoting.
-    #[inline(always)]
+    /// [`SolveError::Singular`] where a pivot is not above 8 times the square root of `EPSILON`.
     pub fn new<L>(linkage: &L, q: &SVector<T, N>, fixed: &L::Fixed) -> Result<Self, SolveError<T>>
     where
         L: Linkage<N, Scalar = T, Factors = F>,
     {
-        // Only its non-zeros are ever computed: the matrix does not outlive this line.
         let factors = F::factor(&linkage.jacobian(q, fixed));
-        if factors.growth() <= T::constant(GROWTH_LIMIT) {
+        if is_healthy(factors.growth()) {
             Ok(Self::InFixedOrder(factors))
         } else {
-            Self::with_pivoting(linkage, q, fixed)
+            with_pivoting(linkage, q, fixed, smallest_pivot()).map(Self::WithPivoting)
         }
     }
 
-    #[cold]
-    #[inline(never)]
-    fn with_pivoting<L>(
-        linkage: &L,
-        q: &SVector<T, N>,
-        fixed: &L::Fixed,
-    ) -> Result<Self, SolveError<T>>
-    where
-        L: Linkage<N, Scalar = T, Factors = F>,
-    {
-        Lu::factor(&linkage.jacobian(q, fixed)).map(Self::WithPivoting)
-    }
-
-    /// The inverse of the smallest pivot, and where partial pivoting met it, its unknown.
-    pub fn growth(&self) -> (T, usize) {
+    /// The factors, whichever they are.
+    pub fn factors(&self) -> &dyn Factors<T, N> {
         match self {
-            Self::InFixedOrder(factors) => (factors.growth(), 0),
-            Self::WithPivoting(lu) => {
-                let (unknown, pivot) = lu.smallest_pivot();
-                (T::one() / pivot, unknown)
-            }
-        }
-    }
-
-    /// Whether the determinant of the Jacobian is positive.
-    pub fn has_positive_determinant(&self) -> bool {
-        match self {
-            Self::InFixedOrder(factors) => factors.determinant_sign() > T::zero(),
-            Self::WithPivoting(lu) => lu.has_positive_determinant(),
-        }
-    }
-
-    /// Solves `J x = right`.
-    #[inline(always)]
-    pub fn solve(&self, right: &SVector<T, N>) -> SVector<T, N> {
-        match self {
-            Self::InFixedOrder(factors) => factors.solve(right),
-            Self::WithPivoting(lu) => lu.solve(right),
+            Self::InFixedOrder(factors) => factors,
+            Self::WithPivoting(lu) => lu,
         }
     }
 }

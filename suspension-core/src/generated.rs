@@ -6,7 +6,9 @@ pub use crate::assemble::best_rigid_fit;
 pub use crate::build;
 pub use crate::constraint::{Carried, Distance, Frame, angle_to_coordinate};
 pub use crate::error::GeometryError;
-pub use crate::linkage::{Build, DriveKind, Elimination, HasKingpin, HasWheel, Linkage, Named};
+pub use crate::linkage::{
+    Build, DriveKind, Elimination, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage, Named,
+};
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
 

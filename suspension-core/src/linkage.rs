@@ -37,24 +37,24 @@ pub enum DriveKind {
     Angle,
 }
 
-/// An LU factorisation in a fixed order of pivots: straight-line code over the non-zero entries.
-pub trait Elimination<const N: usize>: Copy {
-    /// The number type.
-    type Scalar: Scalar;
-
-    /// Eliminates a Jacobian with the linkage's pattern of non-zeros.
-    fn factor(jacobian: &SMatrix<Self::Scalar, N, N>) -> Self;
-
-    /// The health of the pivots: the largest inverse of a pivot in magnitude. Rounding
-    /// errors grow with it. Entries of the Jacobian are of the size of 1.
-    fn growth(&self) -> Self::Scalar;
+/// A factored Jacobian.
+pub trait Factors<T, const N: usize> {
+    /// Solves `J x = right`.
+    fn solve(&self, right: &SVector<T, N>) -> SVector<T, N>;
 
     /// A number with the sign of the Jacobian's determinant. It changes only where the Jacobian
     /// is singular, so that it tells assemblies apart.
-    fn determinant_sign(&self) -> Self::Scalar;
+    fn determinant_sign(&self) -> T;
+}
 
-    /// Solves `J x = right`.
-    fn solve(&self, right: &SVector<Self::Scalar, N>) -> SVector<Self::Scalar, N>;
+/// An LU factorisation in a fixed order of pivots: straight-line code over the non-zero entries.
+pub trait Elimination<T, const N: usize>: Factors<T, N> + Copy {
+    /// Eliminates a Jacobian with the linkage's pattern of non-zeros.
+    fn factor(jacobian: &SMatrix<T, N, N>) -> Self;
+
+    /// The health of the pivots: the largest inverse of a pivot in magnitude. Rounding errors
+    /// grow with it. Entries of the Jacobian are of the size of 1.
+    fn growth(&self) -> T;
 }
 
 /// A linkage of `N` equations in `N` unknowns: the free points' coordinates `q`.
@@ -73,7 +73,7 @@ pub trait Linkage<const N: usize> {
     /// Chassis points, free points and markers, named.
     type Points: Named<Vector3<Self::Scalar>>;
     /// The Jacobian eliminated in the order that the macro chose.
-    type Factors: Elimination<N, Scalar = Self::Scalar>;
+    type Factors: Elimination<Self::Scalar, N>;
     /// Names of the equations, rows of the Jacobian.
     const EQUATIONS: [&'static str; N];
     /// Names of the unknowns, columns of the Jacobian.

@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::error::SolveError;
+use crate::linkage::Factors;
 use crate::scalar::Real;
 
 /// The factors of an `N x N` matrix.
@@ -53,11 +54,6 @@ impl<T: Real, const N: usize> Lu<T, N> {
     /// Column and size of the smallest pivot.
     pub fn smallest_pivot(&self) -> (usize, T) {
         self.smallest
-    }
-
-    /// Whether the determinant is positive.
-    pub fn has_positive_determinant(&self) -> bool {
-        self.positive
     }
 
     /// Row and size of the largest entry of column `k` on or below the diagonal.
@@ -120,6 +116,16 @@ impl<T: Real, const N: usize> Lu<T, N> {
             }
         }
         SVector::from(x)
+    }
+}
+
+impl<T: Real, const N: usize> Factors<T, N> for Lu<T, N> {
+    fn solve(&self, right: &SVector<T, N>) -> SVector<T, N> {
+        Lu::solve(self, right)
+    }
+
+    fn determinant_sign(&self) -> T {
+        if self.positive { T::one() } else { -T::one() }
     }
 }
 

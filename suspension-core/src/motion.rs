@@ -1,11 +1,13 @@
 //! Velocity and acceleration at a known position, from one factorisation.
 
+use core::marker::PhantomData;
+
 use nalgebra::SVector;
 
 use crate::error::SolveError;
-use crate::factored::Factored;
-use crate::linkage::Linkage;
-use crate::newton::largest;
+use crate::factored::{Factored, smallest_pivot, with_factors};
+use crate::linkage::{Factors, Linkage};
+use crate::newton::magnitude;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 
@@ -93,7 +95,7 @@ impl<F, D> Prescribed<F, D> {
 #[derive(Clone, Copy, Debug)]
 pub struct Tangent<'a, L: Linkage<N>, C, const N: usize> {
     linkage: &'a L,
-    chassis: core::marker::PhantomData<C>,
+    chassis: PhantomData<C>,
     prescribed: Prescribed<L::Fixed, L::Drives>,
     position: SVector<L::Scalar, N>,
     factored: Factored<L::Factors, L::Scalar, N>,
@@ -109,7 +111,7 @@ where
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] where a pivot is not above 16 times the square root of `EPSILON`: so
+    /// [`SolveError::Singular`] where a pivot is not above 8 times the square root of `EPSILON`: so
     /// close to a singularity a residual at rounding level leaves the position off by as much, and
     /// no digit of a velocity is known.
     pub fn new(
@@ -117,33 +119,26 @@ where
         inputs: &Inputs<C, L::Drives>,
         position: &SVector<T, N>,
     ) -> Result<Self, SolveError<T>> {
-        Self::prescribed(linkage, Prescribed::new(linkage, inputs), position)
-    }
-
-    pub(crate) fn prescribed(
-        linkage: &'a L,
-        prescribed: Prescribed<L::Fixed, L::Drives>,
-        position: &SVector<T, N>,
-    ) -> Result<Self, SolveError<T>> {
+        let prescribed = Prescribed::new(linkage, inputs);
         let factored = Factored::new(linkage, position, &prescribed.fixed.value)?;
-        let (growth, unknown) = factored.growth();
-        let threshold = T::EPSILON.sqrt() * T::constant(16.0);
-        if growth * threshold >= T::one() {
-            let pivot = T::one() / growth;
-            return Err(SolveError::Singular {
-                unknown,
-                pivot,
-                threshold,
-            });
-        }
-        let chassis = core::marker::PhantomData;
+        let position = *position;
         Ok(Self {
             linkage,
-            chassis,
+            chassis: PhantomData,
             prescribed,
-            position: *position,
+            position,
             factored,
         })
+    }
+
+    /// `J qdot = -dF/du udot` (Attia 2003, eq. 3).
+    pub fn velocity(&self) -> SVector<T, N> {
+        self.rates().velocity()
+    }
+
+    /// `J qddot = -C(qdot, qdot) - dF/du uddot` (Attia 2003, eq. 7 and 8).
+    pub fn acceleration(&self, velocity: &SVector<T, N>) -> SVector<T, N> {
+        self.rates().acceleration(velocity)
     }
 
     /// Position, velocity and acceleration.
@@ -152,40 +147,102 @@ where
     ///
     /// [`SolveError::Overflow`] where a velocity or an acceleration is not finite.
     pub fn motion(&self) -> Result<Motion<T, N>, SolveError<T>> {
-        let velocity = self.velocity();
-        let acceleration = self.acceleration(&velocity);
-        largest(&acceleration).map_err(|unknown| SolveError::Overflow { unknown })?;
-        Ok(Motion {
-            position: self.position,
-            velocity,
-            acceleration,
-            positive_determinant: Some(self.factored.has_positive_determinant()),
-        })
+        self.rates().motion()
     }
 
-    /// `J qdot = -dF/du udot` (Attia 2003, eq. 3).
-    pub fn velocity(&self) -> SVector<T, N> {
-        self.factored
-            .solve(&self.input_terms(&self.prescribed.fixed.rate, &self.prescribed.drives.rate))
+    fn rates(&self) -> Rates<'_, L, C, N> {
+        Rates {
+            linkage: self.linkage,
+            chassis: PhantomData,
+            prescribed: &self.prescribed,
+            position: &self.position,
+            factors: self.factored.factors(),
+        }
+    }
+}
+
+/// What a [`Tangent`] computes, over borrowed factors: the control loop does not move them.
+struct Rates<'a, L: Linkage<N>, C, const N: usize> {
+    linkage: &'a L,
+    chassis: PhantomData<C>,
+    prescribed: &'a Prescribed<L::Fixed, L::Drives>,
+    position: &'a SVector<L::Scalar, N>,
+    factors: &'a dyn Factors<L::Scalar, N>,
+}
+
+impl<T, L, C, const N: usize> Rates<'_, L, C, N>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+    C: ChassisMotion<L::Fixed>,
+{
+    #[inline(always)]
+    fn velocity(&self) -> SVector<T, N> {
+        let Prescribed { fixed, drives } = self.prescribed;
+        self.factors
+            .solve(&self.input_terms(&fixed.rate, &drives.rate))
     }
 
-    /// `J qddot = -C(qdot, qdot) - dF/du uddot` (Attia 2003, eq. 7 and 8).
-    pub fn acceleration(&self, velocity: &SVector<T, N>) -> SVector<T, N> {
-        let Signal {
-            rate, second_rate, ..
-        } = &self.prescribed.fixed;
-        let inputs = self.input_terms(second_rate, &self.prescribed.drives.second_rate);
-        self.factored
+    #[inline(always)]
+    fn acceleration(&self, velocity: &SVector<T, N>) -> SVector<T, N> {
+        let Prescribed { fixed, drives } = self.prescribed;
+        let inputs = self.input_terms(&fixed.second_rate, &drives.second_rate);
+        let rate = &fixed.rate;
+        self.factors
             .solve(&(inputs - self.linkage.curvature(velocity, rate, velocity, rate)))
     }
 
+    #[inline(always)]
+    fn motion(&self) -> Result<Motion<T, N>, SolveError<T>> {
+        let velocity = self.velocity();
+        let acceleration = self.acceleration(&velocity);
+        magnitude(&acceleration).map_err(|unknown| SolveError::Overflow { unknown })?;
+        Ok(Motion {
+            position: *self.position,
+            velocity,
+            acceleration,
+            positive_determinant: Some(self.factors.determinant_sign() > T::zero()),
+        })
+    }
+
+    #[inline(always)]
     fn input_terms(&self, fixed: &L::Fixed, drives: &L::Drives) -> SVector<T, N> {
         let at = &self.prescribed.fixed.value;
-        let terms = self.linkage.drive_rate(&self.position, at, fixed, drives);
+        let terms = self.linkage.drive_rate(self.position, at, fixed, drives);
         if C::MOVES {
-            terms + self.linkage.chassis_rate(&self.position, at, fixed)
+            terms + self.linkage.chassis_rate(self.position, at, fixed)
         } else {
             terms
         }
     }
+}
+
+/// The motion at a position that solves the linkage.
+#[inline(always)]
+pub(crate) fn motion_at<T, L, C, const N: usize>(
+    linkage: &L,
+    prescribed: &Prescribed<L::Fixed, L::Drives>,
+    position: &SVector<T, N>,
+) -> Result<Motion<T, N>, SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+    C: ChassisMotion<L::Fixed>,
+{
+    with_factors(
+        linkage,
+        position,
+        &prescribed.fixed.value,
+        smallest_pivot(),
+        |factors| {
+            Rates::<L, C, N> {
+                linkage,
+                chassis: PhantomData,
+                prescribed,
+                position,
+                factors,
+            }
+            .motion()
+        },
+    )?
 }

@@ -3,7 +3,8 @@
 use nalgebra::SVector;
 
 use crate::error::SolveError;
-use crate::factored::Factored;
+use crate::factored::with_factors;
+use crate::generated::largest;
 use crate::linkage::Linkage;
 use crate::motion::Prescribed;
 use crate::scalar::Real;
@@ -99,28 +100,47 @@ impl<T: Real> Newton<T> {
         let residual_at = |x: &SVector<T, N>| {
             linkage.residual(x, &prescribed.fixed.value, &prescribed.drives.value)
         };
-        let rounding_at = |x: &SVector<T, N>| T::EPSILON * linkage.size().max(x.amax());
+        let rounding_at = |x: &SVector<T, N>| {
+            let [coordinates] = x.data.0;
+            T::EPSILON * linkage.size().max(largest(coordinates))
+        };
         let mut at = Iterate::new(*q, residual_at(q))?;
         let mut bound = first_bound;
         for iterations in 1..=self.max_iterations {
-            let factored = Factored::new(linkage, &at.q, &prescribed.fixed.value)?;
-            let step = factored.solve(&at.residual);
-            let size = within(&step, bound, rounding_at(&at.q))?;
+            let (size, next) = with_factors(
+                linkage,
+                &at.q,
+                &prescribed.fixed.value,
+                T::zero(),
+                |factors| {
+                    let step = factors.solve(&at.residual);
+                    let size = within(&step, bound, rounding_at(&at.q))?;
+                    let next = self.damped(&at, &step, residual_at)?;
+                    if next.worst > self.tolerance * rounding_at(&next.q) {
+                        return Ok((size, next));
+                    }
+                    // One more correction with the same factors takes off what the square of the
+                    // last one has left.
+                    Ok((
+                        size,
+                        next.or_better(next.q - factors.solve(&next.residual), residual_at),
+                    ))
+                },
+            )??;
             bound = self.contraction.map(|contraction| contraction * size);
-            at = self.damped(&at, &step, residual_at)?;
+            at = next;
             let tolerance = self.tolerance * rounding_at(&at.q);
             if at.worst <= tolerance {
-                let best = at.polished(factored.solve(&at.residual), residual_at);
-                *q = best.q;
+                *q = at.q;
                 return Ok(Converged {
                     iterations,
-                    residual: best.worst,
+                    residual: at.worst,
                     tolerance,
                 });
             }
         }
         Err(SolveError::NotConverged {
-            equation: at.equation,
+            equation: index_of_largest(&at.residual),
             residual: at.worst,
             tolerance: self.tolerance * rounding_at(&at.q),
             iterations: self.max_iterations,
@@ -163,10 +183,10 @@ fn within<T: Real, const N: usize>(
     bound: Option<T>,
     rounding: T,
 ) -> Result<T, SolveError<T>> {
-    let (unknown, size) = largest(step).map_err(|unknown| SolveError::Overflow { unknown })?;
+    let size = magnitude(step).map_err(|unknown| SolveError::Overflow { unknown })?;
     match bound.map(|bound| bound.max(rounding * T::constant(1024.0))) {
         Some(bound) if size > bound => Err(SolveError::Diverging {
-            unknown,
+            unknown: index_of_largest(step),
             step: size,
             bound,
         }),
@@ -179,50 +199,54 @@ fn within<T: Real, const N: usize>(
 struct Iterate<T, const N: usize> {
     q: SVector<T, N>,
     residual: SVector<T, N>,
-    equation: usize,
     worst: T,
 }
 
 impl<T: Real, const N: usize> Iterate<T, N> {
     fn new(q: SVector<T, N>, residual: SVector<T, N>) -> Result<Self, SolveError<T>> {
-        let largest = largest(&residual);
-        let (equation, worst) = largest.map_err(|equation| SolveError::NotFinite { equation })?;
-        Ok(Self {
-            q,
-            residual,
-            equation,
-            worst,
-        })
+        let worst = magnitude(&residual).map_err(|equation| SolveError::NotFinite { equation })?;
+        Ok(Self { q, residual, worst })
     }
 
-    /// One more correction with the same factors, which takes off what the square of the last
-    /// one has left. It is kept only where the residual agrees.
-    fn polished(
+    /// The same, or the point `q` where the residual is smaller.
+    fn or_better(
         self,
-        step: SVector<T, N>,
+        q: SVector<T, N>,
         residual_at: impl Fn(&SVector<T, N>) -> SVector<T, N>,
     ) -> Self {
-        let q = self.q - step;
         match Self::new(q, residual_at(&q)) {
-            Ok(polished) if polished.worst < self.worst => polished,
+            Ok(better) if better.worst < self.worst => better,
             _ => self,
         }
     }
 }
 
-/// Index and size of the entry with the largest magnitude; the index of the first entry that is
-/// not finite as the error.
-pub(crate) fn largest<T: Real, const N: usize>(
-    vector: &SVector<T, N>,
-) -> Result<(usize, T), usize> {
+/// The largest magnitude of the entries; the index of the first that is not finite as the error.
+#[inline(always)]
+pub(crate) fn magnitude<T: Real, const N: usize>(vector: &SVector<T, N>) -> Result<T, usize> {
+    // The difference of a number that is not finite with itself is NaN.
+    let [entries] = vector.data.0;
+    let finite = entries
+        .iter()
+        .fold(T::zero(), |sum, entry| sum + (*entry - *entry));
+    if finite == T::zero() {
+        Ok(largest(entries))
+    } else {
+        Err(entries
+            .iter()
+            .position(|entry| !entry.is_finite())
+            .unwrap_or_default())
+    }
+}
+
+/// The index of the entry with the largest magnitude.
+#[cold]
+pub(crate) fn index_of_largest<T: Real, const N: usize>(vector: &SVector<T, N>) -> usize {
     let mut best = (0, T::zero());
     for (index, entry) in vector.iter().enumerate() {
-        if !entry.is_finite() {
-            return Err(index);
-        }
         if entry.abs() > best.1 {
             best = (index, entry.abs());
         }
     }
-    Ok(best)
+    best.0
 }

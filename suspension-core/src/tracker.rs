@@ -3,9 +3,10 @@
 use core::fmt;
 
 use crate::error::SolveError;
+use crate::generated::largest;
 use crate::linkage::Linkage;
-use crate::motion::{Motion, Prescribed, Tangent};
-use crate::newton::{Converged, Newton, largest};
+use crate::motion::{Motion, Prescribed, motion_at};
+use crate::newton::{Converged, Newton, index_of_largest};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 
@@ -86,17 +87,17 @@ impl<T: Real> Tracker<T> {
         C: ChassisMotion<L::Fixed>,
     {
         let mut position = motion.predict(dt);
-        let moved = (position - motion.position).amax();
+        let [moves] = (position - motion.position).data.0;
+        let moved = largest(moves);
         let bound = (self.correction_of_move * moved).max(self.correction_of_size * linkage.size());
         let prescribed = Prescribed::new(linkage, inputs);
         let converged =
             self.newton
                 .solve_prescribed(linkage, &prescribed, &mut position, Some(bound))?;
-        let tangent = Tangent::<L, C, N>::prescribed(linkage, prescribed, &position)?;
-        let next = tangent.motion()?;
+        let next = motion_at::<T, L, C, N>(linkage, &prescribed, &position)?;
         let before = motion.positive_determinant;
         if before.is_some() && before != next.positive_determinant {
-            let (unknown, _) = largest(&(position - motion.position)).unwrap_or_default();
+            let unknown = index_of_largest(&(position - motion.position));
             return Err(SolveError::CrossedSingularity { unknown });
         }
         *motion = next;

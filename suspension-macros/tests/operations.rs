@@ -5,7 +5,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use nalgebra::{SVector, Vector3};
 use num_traits::{One, Zero};
-use suspension_core::linkage::Elimination;
+use suspension_core::linkage::{Elimination, Factors as _};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Linkage, Named, Scalar};
 

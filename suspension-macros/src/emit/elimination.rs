@@ -39,20 +39,20 @@ pub(super) fn elimination(system: &System, order: &Order) -> TokenStream {
             #(#fields: T,)*
         }
 
-        impl<T: Scalar> Elimination<#n> for Factors<T> {
-            type Scalar = T;
-
+        impl<T: Scalar> Elimination<T, #n> for Factors<T> {
             #factor
 
             fn growth(&self) -> T {
                 self.growth
             }
+        }
+
+        impl<T: Scalar> JacobianFactors<T, #n> for Factors<T> {
+            #solve
 
             fn determinant_sign(&self) -> T {
                 self.determinant_sign
             }
-
-            #solve
         }
     }
 }

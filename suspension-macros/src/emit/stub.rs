@@ -83,12 +83,14 @@ fn linkage_impl(system: &System) -> TokenStream {
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Factors<T>(T);
 
-        impl<T: Scalar> Elimination<#n> for Factors<T> {
-            type Scalar = T;
+        impl<T: Scalar> Elimination<T, #n> for Factors<T> {
             fn factor(_: &SMatrix<T, #n, #n>) -> Self { loop {} }
             fn growth(&self) -> T { loop {} }
-            fn determinant_sign(&self) -> T { loop {} }
+        }
+
+        impl<T: Scalar> JacobianFactors<T, #n> for Factors<T> {
             fn solve(&self, _: &SVector<T, #n>) -> SVector<T, #n> { loop {} }
+            fn determinant_sign(&self) -> T { loop {} }
         }
 
         impl<T: Scalar> Linkage<#n> for Model<T> {

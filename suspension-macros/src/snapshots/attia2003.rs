@@ -819,8 +819,7 @@ pub mod attia2003 {
         d9_7_by_p8_x: T,
     }
 
-    impl<T: Scalar> Elimination<15> for Factors<T> {
-        type Scalar = T;
+    impl<T: Scalar> Elimination<T, 15> for Factors<T> {
         #[inline(always)]
         fn factor(jacobian: &SMatrix<T, 15, 15>) -> Self {
             let columns = &jacobian.data.0;
@@ -1056,11 +1055,9 @@ pub mod attia2003 {
         fn growth(&self) -> T {
             self.growth
         }
+    }
 
-        fn determinant_sign(&self) -> T {
-            self.determinant_sign
-        }
-
+    impl<T: Scalar> JacobianFactors<T, 15> for Factors<T> {
         #[inline(always)]
         fn solve(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut rows] = right.data.0;
@@ -1147,6 +1144,10 @@ pub mod attia2003 {
                 - self.d6_1_by_p6_y * unknowns[unknown::P6_Y]) * self.d6_1_by_p6_x;
             unknowns[unknown::P6_Z] = rows[equation::THETA];
             SVector::from(unknowns)
+        }
+
+        fn determinant_sign(&self) -> T {
+            self.determinant_sign
         }
     }
 

@@ -1154,8 +1154,7 @@ pub mod five_link {
         knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
     }
 
-    impl<T: Scalar> Elimination<15> for Factors<T> {
-        type Scalar = T;
+    impl<T: Scalar> Elimination<T, 15> for Factors<T> {
         #[inline(always)]
         fn factor(jacobian: &SMatrix<T, 15, 15>) -> Self {
             let columns = &jacobian.data.0;
@@ -1583,11 +1582,9 @@ pub mod five_link {
         fn growth(&self) -> T {
             self.growth
         }
+    }
 
-        fn determinant_sign(&self) -> T {
-            self.determinant_sign
-        }
-
+    impl<T: Scalar> JacobianFactors<T, 15> for Factors<T> {
         #[inline(always)]
         fn solve(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut rows] = right.data.0;
@@ -1825,6 +1822,10 @@ pub mod five_link {
                 * self.track_rod_by_track_rod_outer_y;
             unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
             SVector::from(unknowns)
+        }
+
+        fn determinant_sign(&self) -> T {
+            self.determinant_sign
         }
     }
 
