@@ -54,4 +54,47 @@ fn a_first_instant_out_of_reach_is_the_solvers_failure() {
     let message = text(&output.stderr);
     assert_eq!(message.lines().count(), 1);
     assert!(message.contains("theta = 2.17842"), "{message}");
+    assert!(
+        message.contains("t = 0 s with theta = 2.2 rad,"),
+        "{message}"
+    );
+}
+
+#[test]
+fn numbers_in_messages_are_rounded() {
+    let cases = [
+        ("start = 0.0\nstop = 2.0\nstep = 1e-4", "t = 1.9784 s"),
+        ("start = 0.0\nstop = 2.0\nstep = 1e-4", "up to t = 1.9783 s"),
+        ("instants = [0.0, 1e300]", "t = 1e300 s"),
+        ("start = 0.0\nstop = 1e300\nstep = -1.0", "at 1e300 s"),
+        ("start = 0.0\nstop = 1.0\nstep = 1e-300", "step 1e-300 s"),
+        ("instants = [0.0, 1e300, 0.1]", "follows 1e300 s"),
+    ];
+    let folder = folder();
+    for (time, expected) in cases {
+        std::fs::write(folder.path().join("a.toml"), edited("instants", time)).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        let message = text(&output.stderr);
+        assert!(
+            message.contains(expected),
+            "{expected} is not in: {message}"
+        );
+    }
+}
+
+#[test]
+fn a_length_in_another_unit_is_hinted_at() {
+    let folder = folder();
+    let path = folder.path().join("a.toml");
+    std::fs::write(path, edited("d6_1", "d6_1 = 445.872")).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr);
+    assert_eq!(message.lines().count(), 1);
+    for expected in ["theta = 1.57079632679 rad", "may not fit together", "unit"] {
+        assert!(
+            message.contains(expected),
+            "{expected} is not in: {message}"
+        );
+    }
 }
