@@ -185,7 +185,7 @@ fn charts(study: &dyn Study, rows: [&Rows; 2]) -> [(&'static str, Chart); 2] {
         title: "Height of the wheel centre".to_owned(),
         quantity: format!("height z ({unit})"),
         curves: vec![Curve::new(
-            format!("wheel centre {centre}"),
+            named("wheel centre", centre),
             &format!("{centre}_z"),
             1.0,
             rows,
@@ -205,4 +205,13 @@ fn charts(study: &dyn Study, rows: [&Rows; 2]) -> [(&'static str, Chart); 2] {
         ],
     };
     [("height", height), ("angles", angles)]
+}
+
+/// What a point is and its name, where that says something else.
+fn named(what: &str, point: &str) -> String {
+    if point.replace('_', " ") == what {
+        what.to_owned()
+    } else {
+        format!("{what} {point}")
+    }
 }

@@ -5,6 +5,7 @@ mod support;
 mod cli {
     mod bad_input;
     mod files;
+    mod plots;
     mod program;
     mod results;
     mod signals;
