@@ -66,8 +66,8 @@ Point 11, the wheel centre: the paper prints no coordinates for it. It is assume
 outboard (+y) of point 8, on a spin axis through both that is parallel to y, where theta = pi/2.
 Camber, toe and the height of the wheel centre rest on this assumption; Tables 2 and 3 do not.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the solver stopped,
-130 interrupted.";
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 no configuration was found (see
+suspension motion --help), 130 interrupted (Ctrl-C, SIGTERM or SIGHUP).";
 
 const MOTION_NOTES: &str = r#"The file:
 
@@ -82,7 +82,7 @@ const MOTION_NOTES: &str = r#"The file:
   theta = 1.5707963267948966         # assembled and markers are attached; else as the points are
   [time]                             # in seconds; or: instants = [0.0, 0.25, 0.5]
   start = 0.0
-  stop = 1.95
+  stop = 1.95                        # the last instant is the last multiple of step within stop
   step = 0.05
   [drives]                           # polynomials of time in seconds, constant first,
   theta = [0.7, 0.5, 0.125]          # in rad (angles) or the unit (coordinates)
@@ -95,8 +95,14 @@ In examples/attia2003.toml the wheel centre, point 11, is an assumption: the pap
 coordinates for it. It is put 0.10 m outboard (+y) of point 8, on a spin axis parallel to y,
 where theta = pi/2.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input (file:line:column says where),
-3 the solver stopped, 130 interrupted. After 3 and 130 the rows up to there are in the CSV file.
+Exit codes:
+  0    done
+  1    a result cannot be written
+  2    wrong input (file:line:column says where), or --csv names the motion file
+  3    no configuration was found: the motion stops short of its last instant, or the points do
+       not assemble in the design position, or the first instant is out of reach from there
+  130  interrupted (Ctrl-C, SIGTERM or SIGHUP)
+Where the motion stops short or is interrupted, the rows up to there are in the CSV file.
 
 Example:
   suspension motion examples/five_link.toml --csv sweep.csv --plots plots"#;

@@ -43,7 +43,7 @@ pub fn published(interrupted: &AtomicBool) -> Result<(), Failure> {
         instants.count(),
         interrupted,
     )?;
-    if let Some(failure) = outcome.failure(source.name()) {
+    if let Some(failure) = outcome.failure(source.name(), Some(&target)) {
         return Err(failure);
     }
     let mut written = vec![csv];
@@ -94,6 +94,9 @@ pub struct Wanted {
 /// See [`Failure`]. Where the solver stops or the user interrupts, what was solved is written.
 pub fn motion(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = Source::read(&wanted.file)?;
+    if let Some(Target::File(csv)) = &wanted.csv {
+        refuse_input(csv, &wanted.file)?;
+    }
     let (study, instants) = setup::load(&source)?;
     let outcome = run(&*study, &instants, wanted.csv.as_ref(), KEPT, interrupted)?;
     let mut written = Vec::new();
@@ -112,7 +115,21 @@ pub fn motion(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> 
         print(&summary::text(&*study, &outcome))?;
     }
     announce(&written);
-    outcome.failure(source.name()).map_or(Ok(()), Err)
+    let table = wanted.csv.as_ref();
+    outcome.failure(source.name(), table).map_or(Ok(()), Err)
+}
+
+/// A table would replace the motion that it is the result of.
+fn refuse_input(csv: &Path, input: &Path) -> Result<(), Failure> {
+    match (csv.canonicalize(), input.canonicalize()) {
+        (Ok(csv_found), Ok(input_found)) if csv_found == input_found => {
+            Err(Failure::Input(format!(
+                "{}: this is the motion file, which --csv would overwrite",
+                csv.display()
+            )))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn announce(written: &[PathBuf]) {
@@ -168,7 +185,7 @@ fn charts(study: &dyn Study, rows: [&Rows; 2]) -> [(&'static str, Chart); 2] {
         title: "Height of the wheel centre".to_owned(),
         quantity: format!("height z ({unit})"),
         curves: vec![Curve::new(
-            format!("wheel centre {centre}"),
+            named("wheel centre", centre),
             &format!("{centre}_z"),
             1.0,
             rows,
@@ -188,4 +205,13 @@ fn charts(study: &dyn Study, rows: [&Rows; 2]) -> [(&'static str, Chart); 2] {
         ],
     };
     [("height", height), ("angles", angles)]
+}
+
+/// What a point is and its name, where that says something else.
+fn named(what: &str, point: &str) -> String {
+    if point.replace('_', " ") == what {
+        what.to_owned()
+    } else {
+        format!("{what} {point}")
+    }
 }

@@ -14,6 +14,7 @@ use crate::failure::Failure;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
+use crate::number::rounded;
 use columns::PointNames;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
@@ -253,7 +254,8 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
             iterations,
             ..
         } => format!(
-            "equation `{name}` is still off by {residual:.1e} {unit} after {iterations} iterations"
+            "equation `{name}` is still off by {} {unit} after {iterations} iterations",
+            rounded(*residual, 2)
         ),
     }
 }

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::input::file::{MotionFile, Position, Table, Time};
 use crate::input::instants::Instants;
 use crate::input::source::Source;
+use crate::number::{number, rounded};
 
 /// More instants than this are taken for a mistyped step.
 const MOST_INSTANTS: f64 = 1e7;
@@ -64,7 +65,10 @@ pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
     for (name, value) in in_file_order(table) {
         let length = *value.get_ref();
         if !(length > 0.0 && length.is_finite()) {
-            let message = format!("length `{name}` is {length}, not a positive finite number");
+            let message = format!(
+                "length `{name}` is {}, not a positive finite number",
+                number(length)
+            );
             return Err(source.refuse(&value.span(), message));
         }
     }
@@ -201,12 +205,16 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
     let steps = (stop - first) / step;
     if steps < 0.0 {
         return refuse(format!(
-            "the time step {step} s leads away from the stop at {stop} s"
+            "the time step {} s leads away from the stop at {} s",
+            number(step),
+            number(stop)
         ));
     }
     if steps.is_nan() || steps >= MOST_INSTANTS {
         return refuse(format!(
-            "the time step {step} s makes {steps:.3e} steps; at most {MOST_INSTANTS:.0e} are allowed"
+            "the time step {} s makes {} steps; at most {MOST_INSTANTS:e} are allowed",
+            number(step),
+            rounded(steps, 4)
         ));
     }
     Ok(Instants::stepped(first, stop, step))
@@ -230,7 +238,8 @@ fn listed(source: &Source, list: &Spanned<Vec<Spanned<f64>>>) -> Result<Instants
         if !onwards {
             let message = format!(
                 "the instants must run one way, but {} s follows {} s",
-                pair[1], pair[0]
+                number(pair[1]),
+                number(pair[0])
             );
             return Err(source.refuse(&at.span(), message));
         }

@@ -4,6 +4,7 @@ use suspension_core::{DriveKind, Inputs, Linkage, Named, Signal, Still};
 
 use crate::input::file::Unit;
 use crate::input::polynomial::Polynomial;
+use crate::number::number;
 
 /// The drives of a linkage over time, in the order of its drives.
 #[derive(Clone, Debug)]
@@ -46,16 +47,7 @@ pub fn unit_of(kind: DriveKind, unit: Unit) -> &'static str {
     }
 }
 
-/// A time or a drive's value with all digits that a limit of the motion is known to.
-pub fn number(value: f64) -> String {
-    if value.abs() < 1e9 {
-        format!("{value:.12}")
-    } else {
-        format!("{value:e}")
-    }
-}
-
-/// The drives' values in words, as `theta = 0.700000000000 rad`.
+/// The drives' values in words, as `theta = 0.7 rad`.
 pub fn in_words<L: Linkage<N, Scalar = f64>, const N: usize>(
     drives: &L::Drives,
     unit: Unit,

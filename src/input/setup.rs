@@ -13,6 +13,7 @@ use crate::input::file::{MotionFile, Offset, Position};
 use crate::input::instants::Instants;
 use crate::input::polynomial::Polynomial;
 use crate::input::source::Source;
+use crate::number::number;
 use crate::study::columns::PointNames;
 use crate::study::{Assembled, Study, Suspension, cause, follow};
 
@@ -161,12 +162,8 @@ fn at_design<L: Suspension<N>, const N: usize>(
     let mut q = L::unknowns(guess);
     if file.lengths.is_some() || file.design.is_some() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
-            Failure::Solver(format!(
-                "{}: the points do not assemble at {}: {}",
-                source.name(),
-                in_words::<L, N>(&design, file.unit),
-                cause::<L, N>(&error, file.unit),
-            ))
+            let at = in_words::<L, N>(&design, file.unit);
+            unassembled(task, &at, &cause::<L, N>(&error, file.unit))
         })?;
     }
     let fixed = L::drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
@@ -185,6 +182,19 @@ fn at_design<L: Suspension<N>, const N: usize>(
             ))
         }
     }
+}
+
+/// The equation that a solver ends at says little about the number that was mistyped.
+fn unassembled(task: &Task<'_>, at: &str, cause: &str) -> Failure {
+    let doubt = if task.file.lengths.is_some() {
+        "lengths and points may not fit together: is one of them in another unit?"
+    } else {
+        "the design may be out of reach"
+    };
+    let name = task.source.name();
+    Failure::Solver(format!(
+        "{name}: the points do not assemble at {at}: {cause}; {doubt}"
+    ))
 }
 
 /// Puts markers where the file wants them in the configuration `points`. Where the points of the
@@ -239,7 +249,7 @@ fn to_first_instant<L: Suspension<N>, const N: usize>(
                 "{}: the first instant, t = {} s with {}, is out of reach: driven there from the \
                  design position, the mechanism stops at {} ({})",
                 task.source.name(),
-                task.first,
+                number(task.first),
                 in_words::<L, N>(&first, unit),
                 in_words::<L, N>(&reached, unit),
                 cause.unwrap_or_default(),

@@ -1,10 +1,10 @@
 //! Files that appear complete or not at all, and standard output that may close early.
 
-use std::fs::File;
+use std::fs::{File, Permissions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 use crate::failure::Failure;
 
@@ -12,15 +12,13 @@ use crate::failure::Failure;
 /// name before stays.
 #[derive(Debug)]
 pub struct Pending {
+    /// As the user gave it.
     path: PathBuf,
-    sink: Sink,
-}
-
-#[derive(Debug)]
-enum Sink {
-    Replacing(BufWriter<NamedTempFile>),
-    /// Devices and pipes cannot be replaced.
-    Direct(BufWriter<File>),
+    /// What it points to: a symbolic link stays.
+    target: PathBuf,
+    file: BufWriter<File>,
+    /// `None` for devices and pipes, which cannot be replaced.
+    temporary: Option<TempPath>,
 }
 
 impl Pending {
@@ -30,11 +28,16 @@ impl Pending {
     ///
     /// [`Failure::Output`] where the place cannot be written to.
     pub fn create(path: &Path) -> Result<Self, Failure> {
-        // A symbolic link is kept, and what it points to replaced.
         let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-        open(&target)
-            .map(|sink| Self { path: target, sink })
-            .map_err(|error| Failure::writing(path.display(), &error))
+        match open(&target) {
+            Ok((file, temporary)) => Ok(Self {
+                path: path.to_owned(),
+                target,
+                file: BufWriter::new(file),
+                temporary,
+            }),
+            Err(error) => Err(Failure::writing(path.display(), &error)),
+        }
     }
 
     /// Gives the file its name.
@@ -43,62 +46,60 @@ impl Pending {
     ///
     /// [`Failure::Output`] where the rest cannot be written or the name not be taken.
     pub fn finish(self) -> Result<(), Failure> {
-        let Self { path, sink } = self;
-        let finished = match sink {
-            Sink::Direct(file) => file.into_inner().map(drop).map_err(|e| e.into_error()),
-            Sink::Replacing(file) => file
-                .into_inner()
-                .map_err(|error| error.into_error())
-                .and_then(|file| file.persist(&path).map(drop).map_err(|e| e.error)),
-        };
+        let Self {
+            path,
+            target,
+            file,
+            temporary,
+        } = self;
+        let written = file.into_inner().map_err(io::IntoInnerError::into_error);
+        let finished = written.and_then(|_| match temporary {
+            Some(temporary) => temporary.persist(&target).map_err(|error| error.error),
+            None => Ok(()),
+        });
         finished.map_err(|error| Failure::writing(path.display(), &error))
     }
 }
 
 impl Write for Pending {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match &mut self.sink {
-            Sink::Replacing(file) => file.write(bytes),
-            Sink::Direct(file) => file.write(bytes),
-        }
+        self.file.write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        match &mut self.sink {
-            Sink::Replacing(file) => file.flush(),
-            Sink::Direct(file) => file.flush(),
-        }
+        self.file.flush()
     }
 }
 
-fn open(path: &Path) -> io::Result<Sink> {
-    match path.metadata() {
-        Ok(found) if found.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+fn open(path: &Path) -> io::Result<(File, Option<TempPath>)> {
+    let replaced = match path.metadata() {
+        Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
         Ok(found) if !found.is_file() => {
             let file = File::options().write(true).open(path)?;
-            Ok(Sink::Direct(BufWriter::new(file)))
+            return Ok((file, None));
         }
-        _ => {
-            let folder = match path.parent() {
-                Some(folder) if folder != Path::new("") => folder,
-                _ => Path::new("."),
-            };
-            std::fs::create_dir_all(folder)?;
-            Ok(Sink::Replacing(BufWriter::new(beside(folder)?)))
-        }
-    }
+        Ok(found) => Some(found.permissions()),
+        Err(_) => None,
+    };
+    let folder = match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    std::fs::create_dir_all(folder)?;
+    let (file, temporary) = beside(folder, replaced)?.into_parts();
+    Ok((file, Some(temporary)))
 }
 
-/// A temporary file in the folder of the final one, readable like any new file.
-fn beside(folder: &Path) -> io::Result<NamedTempFile> {
+/// A temporary file in the folder of the final one, with the permissions of the file that it
+/// replaces or else those of any new file. Its name is not in the errors: the user did not give it.
+fn beside(folder: &Path, replaced: Option<Permissions>) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".suspension-").suffix(".part");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    let made = builder.make_in(folder, |path| File::create_new(path))?;
+    if let Some(permissions) = replaced {
+        made.as_file().set_permissions(permissions)?;
     }
-    builder.tempfile_in(folder)
+    Ok(made)
 }
 
 /// Writes a whole file.

@@ -1,6 +1,7 @@
 //! Plots over time as SVG.
 
 use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
 use crate::study::sweep::Rows;
@@ -49,6 +50,7 @@ const SIZE: (u32, u32) = (900, 560);
 /// Drawing units to one of those: plotters rounds to whole units, which would be seen as steps.
 const FINE: u32 = 8;
 const FONT: &str = "sans-serif";
+
 fn font(size: u32) -> (&'static str, u32) {
     (FONT, size * FINE)
 }
@@ -59,68 +61,48 @@ const COLOURS: [RGBColor; 3] = [
     RGBColor(40, 130, 60),
 ];
 
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Plane<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+type Drawn = Result<(), Box<dyn std::error::Error>>;
+
 impl Chart {
     /// The plot as an SVG document; `None` where there is nothing to draw.
     pub fn svg(&self) -> Option<String> {
-        let [x, y] = self.ranges()?;
+        let axes = self.axes()?;
         let mut text = String::new();
         let size = (SIZE.0 * FINE, SIZE.1 * FINE);
         let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
         // Drawing into memory has no way to fail but a mistake in this file.
-        self.draw(&area, x, y).ok()?;
+        self.draw(&area, &axes).ok()?;
         drop(area);
         let [drawn, shown] =
             [size, SIZE].map(|(width, height)| format!("width=\"{width}\" height=\"{height}\""));
         Some(text.replacen(&drawn, &shown, 1))
     }
 
-    fn draw(
-        &self,
-        area: &DrawingArea<SVGBackend<'_>, Shift>,
-        x: [f64; 2],
-        y: [f64; 2],
-    ) -> Result<(), Box<dyn std::error::Error>> {
+    fn draw(&self, area: &Area<'_>, axes: &[Axis; 2]) -> Drawn {
+        const MARGIN: [u32; 2] = [14, 28];
+        /// Of the vertical axis: its name, its ticks and what is between them and the numbers.
+        const BESIDE_NUMBERS: u32 = 32;
+        let [x, y] = axes;
+        let beside = BESIDE_NUMBERS + y.label_width();
+        let width = SIZE.0 - beside - MARGIN[0] - MARGIN[1];
         area.fill(&WHITE)?;
-        let mut chart = ChartBuilder::on(area)
+        let mut plane = ChartBuilder::on(area)
             .caption(&self.title, font(22))
-            .margin(14 * FINE)
-            .margin_right(28 * FINE)
+            .margin(MARGIN[0] * FINE)
+            .margin_right(MARGIN[1] * FINE)
             .x_label_area_size(48 * FINE)
-            .y_label_area_size(72 * FINE)
-            .build_cartesian_2d(x[0]..x[1], y[0]..y[1])?;
-        let [x_digits, y_digits] = [x, y].map(digits);
-        chart
-            .configure_mesh()
-            .x_desc("time t (s)")
-            .y_desc(&self.quantity)
-            .x_labels(11)
-            .y_labels(10)
-            .x_label_formatter(&|t| format!("{t:.x_digits$}"))
-            .y_label_formatter(&|v| format!("{v:.y_digits$}"))
-            .axis_desc_style(font(17))
-            .label_style(font(15))
-            .bold_line_style(BLACK.mix(0.15).stroke_width(FINE))
-            .light_line_style(TRANSPARENT)
-            .axis_style(BLACK.stroke_width(FINE))
-            .set_all_tick_mark_size(5 * FINE)
-            .draw()?;
-        for (curve, colour) in self.curves.iter().zip(COLOURS.iter().cycle()) {
-            let line = LineSeries::new(curve.line.iter().copied(), colour.stroke_width(2 * FINE));
-            chart
-                .draw_series(line)?
-                .label(&curve.name)
-                .legend(move |(x, y)| {
-                    PathElement::new(
-                        [(x, y), (x + 24 * FINE as i32, y)],
-                        colour.stroke_width(2 * FINE),
-                    )
-                });
-            let marks = curve.marks.iter();
-            chart.draw_series(marks.map(|mark| Circle::new(*mark, 4 * FINE, colour.filled())))?;
-        }
-        chart
+            .y_label_area_size(beside * FINE)
+            .build_cartesian_2d(x.low..x.high, y.low..y.high)?;
+        self.draw_axes(&mut plane, axes, width)?;
+        self.draw_curves(&mut plane)?;
+        plane
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperMiddle)
+            .position(SeriesLabelPosition::Coordinate(
+                12 * FINE as i32,
+                12 * FINE as i32,
+            ))
             .legend_area_size(34 * FINE)
             .label_font(font(15))
             .margin(8 * FINE)
@@ -131,32 +113,100 @@ impl Chart {
         Ok(())
     }
 
-    /// What the axes span: all points and a margin.
-    fn ranges(&self) -> Option<[[f64; 2]; 2]> {
+    fn draw_axes(&self, plane: &mut Plane<'_, '_>, [x, y]: &[Axis; 2], width: u32) -> Drawn {
+        const MOST: u32 = 11;
+        // As wide a gap as two digits.
+        let fitting = width / (x.label_width() + 2 * DIGIT);
+        plane
+            .configure_mesh()
+            .x_desc("time t (s)")
+            .y_desc(&self.quantity)
+            .x_labels(fitting.clamp(2, MOST) as usize)
+            .y_labels(10)
+            .x_label_formatter(&|t| x.label(*t))
+            .y_label_formatter(&|v| y.label(*v))
+            .axis_desc_style(font(17))
+            .label_style(font(15))
+            .bold_line_style(BLACK.mix(0.15).stroke_width(FINE))
+            .light_line_style(TRANSPARENT)
+            .axis_style(BLACK.stroke_width(FINE))
+            .set_all_tick_mark_size(5 * FINE)
+            .draw()?;
+        Ok(())
+    }
+
+    fn draw_curves(&self, plane: &mut Plane<'_, '_>) -> Drawn {
+        for (curve, colour) in self.curves.iter().zip(COLOURS.iter().cycle()) {
+            let stroke = colour.stroke_width(2 * FINE);
+            plane
+                .draw_series(LineSeries::new(curve.line.iter().copied(), stroke))?
+                .label(&curve.name)
+                .legend(move |(x, y)| {
+                    PathElement::new([(x, y), (x + 24 * FINE as i32, y)], stroke)
+                });
+            let marks = curve.marks.iter();
+            plane.draw_series(marks.map(|mark| Circle::new(*mark, 4 * FINE, colour.filled())))?;
+        }
+        Ok(())
+    }
+
+    /// Time and value: all points and a margin.
+    fn axes(&self) -> Option<[Axis; 2]> {
         let all = || {
             self.curves
                 .iter()
                 .flat_map(|c| c.line.iter().chain(&c.marks))
         };
-        let x = range(all().map(|point| point.0), [0.02, 0.02])?;
+        let time = Axis::around(all().map(|point| point.0), [0.02, 0.02])?;
         // The legend is above the curves.
-        let y = range(all().map(|point| point.1), [0.08, 0.2])?;
-        Some([x, y])
+        let value = Axis::around(all().map(|point| point.1), [0.08, 0.2])?;
+        Some([time, value])
     }
 }
 
-fn range(values: impl Iterator<Item = f64>, [below, above]: [f64; 2]) -> Option<[f64; 2]> {
-    let (low, high) = values.fold(None, |ends: Option<(f64, f64)>, value| {
-        let (low, high) = ends.unwrap_or((value, value));
-        Some((low.min(value), high.max(value)))
-    })?;
-    // A constant gets a range of its own size, so that rounding is not drawn as a wave.
-    let span = (high - low).max(high.abs().max(low.abs()) * 1e-6).max(1e-9);
-    Some([low - below * span, high + above * span])
+/// The width of a digit in a label, as shown.
+const DIGIT: u32 = 8;
+
+/// What an axis spans.
+struct Axis {
+    low: f64,
+    high: f64,
 }
 
-/// Decimals that tell labels apart on an axis of about ten.
-fn digits([low, high]: [f64; 2]) -> usize {
-    let step = (high - low) / 10.0;
-    (-step.log10()).ceil().clamp(0.0, 12.0) as usize
+impl Axis {
+    /// All of the values, and below and above them these parts of what they span.
+    fn around(values: impl Iterator<Item = f64>, [below, above]: [f64; 2]) -> Option<Self> {
+        /// What spans less is one value and its rounding, which is not drawn as a wave.
+        const CONSTANT: f64 = 1e-9;
+        /// Of its size, or else of one: what is shown around a constant.
+        const AROUND_CONSTANT: f64 = 0.1;
+        let (low, high) = values.fold(None, |ends: Option<(f64, f64)>, value| {
+            let (low, high) = ends.unwrap_or((value, value));
+            Some((low.min(value), high.max(value)))
+        })?;
+        let size = high.abs().max(low.abs()).max(1.0);
+        let middle = (low + high) / 2.0;
+        let span = if high - low > CONSTANT * size {
+            high - low
+        } else {
+            AROUND_CONSTANT * size
+        };
+        Some(Self {
+            low: middle - (0.5 + below) * span,
+            high: middle + (0.5 + above) * span,
+        })
+    }
+
+    /// With decimals that tell labels apart on an axis of about ten.
+    fn label(&self, value: f64) -> String {
+        let step = (self.high - self.low) / 10.0;
+        let digits = (-step.log10()).ceil().clamp(0.0, 12.0) as usize;
+        format!("{value:.digits$}")
+    }
+
+    /// Of the widest label, as shown.
+    fn label_width(&self) -> u32 {
+        let lengths = [self.low, self.high].map(|end| self.label(end).len() as u32);
+        lengths[0].max(lengths[1]) * DIGIT
+    }
 }

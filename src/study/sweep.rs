@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::failure::Failure;
-use crate::input::drives::number;
 use crate::input::instants::Instants;
+use crate::number::number;
 use crate::output::csv_file::{CsvFile, Target};
 use crate::output::progress::Progress;
 use crate::study::{End, Stop, Study};
@@ -159,22 +159,33 @@ impl Outcome {
         }
     }
 
-    /// What remains to be said where the sweep did not reach its last instant.
-    pub fn failure(&self, source: &str) -> Option<Failure> {
-        let kept = match self.solved {
-            0 => "no row was kept".to_owned(),
-            1 => format!("1 row was kept, at t = {} s", self.last),
-            rows => format!("{rows} rows were kept, up to t = {} s", self.last),
-        };
+    /// What remains to be said where the sweep did not reach its last instant. Rows are kept
+    /// where a table was written.
+    pub fn failure(&self, source: &str, table: Option<&Target>) -> Option<Failure> {
+        let done = self.done_in_words(table.is_some());
         match &self.end {
             End::Complete => None,
             End::Cut => Some(Failure::Interrupted(format!(
-                "{source}: interrupted; {kept}"
+                "{source}: interrupted; {done}"
             ))),
             End::Stopped(stop) => Some(Failure::Solver(format!(
-                "{source}: {}; {kept}",
+                "{source}: {}; {done}",
                 stop.in_words()
             ))),
+        }
+    }
+
+    fn done_in_words(&self, kept: bool) -> String {
+        let (what, done) = if kept {
+            ("row", "kept")
+        } else {
+            ("instant", "solved")
+        };
+        let last = number(self.last);
+        match self.solved {
+            0 => format!("no {what} was {done}"),
+            1 => format!("1 {what} was {done}, at t = {last} s"),
+            count => format!("{count} {what}s were {done}, up to t = {last} s"),
         }
     }
 }
@@ -199,8 +210,9 @@ impl Stop {
             ""
         };
         format!(
-            "no configuration at t = {asked} s with {drives_asked}: the motion ends at \
+            "no configuration at t = {} s with {drives_asked}: the motion ends at \
              t = {} s with {drives_reached} ({cause});{locks}",
+            number(*asked),
             number(*reached)
         )
         .trim_end_matches(';')

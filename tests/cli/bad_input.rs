@@ -1,0 +1,102 @@
+//! Input that is refused.
+
+use super::program::{edited, example, folder, run, text};
+
+/// How a line of the published motion begins, what takes its place, where the message must point
+/// and a part of it.
+type Case = (&'static str, &'static str, &'static str, &'static str);
+
+#[rustfmt::skip]
+const BAD: [Case; 37] = [
+    ("unit", "unit = ", ":7:", "value"),
+    ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
+    ("unit", "unit = \"ft\"", ":7:8", "ft"),
+    ("linkage", "linkage = \"strut\"", ":6:11", "attia2003, five_link"),
+    ("p2", "", ":9:", "`p2` is missing"),
+    ("p2", "p2 = [-1.301, 0.1168, 0.106]\np12 = [0, 0, 0]", ":14:1", "unknown point `p12`"),
+    ("p2", "p2 = [-1.301, 0.1168, 0.106]\np2 = [-1.301, 0.1168, 0.106]", ":14:1", "duplicate key"),
+    ("p2", "p2 = [nan, 0.1, 0.1]", ":13:6", "`p2`"),
+    ("p2", "p2 = [0.1, inf, 0.1]", ":13:6", "`p2`"),
+    ("p2", "p2 = [0.1, 0.1]", ":13:6", "three coordinates"),
+    ("p2", "p2 = [1, 2, 3, 4]", ":13:6", "three coordinates"),
+    ("p2", "p2 = [-1.396, -0.025, -0.082]", ":13:6", "same place as point `p1`"),
+    ("p2", "p2 = { from = \"p1\", offset = [0, 0, 1] }", ":13:6", "`p2` is no marker"),
+    ("p11", "p11 = { from = \"p99\", offset = [0, 0.1, 0] }", ":26:16", "no point `p99`"),
+    ("p11", "p11 = { from = \"p11\", offset = [0, 0.1, 0] }", ":26:16", "relative"),
+    ("p11", "p11 = { from = \"p8\", ofset = [0, 0.1, 0] }", ":26:", "ofset"),
+    ("p11", "p11 = { from = \"p8\", offset = [0, 0, 0] }", ":26:7", "spin axis"),
+    ("d7_2", "d7_2 = 0.0", ":31:8", "`d7_2` is 0"),
+    ("d7_2", "d7_2 = -0.3", ":31:8", "`d7_2` is -0.3"),
+    ("d7_2", "d7_2 = inf", ":31:8", "`d7_2` is inf"),
+    ("d7_2", "", ":28:", "`d7_2` is missing"),
+    ("d7_2", "d99 = 0.3", ":31:1", "unknown length `d99`"),
+    ("p7", "p7 = [-1.3055, 0.38, 0.0405]", ":26:7", "lie in line"),
+    ("instants", "start = 0\nstop = 1\nstep = 0", ":53:8", "step is zero"),
+    ("instants", "start = 0\nstop = 1\nstep = -0.1", ":53:8", "leads away"),
+    ("instants", "start = 0\nstop = 1\nstep = 1e-9", ":53:8", "at most"),
+    ("instants", "start = 0\nstop = inf\nstep = 1", ":52:8", "finite"),
+    ("instants", "start = 0\nstop = 1", ":49:", "[time] needs"),
+    ("instants", "instants = []", ":51:12", "empty"),
+    ("instants", "instants = [0.0, 0.5, 0.25]", ":51:23", "one way"),
+    ("instants", "instants = [0.0, 0.0]", ":51:18", "one way"),
+    ("instants", "instants = [nan]", ":51:13", "finite"),
+    ("theta = [", "", ":53:", "`theta` is missing"),
+    ("theta = [", "bump = [0.7]", ":55:1", "unknown drive `bump`"),
+    ("theta = [", "theta = []", ":55:9", "coefficient"),
+    ("theta = [", "theta = [nan]", ":55:9", "finite"),
+    ("theta = 1", "theta = nan", ":47:9", "finite"),
+];
+
+#[test]
+fn bad_input_is_refused_in_one_line_that_names_the_place() {
+    let folder = folder();
+    let mut wrong = Vec::new();
+    for (begins, replacement, place, part) in BAD {
+        let content = edited(begins, replacement);
+        std::fs::write(folder.path().join("bad.toml"), content).expect("written");
+        let output = run(folder.path(), &["motion", "bad.toml", "--csv", "bad.csv"]);
+        let message = text(&output.stderr);
+        let good = output.status.code() == Some(2)
+            && output.stdout.is_empty()
+            && message.lines().count() == 1
+            && message.starts_with(&format!("bad.toml{place}"))
+            && message.contains(part)
+            && !folder.path().join("bad.csv").exists();
+        if !good {
+            wrong.push(format!(
+                "{replacement}: {:?} {message}",
+                output.status.code()
+            ));
+        }
+    }
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_body_in_line_is_refused_at_its_point() {
+    let folder = folder();
+    let text_of_file =
+        example("five_link.toml").replace("[-1287.0, 345.0, 140.0]", "[-1325.5, 412.5, 48.0]");
+    std::fs::write(folder.path().join("bad.toml"), text_of_file).expect("written");
+    let output = run(folder.path(), &["motion", "bad.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = text(&output.stderr);
+    assert!(message.starts_with("bad.toml:16:"), "{message}");
+    assert!(
+        message.contains("`upper_rear_outer` lie in line"),
+        "{message}"
+    );
+}
+
+#[test]
+fn an_unreadable_file_is_refused() {
+    let folder = folder();
+    let output = run(folder.path(), &["motion", "none.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = text(&output.stderr);
+    assert_eq!(message.lines().count(), 1);
+    assert!(
+        message.starts_with("none.toml: cannot be read"),
+        "{message}"
+    );
+}

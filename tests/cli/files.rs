@@ -1,0 +1,79 @@
+//! Where results are written.
+
+use std::path::Path;
+
+use super::program::{example, folder, run, text};
+
+fn with_input() -> tempfile::TempDir {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    folder
+}
+
+fn files_in(folder: &Path) -> usize {
+    std::fs::read_dir(folder).expect("a folder").count()
+}
+
+#[test]
+fn an_unwritable_result_is_exit_code_1() {
+    let folder = with_input();
+    std::fs::write(folder.path().join("file"), "").expect("written");
+    let arguments = ["motion", "a.toml", "--csv", "file/a.csv"];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(1));
+    let message = text(&output.stderr);
+    assert_eq!(message.lines().count(), 1);
+    assert!(
+        message.starts_with("file/a.csv: cannot be written"),
+        "{message}"
+    );
+}
+
+#[test]
+fn the_input_is_not_overwritten_by_its_results() {
+    let folder = with_input();
+    std::fs::create_dir(folder.path().join("sub")).expect("a folder");
+    for name in ["a.toml", "sub/../a.toml"] {
+        let output = run(folder.path(), &["motion", "a.toml", "--csv", name]);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(
+            message.starts_with(&format!("{name}: this is the motion file")),
+            "{message}"
+        );
+        let kept = std::fs::read_to_string(folder.path().join("a.toml")).expect("the input");
+        assert_eq!(kept, example("attia2003.toml"));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_replaced_file_keeps_its_mode() {
+    use std::fs::Permissions;
+    use std::os::unix::fs::PermissionsExt;
+    let folder = with_input();
+    let csv = folder.path().join("a.csv");
+    for mode in [0o600, 0o664, 0o755] {
+        std::fs::write(&csv, "old").expect("written");
+        std::fs::set_permissions(&csv, Permissions::from_mode(mode)).expect("a mode");
+        let output = run(folder.path(), &["motion", "a.toml", "--csv", "a.csv"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let found = csv.metadata().expect("a table");
+        assert!(found.len() > 1000);
+        assert_eq!(found.permissions().mode() & 0o777, mode);
+    }
+    assert_eq!(files_in(folder.path()), 2);
+}
+
+/// No user may make files there, not even root.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_error_names_the_users_path_only() {
+    let folder = with_input();
+    let output = run(folder.path(), &["motion", "a.toml", "--csv", "/proc/a.csv"]);
+    assert_eq!(output.status.code(), Some(1));
+    let message = text(&output.stderr);
+    assert!(message.starts_with("/proc/a.csv: cannot be written"));
+    assert!(!message.contains(".part"), "{message}");
+}

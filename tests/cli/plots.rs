@@ -1,0 +1,123 @@
+//! The plots, as their text lies in them.
+
+use super::program::{edited, example, folder, run};
+
+/// A text of a plot: where it is anchored, how, and what it says.
+struct Label {
+    x: f64,
+    y: f64,
+    anchor: String,
+    size: f64,
+    text: String,
+}
+
+impl Label {
+    /// From left to right, letters taken to be 0.6 as wide as high.
+    fn span(&self) -> [f64; 2] {
+        let width = 0.6 * self.size * self.text.chars().count() as f64;
+        match self.anchor.as_str() {
+            "middle" => [self.x - width / 2.0, self.x + width / 2.0],
+            "end" => [self.x - width, self.x],
+            _ => [self.x, self.x + width],
+        }
+    }
+}
+
+fn labels(svg: &str) -> Vec<Label> {
+    let texts = svg.split("<text ").skip(1);
+    texts
+        .map(|text| {
+            let (head, rest) = text.split_once('>').expect("a tag");
+            let attribute = |name: &str| {
+                let (_, rest) = head.split_once(&format!("{name}=\"")).expect(name);
+                rest.split_once('"').expect(name).0
+            };
+            let number = |name| attribute(name).parse().expect("a number");
+            Label {
+                x: number("x"),
+                y: number("y"),
+                anchor: attribute("text-anchor").to_owned(),
+                size: number("font-size"),
+                text: rest.split_once('<').expect("text").0.trim().to_owned(),
+            }
+        })
+        .collect()
+}
+
+/// Numbers along the axes do not run into each other or into the axes' names.
+fn assert_readable(svg: &str, what: &str) {
+    let all = labels(svg);
+    let (names, numbers): (Vec<&Label>, Vec<&Label>) = all
+        .iter()
+        .partition(|label| label.text.parse::<f64>().is_err());
+    let (below, beside): (Vec<&Label>, Vec<&Label>) =
+        numbers.iter().partition(|label| label.anchor == "middle");
+    assert!(below.len() > 1 && beside.len() > 1, "{what}");
+    for pair in below.windows(2) {
+        let [left, right] = [pair[0].span(), pair[1].span()];
+        assert!(
+            left[1] < right[0],
+            "{what}: {} {}",
+            pair[0].text,
+            pair[1].text
+        );
+    }
+    let name = names
+        .iter()
+        .find(|label| label.text.ends_with(')') && label.x < 400.0);
+    let name = name.expect("the name of the vertical axis");
+    for number in beside {
+        assert!(
+            name.x + name.size < number.span()[0],
+            "{what}: {}",
+            number.text
+        );
+    }
+    let same = |pair: &[&Label]| pair[0].text == pair[1].text && pair[0].y == pair[1].y;
+    assert!(!below.windows(2).any(same), "{what}: a number twice");
+}
+
+#[test]
+fn labels_do_not_overlap() {
+    let constant = edited("theta = [", "theta = [0.7]");
+    let upright = edited("theta = [", "theta = [1.5707963267948966]");
+    let cases = [
+        ("as published", example("attia2003.toml")),
+        ("in millimetres", example("five_link.toml")),
+        ("one instant", edited("instants", "instants = [1.95]")),
+        ("the first instant", edited("instants", "instants = [0.0]")),
+        (
+            "a moment",
+            edited("instants", "instants = [1.95, 1.950001]"),
+        ),
+        ("constant", constant),
+        ("constant zero", upright),
+    ];
+    let folder = folder();
+    for (what, content) in cases {
+        std::fs::write(folder.path().join("a.toml"), content).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml", "--plots", "."]);
+        assert_eq!(output.status.code(), Some(0), "{what}: {output:?}");
+        for plot in ["a_height.svg", "a_angles.svg"] {
+            let svg = std::fs::read_to_string(folder.path().join(plot)).expect("a plot");
+            assert_readable(&svg, &format!("{what}, {plot}"));
+        }
+    }
+}
+
+#[test]
+fn a_wheel_centre_of_that_name_is_named_once() {
+    let folder = folder();
+    for (example_of, name) in [
+        ("attia2003.toml", "wheel centre p11"),
+        ("five_link.toml", "wheel centre"),
+    ] {
+        std::fs::write(folder.path().join("a.toml"), example(example_of)).expect("written");
+        run(folder.path(), &["motion", "a.toml", "--plots", "."]);
+        let svg = std::fs::read_to_string(folder.path().join("a_height.svg")).expect("a plot");
+        assert!(
+            labels(&svg).iter().any(|label| label.text == name),
+            "{name}"
+        );
+    }
+}

@@ -1,0 +1,49 @@
+//! The program and its input, for the tests.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::{Command, Output};
+
+pub(crate) fn command(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_suspension"));
+    command.current_dir(folder);
+    command
+}
+
+pub(crate) fn run(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = command(folder);
+    command.args(arguments).output().expect("the program runs")
+}
+
+pub(crate) fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().expect("a temporary folder")
+}
+
+pub(crate) fn example(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("examples")
+        .join(name);
+    std::fs::read_to_string(path).expect("an example")
+}
+
+/// The published motion with a line, found by its beginning, replaced.
+pub(crate) fn edited(begins: &str, replacement: &str) -> String {
+    let text = example("attia2003.toml");
+    let line = text
+        .lines()
+        .find(|line| line.starts_with(begins))
+        .unwrap_or_else(|| panic!("no line begins with {begins}"));
+    text.replacen(line, replacement, 1)
+}
+
+pub(crate) fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).expect("UTF-8")
+}
+
+pub(crate) type Rows = Vec<BTreeMap<String, f64>>;
+
+pub(crate) fn rows(csv_text: &[u8]) -> Rows {
+    let mut reader = csv::Reader::from_reader(csv_text);
+    let rows = reader.deserialize().collect::<Result<_, _>>();
+    rows.expect("numbers under a header")
+}

@@ -1,0 +1,156 @@
+//! What a motion that runs to its end gives.
+
+use crate::support::{self, Reference};
+
+use super::program::{Rows, edited, example, folder, rows, run, text};
+
+/// What a column of the reference may differ by.
+fn tolerance(column: &str) -> f64 {
+    match column.rsplit_once('_') {
+        Some(("omega", _)) => 1e-11,
+        Some(("alpha", _)) => 1e-9,
+        Some((_, axis)) if axis.starts_with('v') => 1e-12,
+        Some((_, axis)) if axis.starts_with('a') => 1e-10,
+        _ => 5e-15,
+    }
+}
+
+fn assert_meets_reference(ours: &Rows) {
+    let reference = Reference::load();
+    assert_eq!(ours.len(), reference.rows.len());
+    for (ours, expected) in ours.iter().zip(&reference.rows) {
+        for (column, expected) in expected {
+            let difference = (ours[column] - expected).abs();
+            assert!(
+                difference <= tolerance(column),
+                "{column} at t = {} s is off by {difference:.1e}",
+                ours["t_s"]
+            );
+        }
+    }
+}
+
+#[test]
+fn the_main_job_prints_both_tables_and_writes_its_files() {
+    let folder = folder();
+    let output = run(folder.path(), &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let printed = text(&output.stdout);
+    for expected in [
+        "Table 2",
+        "Point 10",
+        "Table 3",
+        "Angular acceleration",
+        "-0.181*",
+        "Misprints",
+        "Largest differences",
+        "Newton iterations",
+        "Largest residual",
+        "Time a step",
+    ] {
+        assert!(printed.contains(expected), "{expected}\n{printed}");
+    }
+    let widest = printed.lines().map(|line| line.chars().count()).max();
+    assert!(widest <= Some(120), "{widest:?}");
+    let csv = std::fs::read(folder.path().join("out/attia2003.csv")).expect("a table");
+    assert_meets_reference(&rows(&csv));
+    for plot in ["height", "angles"] {
+        let path = folder.path().join(format!("out/attia2003_{plot}.svg"));
+        let svg = std::fs::read_to_string(path).expect("a plot");
+        assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+        assert!(svg.contains("time t (s)"));
+    }
+}
+
+#[test]
+fn the_reference_columns_come_first_and_in_its_order() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+    let header = text(&output.stdout).lines().next().expect("a header");
+    let reference = include_str!("../data/attia2003_reference.csv");
+    let expected = reference.lines().next().expect("a header");
+    assert!(header.starts_with(expected), "{header}");
+}
+
+#[test]
+fn a_dash_puts_nothing_but_the_table_on_standard_output() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(output.stderr.is_empty());
+    assert_eq!(text(&output.stdout).lines().count(), 10);
+    assert_meets_reference(&rows(&output.stdout));
+}
+
+#[test]
+fn without_options_a_summary_is_printed() {
+    let folder = folder();
+    std::fs::write(folder.path().join("f.toml"), example("five_link.toml")).expect("written");
+    let output = run(folder.path(), &["motion", "f.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let printed = text(&output.stdout);
+    for expected in [
+        "five_link",
+        "theta (deg)",
+        "camber (deg)",
+        "11 of 40 instants",
+    ] {
+        assert!(printed.contains(expected), "{expected}\n{printed}");
+    }
+    let files = std::fs::read_dir(folder.path()).expect("a folder").count();
+    assert_eq!(files, 1);
+}
+
+#[test]
+fn far_instants_in_any_order_of_time_stay_in_the_same_assembly() {
+    let folder = folder();
+    for instants in ["[1.95, 1.0, 0.0]", "[0.0, 1.95]", "[1.95, 0.0]", "[1.0]"] {
+        let path = folder.path().join("a.toml");
+        let line = format!("instants = {instants}");
+        std::fs::write(path, edited("instants", &line)).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{instants}: {output:?}");
+        for row in rows(&output.stdout) {
+            let instant = support::INSTANTS.iter().position(|t| *t == row["t_s"]);
+            let expected = &Reference::load().rows[instant.expect("an instant of the paper")];
+            for column in ["p6_x", "p8_y", "p10_z"] {
+                let difference = (row[column] - expected[column]).abs();
+                assert!(difference < 5e-15, "{instants}: {column} {difference:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn five_link_in_millimetres_moves_as_the_paper_in_metres() {
+    let folder = folder();
+    let write = |name: &str, content: String| {
+        std::fs::write(folder.path().join(name), content).expect("written");
+        rows(&run(folder.path(), &["motion", name, "--csv", "-"]).stdout)
+    };
+    let metres = write(
+        "m.toml",
+        edited("instants", "start = 0.0\nstop = 1.95\nstep = 0.05"),
+    );
+    let millimetres = write("mm.toml", example("five_link.toml"));
+    assert_eq!((metres.len(), millimetres.len()), (40, 40));
+    for (m, mm) in metres.iter().zip(&millimetres) {
+        for (long, short) in support::FIVE_LINK_NAMES.iter().skip(5) {
+            for column in ["x", "y", "z", "vx", "az"] {
+                let expected = 1e3 * m[&format!("{short}_{column}")];
+                let difference = mm[&format!("{long}_{column}")] - expected;
+                let scale = 1e3 + expected.abs();
+                assert!(
+                    difference.abs() < 1e-11 * scale,
+                    "{long}_{column} {difference:e}"
+                );
+            }
+        }
+        for column in ["omega_x", "alpha_z", "camber_rad", "kingpin_rad", "toe_rad"] {
+            let difference = (m[column] - mm[column]).abs();
+            assert!(difference < 1e-10 * (1.0 + m[column].abs()), "{column}");
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! A user who has enough.
+
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+use super::program::{command, edited, folder, rows, text};
+
+#[test]
+fn a_closed_standard_output_is_no_failure() {
+    let folder = folder();
+    let path = folder.path().join("long.toml");
+    let long = "start = 0.0\nstop = 1.9\nstep = 0.001";
+    std::fs::write(path, edited("instants", long)).expect("written");
+    let mut child = command(folder.path())
+        .args(["motion", "long.toml", "--csv", "-"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("the program ends");
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(output.stderr.is_empty(), "{output:?}");
+}
+
+/// A motion that takes seconds, ended by a signal after a part of one.
+#[cfg(unix)]
+fn ended_by(signal: &str, folder: &Path, results: &[&str]) -> Output {
+    let long = "start = 0.0\nstop = 1.9\nstep = 5e-7";
+    std::fs::write(folder.join("long.toml"), edited("instants", long)).expect("written");
+    let child = command(folder)
+        .args(["motion", "long.toml"])
+        .args(results)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    std::thread::sleep(Duration::from_millis(500));
+    let sent = Command::new("kill")
+        .args([signal, &child.id().to_string()])
+        .status();
+    assert!(sent.expect("a signal").success());
+    let output = child.wait_with_output().expect("the program ends");
+    assert_eq!(output.status.code(), Some(130), "{signal} {output:?}");
+    assert!(text(&output.stderr).contains("interrupted"));
+    output
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_to_end_keeps_whole_rows() {
+    for signal in ["-INT", "-TERM", "-HUP"] {
+        let folder = folder();
+        let output = ended_by(signal, folder.path(), &["--csv", "long.csv"]);
+        let table = std::fs::read(folder.path().join("long.csv")).expect("a table");
+        assert_eq!(table.last(), Some(&b'\n'));
+        let kept = format!("{} rows were kept", rows(&table).len());
+        assert!(text(&output.stderr).contains(&kept), "{output:?}");
+        let files = std::fs::read_dir(folder.path()).expect("a folder").count();
+        assert_eq!(files, 2, "{signal}: nothing temporary is left");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn without_a_table_no_rows_are_said_to_be_kept() {
+    let folder = folder();
+    let output = ended_by("-INT", folder.path(), &["--plots", "."]);
+    let message = text(&output.stderr);
+    assert!(message.contains("instants were solved, up to t = "));
+    assert!(!message.contains("kept"), "{message}");
+}

@@ -1,0 +1,100 @@
+//! A motion that ends before its last instant.
+
+use crate::support::Reference;
+
+use super::program::{edited, folder, rows, run, text};
+
+const TWO_SECONDS: &str = "start = 0.0\nstop = 2.0\nstep = 0.05";
+
+#[test]
+fn where_the_mechanism_locks_the_rows_up_to_there_are_kept() {
+    let folder = folder();
+    let path = folder.path().join("two.toml");
+    std::fs::write(path, edited("instants", TWO_SECONDS)).expect("written");
+    let arguments = ["motion", "two.toml", "--csv", "two.csv", "--plots", "."];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr).lines().last().expect("a message");
+    for expected in [
+        "t = 2 s",
+        "theta = 2.2",
+        "1.97836776918",
+        "2.17842626335",
+        "`p",
+        "locks",
+        "40 rows",
+    ] {
+        // The limit is found to a few units of rounding times the conditioning there.
+        let rounded_up = expected.replace("335", "336");
+        let found = message.contains(expected) || message.contains(&rounded_up);
+        assert!(found, "{expected} is not in: {message}");
+    }
+    let table = std::fs::read(folder.path().join("two.csv")).expect("a table");
+    assert_eq!(table.last(), Some(&b'\n'));
+    let table = rows(&table);
+    assert_eq!(table.len(), 40);
+    assert_eq!(table[39]["t_s"], 1.95);
+    let last = Reference::load().rows.len() - 1;
+    let difference = table[39]["p6_z"] - Reference::load().vector(last, "p6_").z;
+    assert!(difference.abs() < 5e-15, "{difference:e}");
+    for file in ["two_height.svg", "two_angles.svg"] {
+        assert!(folder.path().join(file).exists());
+    }
+    let files = std::fs::read_dir(folder.path()).expect("a folder").count();
+    assert_eq!(files, 4, "nothing temporary is left");
+}
+
+#[test]
+fn a_first_instant_out_of_reach_is_the_solvers_failure() {
+    let folder = folder();
+    let path = folder.path().join("a.toml");
+    std::fs::write(path, edited("theta = [", "theta = [2.2]")).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml", "--csv", "a.csv"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr);
+    assert_eq!(message.lines().count(), 1);
+    assert!(message.contains("theta = 2.17842"), "{message}");
+    assert!(
+        message.contains("t = 0 s with theta = 2.2 rad,"),
+        "{message}"
+    );
+}
+
+#[test]
+fn numbers_in_messages_are_rounded() {
+    let cases = [
+        ("start = 0.0\nstop = 2.0\nstep = 1e-4", "t = 1.9784 s"),
+        ("start = 0.0\nstop = 2.0\nstep = 1e-4", "up to t = 1.9783 s"),
+        ("instants = [0.0, 1e300]", "t = 1e300 s"),
+        ("start = 0.0\nstop = 1e300\nstep = -1.0", "at 1e300 s"),
+        ("start = 0.0\nstop = 1.0\nstep = 1e-300", "step 1e-300 s"),
+        ("instants = [0.0, 1e300, 0.1]", "follows 1e300 s"),
+    ];
+    let folder = folder();
+    for (time, expected) in cases {
+        std::fs::write(folder.path().join("a.toml"), edited("instants", time)).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        let message = text(&output.stderr);
+        assert!(
+            message.contains(expected),
+            "{expected} is not in: {message}"
+        );
+    }
+}
+
+#[test]
+fn a_length_in_another_unit_is_hinted_at() {
+    let folder = folder();
+    let path = folder.path().join("a.toml");
+    std::fs::write(path, edited("d6_1", "d6_1 = 445.872")).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr);
+    assert_eq!(message.lines().count(), 1);
+    for expected in ["theta = 1.57079632679 rad", "may not fit together", "unit"] {
+        assert!(
+            message.contains(expected),
+            "{expected} is not in: {message}"
+        );
+    }
+}
