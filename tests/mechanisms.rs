@@ -7,4 +7,5 @@ mod mechanisms {
     mod four_bar;
     mod hinge;
     mod rocker;
+    mod trailing_arm;
 }

@@ -115,19 +115,6 @@ impl Drive {
 }
 
 impl Listing {
-    pub(crate) fn link_between(&self, a: &Ident, b: &Ident) -> Option<&Link> {
-        self.constraints
-            .iter()
-            .find_map(|constraint| match constraint {
-                Constraint::Link(link)
-                    if [[&link.from, &link.to], [&link.to, &link.from]].contains(&[a, b]) =>
-                {
-                    Some(link)
-                }
-                _ => None,
-            })
-    }
-
     pub(crate) fn body(&self, name: &Ident) -> Option<&Body> {
         self.constraints
             .iter()

@@ -6,6 +6,8 @@ use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{Attribute, Error, Ident, Lit};
 
+use crate::system::Body;
+
 /// Errors gathered so that all of them are reported at once.
 #[derive(Default)]
 pub(crate) struct Errors(Option<Error>);
@@ -45,6 +47,13 @@ pub(crate) fn unknown_statement(keyword: &Ident) -> Error {
             "unknown statement `{keyword}`; write one of `fixed`, `free`, `link`, `body`, `drive`, \
              `point`, `wheel`, `kingpin`"
         ),
+    )
+}
+
+pub(crate) fn no_points(keyword: &Ident) -> Error {
+    at(
+        keyword,
+        format!("`{keyword}` lists no points; name one, or remove the statement"),
     )
 }
 
@@ -167,6 +176,51 @@ pub(crate) fn no_such_link(from: &Ident, to: &Ident) -> Error {
     )
 }
 
+/// The distance of two points of a body is none of its frame's.
+pub(crate) fn angle_beside_frame(ends: [&Ident; 2], body: &Body) -> Error {
+    let [from, to] = ends;
+    let Body { name, frame, .. } = body;
+    let [a, b, c] = frame.each_ref().map(|site| &site.name);
+    // A frame takes chassis points first, wherever they are listed.
+    let anchors: Vec<&Ident> = frame
+        .iter()
+        .filter(|site| !site.is_free())
+        .map(|site| &site.name)
+        .collect();
+    let others = ends.iter().filter(|end| !anchors.contains(end)).count();
+    let remedy = if anchors.len() + others > 3 {
+        String::new()
+    } else {
+        format!(", or list `{from}` and `{to}` among the first three points of the body")
+    };
+    at(
+        from,
+        format!(
+            "an angle needs a length that an equation keeps, and body `{name}` keeps those between \
+             `{a}`, `{b}` and `{c}`; drive the angle between two of these{remedy}"
+        ),
+    )
+}
+
+pub(crate) fn drive_moves_nothing(point: &Ident) -> Error {
+    at(
+        point,
+        format!(
+            "the drive moves chassis point `{point}`, and nothing with it; join `{point}` by a link \
+             or a body, or remove the drive"
+        ),
+    )
+}
+
+pub(crate) fn unused_chassis_point(point: &Ident) -> Error {
+    at(
+        point,
+        format!(
+            "nothing depends on chassis point `{point}`; join it by a link or a body, or remove it"
+        ),
+    )
+}
+
 pub(crate) fn bad_carriers(marker: &Ident, carriers: &[Ident]) -> Error {
     let message = match carriers {
         [one] => format!("there is no body `{one}` with three points or more to carry `{marker}`"),
@@ -203,6 +257,7 @@ pub(crate) fn wrong_count(
     span: Span,
     unknowns: usize,
     [links, bodies, drives]: [usize; 3],
+    drives_chassis: bool,
 ) -> Error {
     let equations = links + bodies + drives;
     let remedy = if equations < unknowns {
@@ -216,11 +271,16 @@ pub(crate) fn wrong_count(
             equations - unknowns
         )
     };
+    let note = if drives_chassis {
+        " (a drive of a chassis point adds no equation)"
+    } else {
+        ""
+    };
     Error::new(
         span,
         format!(
             "{equations} equations for {unknowns} unknowns: {links} of links + {bodies} of bodies + \
-             {drives} of drives, against 3 x {} free points; {remedy}",
+             {drives} of drives of free points, against 3 x {} free points; {remedy}{note}",
             unknowns / 3
         ),
     )

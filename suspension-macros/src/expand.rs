@@ -13,7 +13,9 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
     };
     check::names(&listing, &mut errors);
     let system = lower::system(&listing);
+    check::angles(&listing, &system, &mut errors);
     if errors.is_empty() {
+        check::chassis_points(&listing, &mut errors);
         check::determined(&system, &mut errors);
     }
     match errors.into_result() {

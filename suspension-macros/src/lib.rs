@@ -26,7 +26,8 @@ mod tests;
 ///     drive lift: e.z;             prescribes a coordinate: of a free point, an equation;
 ///                                  of a fixed point, it moves the anchor
 ///     drive gap:  c.z - a.z;       prescribes a difference of coordinates
-///     drive turn: angle(a -> c, z);  prescribes the angle of a link from an axis
+///     drive turn: angle(a -> c, z);  prescribes the angle from an axis to the line between two
+///                                    points whose distance a link or a body's frame keeps
 ///     point hub:  plate;           a marker carried by a body, or by three points
 ///     wheel:   d -> hub;           the spin axis, outboard; its second point is the centre
 ///     kingpin: c -> d;             upwards

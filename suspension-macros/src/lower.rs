@@ -186,13 +186,7 @@ impl Lowering<'_> {
                 None,
             ),
             Quantity::Angle { from, to, axis } => {
-                let link = self.listing.link_between(from, to);
-                (
-                    axis,
-                    to,
-                    Some(from),
-                    link.map(|link| link.named.name.clone()),
-                )
+                (axis, to, Some(from), self.distance_between(from, to))
             }
         };
         let axis = AXES
@@ -217,6 +211,18 @@ impl Lowering<'_> {
             minus: minus.cloned(),
             angle_of,
         }
+    }
+
+    /// The equation that keeps the distance of two points.
+    fn distance_between(&self, a: &Ident, b: &Ident) -> Option<Ident> {
+        self.equations.iter().find_map(|equation| match equation {
+            Equation::Distance {
+                named, from, to, ..
+            } if [[&from.name, &to.name], [&to.name, &from.name]].contains(&[a, b]) => {
+                Some(named.name.clone())
+            }
+            _ => None,
+        })
     }
 
     fn marker(&self, marker: &ast::Marker) -> Option<Marker> {

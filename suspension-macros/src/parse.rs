@@ -59,12 +59,12 @@ fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
     let keyword: Ident = input.parse()?;
     match keyword.to_string().as_str() {
         "fixed" => {
-            let points = points(input, &mut listing.design)?;
+            let points = points(input, &keyword, &mut listing.design)?;
             listing.fixed.extend(points);
         }
         "free" => {
             listing.free_span = keyword.span();
-            let points = points(input, &mut listing.design)?;
+            let points = points(input, &keyword, &mut listing.design)?;
             listing.free.extend(points);
         }
         "link" => {
@@ -115,7 +115,11 @@ fn named(input: ParseStream<'_>, docs: Vec<Attribute>) -> syn::Result<Named> {
 }
 
 /// `: a, b at [x, y, z], c`, each with its own docs.
-fn points(input: ParseStream<'_>, design: &mut Vec<(Ident, [f64; 3])>) -> syn::Result<Vec<Named>> {
+fn points(
+    input: ParseStream<'_>,
+    keyword: &Ident,
+    design: &mut Vec<(Ident, [f64; 3])>,
+) -> syn::Result<Vec<Named>> {
     input.parse::<Token![:]>()?;
     let mut points = Vec::new();
     while !input.peek(Token![;]) {
@@ -128,6 +132,9 @@ fn points(input: ParseStream<'_>, design: &mut Vec<(Ident, [f64; 3])>) -> syn::R
         if !input.peek(Token![;]) {
             input.parse::<Token![,]>()?;
         }
+    }
+    if points.is_empty() {
+        return Err(errors::no_points(keyword));
     }
     Ok(points)
 }

@@ -85,7 +85,7 @@ pub(crate) struct Drive {
     pub(crate) axis: usize,
     pub(crate) of: Site,
     pub(crate) minus: Option<Ident>,
-    /// The link whose angle it is.
+    /// The distance whose angle it is.
     pub(crate) angle_of: Option<Ident>,
 }
 

@@ -1,6 +1,6 @@
 suspension_core::linkage! {
     mod m {
-        fixed: a, b;
+        fixed: a;
         free: p, q, r;
         link rod: a -> p;
         body plate: p, q, r;
@@ -30,11 +30,9 @@ use suspension_core::{Build, Inputs, Linkage, Named, Newton, Signal, Tracker, as
 fn main() {
     let mut points = Points {
         a: Vector3::zeros(),
-        b: Vector3::zeros(),
         p: Vector3::x(),
         q: Vector3::y(),
         r: Vector3::z(),
-        hub: Vector3::zeros(),
     };
     points.q.x += 0.5;
     let model = Model::<f64>::new(&points).unwrap();

@@ -64,7 +64,16 @@ fn wrong_count(system: &System) -> syn::Error {
     let links = count(|e| matches!(e, Equation::Distance { of_body: false, .. }));
     let drives = count(|e| matches!(e, Equation::Coordinate { .. }));
     let bodies = system.rows().len() - links - drives;
-    errors::wrong_count(system.free_span, system.size(), [links, bodies, drives])
+    let drives_chassis = system
+        .drives
+        .iter()
+        .any(|drive| !drive.of.is_free() && drive.minus.is_none());
+    errors::wrong_count(
+        system.free_span,
+        system.size(),
+        [links, bodies, drives],
+        drives_chassis,
+    )
 }
 
 fn structural_rank(system: &System, errors: &mut Errors) {

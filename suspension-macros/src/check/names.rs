@@ -203,22 +203,20 @@ impl<'a> Check<'a> {
                         self.errors
                             .push(errors::different_axes(&minus.axis, &of.axis));
                     }
-                    if [&of.point, &minus.point]
-                        .iter()
-                        .all(|point| self.is(point, "chassis point"))
-                    {
-                        self.errors
-                            .push(errors::all_fixed(&drive.named.name, "drive"));
-                    }
+                    self.not_all_fixed(&drive.named.name, [&of.point, &minus.point]);
                 }
             }
             Quantity::Angle { from, to, axis } => {
                 self.axis(axis);
                 self.sites([from, to]);
-                if self.listing.link_between(from, to).is_none() {
-                    self.missing(errors::no_such_link(from, to));
-                }
+                self.not_all_fixed(&drive.named.name, [from, to]);
             }
+        }
+    }
+
+    fn not_all_fixed(&mut self, drive: &Ident, points: [&Ident; 2]) {
+        if points.iter().all(|point| self.is(point, "chassis point")) {
+            self.errors.push(errors::all_fixed(drive, "drive"));
         }
     }
 

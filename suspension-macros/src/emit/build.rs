@@ -237,7 +237,9 @@ fn drives_at(system: &System) -> TokenStream {
             let minus = minus.as_ref().map(|minus| quote!(- points.#minus.#axis));
             let coordinate = quote!(points.#of.#axis #minus);
             match angle_of {
-                Some(link) => quote!(#name: build::angle(#coordinate, self.#link.length())),
+                Some(distance) => {
+                    quote!(#name: build::angle(#coordinate, self.#distance.length()))
+                }
                 None => quote!(#name: #coordinate),
             }
         },

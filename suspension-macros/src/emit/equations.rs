@@ -63,10 +63,10 @@ fn tables(system: &System) -> TokenStream {
 /// Angles to the coordinates that they prescribe.
 fn coordinates(system: &System) -> TokenStream {
     let angles = system.drives.iter().filter_map(|drive| {
-        let (name, link) = (&drive.named.name, drive.angle_of.as_ref()?);
+        let (name, distance) = (&drive.named.name, drive.angle_of.as_ref()?);
         Some(quote! {
             let coordinate = angle_to_coordinate(
-                self.#link.length(),
+                self.#distance.length(),
                 Signal {
                     value: drives.value.#name,
                     rate: drives.rate.#name,

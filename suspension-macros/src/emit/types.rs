@@ -138,10 +138,13 @@ fn fixed_fields(system: &System) -> Vec<Field> {
 fn drive_fields(system: &System) -> Vec<Field> {
     let field = |drive: &crate::system::Drive| {
         let axis = AXES[drive.axis];
+        let of = &drive.of.name;
         let fallback = match (&drive.minus, &drive.angle_of) {
-            (_, Some(link)) => format!(" Angle of link `{link}` from the {axis} axis, radians."),
-            (Some(minus), None) => format!(" `{}.{axis} - {minus}.{axis}`.", drive.of.name),
-            (None, None) => format!(" `{}.{axis}`.", drive.of.name),
+            (Some(from), Some(_)) => {
+                format!(" Angle of `{from} -> {of}` from the {axis} axis, radians.")
+            }
+            (Some(minus), None) => format!(" `{of}.{axis} - {minus}.{axis}`."),
+            (None, _) => format!(" `{of}.{axis}`."),
         };
         Field::new(&drive.named.docs, &drive.named.name, fallback)
     };

@@ -14,6 +14,8 @@ fn lower(listing: TokenStream) -> (System, Errors) {
     check::names(&listing, &mut errors);
     assert!(errors.is_empty(), "names are right");
     let system = lower::system(&listing);
+    check::angles(&listing, &system, &mut errors);
+    check::chassis_points(&listing, &mut errors);
     check::determined(&system, &mut errors);
     (system, errors)
 }
@@ -140,6 +142,41 @@ fn a_drive_of_a_chassis_point_is_no_equation() {
         }
     });
     assert_eq!(rows(&system), ["tie_rod", "fore", "aft"]);
+}
+
+#[test]
+fn an_angle_takes_the_length_that_a_body_keeps() {
+    for drive in [
+        quote!(angle(inner -> hub, z)),
+        quote!(angle(hub -> inner, z)),
+    ] {
+        let system = determined(quote! {
+            mod arm {
+                fixed: inner, outer;
+                free: hub, brake;
+                body arm: hub, brake, inner, outer;
+                drive turn: #drive;
+            }
+        });
+        let length = system.drives[0].angle_of.as_ref().map(ToString::to_string);
+        assert_eq!(length.as_deref(), Some("arm_inner_hub"));
+    }
+}
+
+#[test]
+fn points_of_differences_markers_and_roles_are_used() {
+    determined(quote! {
+        mod used {
+            fixed: datum, pole, mount, top;
+            free: p;
+            drive x: p.x - datum.x;
+            drive y: p.y;
+            drive z: p.z;
+            drive raise: top.z;
+            point mark: p, pole, mount;
+            kingpin: p -> top;
+        }
+    });
 }
 
 #[test]
