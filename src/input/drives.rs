@@ -1,9 +1,14 @@
 //! From polynomials of time to what the solver is given.
 
-use suspension_core::{DriveKind, Inputs, Linkage, Named, Signal, Still};
+use std::f64::consts::PI;
 
-use crate::input::file::Unit;
+use suspension_core::{DriveKind, Inputs, Linkage, Named, Signal, Still};
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::input::file::{Table, Unit};
 use crate::input::polynomial::Polynomial;
+use crate::input::source::Source;
 use crate::number::number;
 
 /// The drives of a linkage over time, in the order of its drives.
@@ -37,6 +42,30 @@ impl DriveLaws {
             second_rate,
         })
     }
+}
+
+/// Checks that driving angles lie where a link's angle from an axis can lie, from 0 to pi.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first that does not, in the table `places`.
+pub fn check_angles<L: Linkage<N, Scalar = f64>, V, const N: usize>(
+    source: &Source,
+    drives: &L::Drives,
+    places: &Table<V>,
+) -> Result<(), Failure> {
+    let names = <L::Drives as Named<f64>>::NAMES;
+    for ((name, value), kind) in names.iter().zip(drives.values()).zip(L::DRIVE_KINDS) {
+        if *kind == DriveKind::Angle && !(0.0..=PI).contains(&value) {
+            let place = places.get_ref().get(*name).map(Spanned::span);
+            let message = format!(
+                "drive `{name}` begins at {} rad; the angle of a link from an axis lies between 0 and pi",
+                number(value)
+            );
+            return Err(source.refuse(&place.unwrap_or_else(|| places.span()), message));
+        }
+    }
+    Ok(())
 }
 
 /// A drive's unit.

@@ -8,7 +8,7 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::input::check;
-use crate::input::drives::{DriveLaws, in_words};
+use crate::input::drives::{DriveLaws, check_angles, in_words};
 use crate::input::file::{MotionFile, Offset, Position};
 use crate::input::instants::Instants;
 use crate::input::polynomial::Polynomial;
@@ -67,6 +67,8 @@ fn prepare<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<Box<dyn 
     let model = model::<L, N>(task, &guess)?;
     let (model, q, design) = at_design::<L, N>(task, model, &guess)?;
     let drives = drive_laws::<L, N>(task);
+    let first = drives.inputs::<L::Drives>(task.first).drives.value;
+    check_angles::<L, _, N>(task.source, &first, &task.file.drives)?;
     let start = to_first_instant(task, &model, q, &design, &drives)?;
     Ok(Box::new(Assembled {
         linkage: task.linkage,
@@ -154,7 +156,11 @@ fn at_design<L: Suspension<N>, const N: usize>(
 ) -> Result<AtDesign<L, N>, Failure> {
     let Task { source, file, .. } = task;
     let design = match &file.design {
-        Some(values) => L::Drives::from_fn(|name| *values.get_ref()[name].get_ref()),
+        Some(values) => {
+            let design = L::Drives::from_fn(|name| *values.get_ref()[name].get_ref());
+            check_angles::<L, _, N>(source, &design, values)?;
+            design
+        }
         None => model.drives_at(guess),
     };
     let at_rest = DriveLaws::new(design.values().map(|value| Polynomial::new(vec![value])));

@@ -152,7 +152,7 @@ impl fmt::Display for GeometryError {
         match self {
             Self::NotFinite { point } => write!(
                 f,
-                "point `{point}` has a coordinate that is not a finite number"
+                "point `{point}` has a coordinate that is not a finite number, or too large to compute with"
             ),
             Self::BadLength { length } => {
                 write!(f, "length `{length}` is not a positive finite number")

@@ -224,11 +224,11 @@ impl<T: Real, const N: usize> Iterate<T, N> {
 /// The largest magnitude of the entries; the index of the first that is not finite as the error.
 #[inline(always)]
 pub(crate) fn magnitude<T: Real, const N: usize>(vector: &SVector<T, N>) -> Result<T, usize> {
-    // The difference of a number that is not finite with itself is NaN.
+    // A number that is not finite times zero is NaN.
     let [entries] = vector.data.0;
     let finite = entries
         .iter()
-        .fold(T::zero(), |sum, entry| sum + (*entry - *entry));
+        .fold(T::zero(), |sum, entry| sum + *entry * T::zero());
     if finite == T::zero() {
         Ok(largest(entries))
     } else {

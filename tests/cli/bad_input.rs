@@ -7,7 +7,7 @@ use super::program::{edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 37] = [
+const BAD: [Case; 40] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "ft"),
@@ -45,6 +45,9 @@ const BAD: [Case; 37] = [
     ("theta = [", "theta = []", ":55:9", "coefficient"),
     ("theta = [", "theta = [nan]", ":55:9", "finite"),
     ("theta = 1", "theta = nan", ":47:9", "finite"),
+    ("theta = 1", "theta = -1.57", ":47:9", "between 0 and pi"),
+    ("theta = [", "theta = [7.0]", ":55:9", "between 0 and pi"),
+    ("p6", "p6 = [1e200, 0.4, 0.0]", ":18:6", "`p6`"),
 ];
 
 #[test]
