@@ -7,9 +7,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
-use suspension_core::linkage::HasWheel;
 use suspension_core::wheel::{camber_to_ground, toe};
-use suspension_core::{Build, Inputs, Linkage};
+use suspension_core::{Build, HasWheel, Inputs, Linkage, Motion, Signal, Tracker};
 
 use super::checks;
 
@@ -176,4 +175,66 @@ fn agrees_with_adams_car() {
         toe < 2e-6 && camber < 2e-6,
         "toe, camber off by {toe:e}, {camber:e} deg"
     );
+}
+
+/// Bump and steer that swing near a singularity of the linkage: one call over the whole time, as
+/// many small ones, or none at all, but never another assembly.
+#[test]
+fn a_long_way_past_singularities_stays_in_the_assembly() {
+    let at = Vector3::new;
+    let design = Points {
+        lower_front: at(0.20, 0.35, 0.16),
+        lower_rear: at(-0.20, 0.35, 0.16),
+        upper_front: at(0.15, 0.42, 0.42),
+        upper_rear: at(-0.15, 0.42, 0.42),
+        rack: at(0.11, 0.34, 0.20),
+        lower_ball: at(0.005, 0.70, 0.17),
+        upper_ball: at(-0.015, 0.66, 0.44),
+        tie_ball: at(0.12, 0.68, 0.21),
+        axle_inner: at(0.0, 0.65, 0.30),
+        axle_outer: at(0.0, 0.75, 0.30),
+    };
+    let model = Model::new(&design).expect("a geometry");
+    let start = model.drives_at(&design);
+    let phase: f64 = 3941.0 * 0.37;
+    let inputs = |t: f64| {
+        let (bump, steer) = (0.1358, 0.0679);
+        let swing = 3.0 * t + phase;
+        Inputs::still(Signal {
+            value: Drives {
+                bump: start.bump + bump * (swing.sin() - phase.sin()),
+                steer: start.steer + steer * (2.1 * t).sin(),
+            },
+            rate: Drives {
+                bump: 3.0 * bump * swing.cos(),
+                steer: 2.1 * steer * (2.1 * t).cos(),
+            },
+            second_rate: Drives {
+                bump: -9.0 * bump * swing.sin(),
+                steer: -4.41 * steer * (2.1 * t).sin(),
+            },
+        })
+    };
+    let tracker = Tracker {
+        max_steps: 100_000,
+        ..Tracker::default()
+    };
+    let travel = |calls: u32| {
+        let mut motion = Motion::at_rest(Model::unknowns(&design));
+        let end = |call: u32| 17.1 * f64::from(call) / f64::from(calls);
+        (0..calls)
+            .try_for_each(|call| {
+                let advanced =
+                    tracker.advance(&model, inputs, end(call), end(call + 1), &mut motion);
+                advanced.map(drop)
+            })
+            .map(|()| motion.position)
+    };
+    let expected = travel(1710).expect("small steps pass");
+    for calls in [1, 10, 100] {
+        if let Ok(position) = travel(calls) {
+            let difference = (position - expected).amax();
+            assert!(difference < 1e-9, "{calls} calls: {difference:e} m");
+        }
+    }
 }
