@@ -105,10 +105,16 @@ impl Drive {
                 let minus = minus
                     .as_ref()
                     .map_or(String::new(), |minus| minus.point.to_string());
-                [of.point.to_string(), minus, of.axis.to_string()]
+                let mut ends = [of.point.to_string(), minus];
+                ends.sort();
+                let [first, second] = ends;
+                [first, second, of.axis.to_string()]
             }
             Quantity::Angle { from, to, axis } => {
-                [to.to_string(), from.to_string(), axis.to_string()]
+                let mut ends = [to.to_string(), from.to_string()];
+                ends.sort();
+                let [first, second] = ends;
+                [first, second, axis.to_string()]
             }
         }
     }
@@ -146,16 +152,13 @@ impl Listing {
         carried_by.into_iter().chain(bodies)
     }
 
-    /// Three points of the body that carries both `a` and `b`.
-    pub(crate) fn carrier_of(&self, a: &Ident, b: &Ident) -> Option<[&Ident; 3]> {
+    /// The points of the body that carries both `a` and `b`: three or more.
+    pub(crate) fn carrier_of(&self, a: &Ident, b: &Ident) -> Option<&[Ident]> {
         let carries = |points: &[Ident], point: &Ident| {
             points.contains(point) || self.carriers(point).any(|carriers| carriers == points)
         };
         let mut candidates = self.carriers(a).chain(self.carriers(b));
         let points = candidates.find(|points| carries(points, a) && carries(points, b))?;
-        match points {
-            [first, second, third, ..] => Some([first, second, third]),
-            _ => None,
-        }
+        (points.len() >= 3).then_some(points)
     }
 }

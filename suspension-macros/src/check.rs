@@ -4,16 +4,33 @@ mod determined;
 mod names;
 mod uses;
 
+use syn::Ident;
+use syn::ext::IdentExt;
+
 pub(crate) use determined::determined;
 pub(crate) use names::names;
 pub(crate) use uses::{angles, chassis_points};
 
-/// Fields of the generated model and variables of its methods that are not the user's.
-const RESERVED: [&str; 6] = [
+/// Fields of the generated model, variables of its methods, and names that a pattern does not
+/// bind.
+const RESERVED: [&str; 10] = [
     "fixed",
     "size",
     "drive_rate",
     "fixed_rate",
     "v_fixed",
     "w_fixed",
+    "None",
+    "Some",
+    "Ok",
+    "Err",
 ];
+
+fn is_reserved(name: &Ident) -> bool {
+    RESERVED.iter().any(|reserved| name == reserved)
+}
+
+/// A name as the generated constants carry it: two names must differ in it.
+fn constant(name: &Ident) -> String {
+    name.unraw().to_string().to_uppercase()
+}

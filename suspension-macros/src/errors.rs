@@ -324,3 +324,27 @@ pub(crate) fn not_a_number(literal: &Lit) -> Error {
         "a coordinate is a number, for example `-1.25`",
     )
 }
+
+pub(crate) fn behind_the_listing(span: Span) -> Error {
+    Error::new(span, "nothing may follow the listing; remove it")
+}
+
+pub(crate) fn body_bent(drive: &Ident, point: &Ident, body: &Ident) -> Error {
+    at(
+        drive,
+        format!(
+            "`{point}` is one of two chassis points of body `{body}`: to move it alone would bend \
+             the body; drive a free point of the body instead"
+        ),
+    )
+}
+
+pub(crate) fn closed_twice(body: &Ident, a: &Ident, b: &Ident) -> Error {
+    at(
+        body,
+        format!(
+            "another body keeps the distance of `{a}` and `{b}` already, and `{body}` can share \
+             one such pair only; join `{b}` to `{body}` by links instead"
+        ),
+    )
+}

@@ -16,8 +16,14 @@ pub(crate) fn system(listing: &Listing) -> System {
         bodies: Vec::new(),
         equations: Vec::new(),
         rigid: BTreeSet::new(),
+        closed_twice: Vec::new(),
     };
-    for constraint in &listing.constraints {
+    // Bodies with two chassis points come first: what they share with others is settled by then.
+    let (hinged, others): (Vec<_>, Vec<_>) = listing
+        .constraints
+        .iter()
+        .partition(|constraint| lowering.is_hinged(constraint));
+    for constraint in hinged.into_iter().chain(others) {
         match constraint {
             Constraint::Link(link) => lowering.link(link),
             Constraint::Body(body) => lowering.body(body),
@@ -33,7 +39,7 @@ pub(crate) fn system(listing: &Listing) -> System {
         .iter()
         .filter_map(|marker| lowering.marker(marker))
         .collect();
-    let wheel = listing.wheel.first().and_then(|axis| wheel(listing, axis));
+    let wheel = listing.wheel.first().and_then(|axis| lowering.wheel(axis));
     let kingpin = listing
         .kingpin
         .first()
@@ -53,18 +59,11 @@ pub(crate) fn system(listing: &Listing) -> System {
         markers,
         bodies: lowering.bodies,
         equations: lowering.equations,
+        closed_twice: lowering.closed_twice,
         drives,
         wheel,
         kingpin,
     }
-}
-
-fn wheel(listing: &Listing, Axis { from, to, .. }: &Axis) -> Option<Wheel> {
-    let carrier = listing.carrier_of(from, to)?.map(Ident::clone);
-    Some(Wheel {
-        axis: [from.clone(), to.clone()],
-        carrier,
-    })
 }
 
 struct Lowering<'a> {
@@ -73,6 +72,8 @@ struct Lowering<'a> {
     equations: Vec<Equation>,
     /// Pairs of points whose distance an equation keeps already, or a body carries.
     rigid: BTreeSet<[String; 2]>,
+    /// Bodies with a pair of points that another body keeps already.
+    closed_twice: Vec<[Ident; 3]>,
 }
 
 impl Lowering<'_> {
@@ -95,6 +96,32 @@ impl Lowering<'_> {
             name: name.clone(),
             motion,
         }
+    }
+
+    /// Whether a constraint is a body with two chassis points.
+    fn is_hinged(&self, constraint: &Constraint) -> bool {
+        let anchors = constraint
+            .points()
+            .filter(|point| !self.site(point).is_free());
+        matches!(constraint, Constraint::Body(_)) && anchors.count() == 2
+    }
+
+    fn wheel(&self, Axis { from, to, .. }: &Axis) -> Option<Wheel> {
+        let points = self.listing.carrier_of(from, to)?;
+        let body = self.bodies.iter().find(|body| {
+            points
+                .iter()
+                .all(|point| body.points().any(|site| site.name == *point))
+        });
+        let carrier = match (body, points) {
+            (Some(body), _) => body.frame.each_ref().map(|site| site.name.clone()),
+            (None, [first, second, third, ..]) => [first, second, third].map(Ident::clone),
+            _ => return None,
+        };
+        Some(Wheel {
+            axis: [from.clone(), to.clone()],
+            carrier,
+        })
     }
 
     fn link(&mut self, link: &ast::Link) {
@@ -151,6 +178,15 @@ impl Lowering<'_> {
         };
         for [a, b] in lowered.frame_pairs() {
             self.body_distance(body, a, b);
+        }
+        for point in carried {
+            let known = sites
+                .iter()
+                .find(|site| self.rigid.contains(&pair(site, point)));
+            if let Some(known) = known {
+                self.closed_twice
+                    .push([name.clone(), known.name.clone(), point.name.clone()]);
+            }
         }
         for point in carried {
             let (body, point, frame) = (name.clone(), point.clone(), lowered.frame.clone());

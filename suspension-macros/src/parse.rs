@@ -1,6 +1,7 @@
 //! From tokens to the listing. A statement that cannot be read is reported and skipped.
 
 use proc_macro2::{TokenStream, TokenTree};
+use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Ident, Lit, Token, Visibility, braced, bracketed, parenthesized};
@@ -45,7 +46,20 @@ fn parse_listing(input: ParseStream<'_>) -> syn::Result<(Listing, Errors)> {
             skip_statement(&content)?;
         }
     }
+    if !input.is_empty() {
+        errors.push(errors::behind_the_listing(input.span()));
+        input.parse::<TokenStream>()?;
+    }
     Ok((listing, errors))
+}
+
+/// A name of the listing. `r#name` is the same name where it needs no `r#`.
+fn name(input: ParseStream<'_>) -> syn::Result<Ident> {
+    let name: Ident = input.parse()?;
+    let plain = syn::parse_str::<Ident>(&name.unraw().to_string());
+    Ok(plain.map_or(name.clone(), |plain| {
+        Ident::new(&plain.to_string(), name.span())
+    }))
 }
 
 fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
@@ -109,7 +123,7 @@ fn skip_statement(input: ParseStream<'_>) -> syn::Result<()> {
 
 /// `name:` behind a keyword.
 fn named(input: ParseStream<'_>, docs: Vec<Attribute>) -> syn::Result<Named> {
-    let name = input.parse()?;
+    let name = name(input)?;
     input.parse::<Token![:]>()?;
     Ok(Named { docs, name })
 }
@@ -124,7 +138,7 @@ fn points(
     let mut points = Vec::new();
     while !input.peek(Token![;]) {
         let docs = input.call(Attribute::parse_outer)?;
-        let name: Ident = input.parse()?;
+        let name = name(input)?;
         if input.peek(Ident) {
             design.push((name.clone(), position(input)?));
         }
@@ -174,14 +188,14 @@ impl Parse for Number {
 }
 
 fn names(input: ParseStream<'_>) -> syn::Result<Vec<Ident>> {
-    let names = Punctuated::<Ident, Token![,]>::parse_separated_nonempty(input)?;
+    let names = Punctuated::<Ident, Token![,]>::parse_separated_nonempty_with(input, name)?;
     Ok(names.into_iter().collect())
 }
 
 fn arrow(input: ParseStream<'_>) -> syn::Result<(Ident, Ident)> {
-    let from = input.parse()?;
+    let from = name(input)?;
     input.parse::<Token![->]>()?;
-    Ok((from, input.parse()?))
+    Ok((from, name(input)?))
 }
 
 fn axis(input: ParseStream<'_>, keyword: Ident) -> syn::Result<Axis> {
@@ -219,7 +233,7 @@ impl Parse for Quantity {
 
 impl Parse for Coordinate {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        let point = input.parse()?;
+        let point = name(input)?;
         input.parse::<Token![.]>()?;
         Ok(Self {
             point,

@@ -22,6 +22,8 @@ pub(crate) struct System {
     pub(crate) markers: Vec<Marker>,
     pub(crate) bodies: Vec<Body>,
     pub(crate) equations: Vec<Equation>,
+    /// Bodies, each with two of its points whose distance another body keeps already.
+    pub(crate) closed_twice: Vec<[Ident; 3]>,
     pub(crate) drives: Vec<Drive>,
     pub(crate) wheel: Option<Wheel>,
     pub(crate) kingpin: Option<[Ident; 2]>,
@@ -101,20 +103,25 @@ pub(crate) struct Wheel {
 
 /// The frame of three points under its name in the generated code.
 pub(crate) fn frame_name(owner: &Ident) -> Ident {
-    format_ident!("{owner}_frame")
+    format_ident!("{}_frame", owner)
 }
 
 /// The constants of a carried point under their name in the generated code.
 pub(crate) fn carried_name(body: &Ident, point: &Ident) -> Ident {
-    format_ident!("{body}_{point}", span = point.span())
+    format_ident!("{}_{}", body, point, span = point.span())
 }
 
 /// The length between two points of a body under its name in the generated code.
 pub(crate) fn pair_name(body: &Ident, a: &Ident, b: &Ident) -> Ident {
-    format_ident!("{body}_{a}_{b}", span = a.span())
+    format_ident!("{}_{}_{}", body, a, b, span = a.span())
 }
 
 impl Body {
+    /// All points, the frame's first.
+    pub(crate) fn points(&self) -> impl Iterator<Item = &Site> {
+        self.frame.iter().chain(&self.carried)
+    }
+
     /// The frame's three pairs of points: first-second, first-third, second-third.
     pub(crate) fn frame_pairs(&self) -> [[&Site; 2]; 3] {
         let [a, b, c] = &self.frame;

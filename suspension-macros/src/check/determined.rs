@@ -3,7 +3,7 @@
 use quote::format_ident;
 use syn::Ident;
 
-use super::RESERVED;
+use super::{constant, is_reserved};
 use crate::errors::{self, Errors};
 use crate::system::{AXES, Equation, System, carried_name, frame_name, pair_name};
 
@@ -11,6 +11,9 @@ use crate::system::{AXES, Equation, System, carried_name, frame_name, pair_name}
 /// unknowns, and that each equation can be given an unknown of its own (structural rank).
 pub(crate) fn determined(system: &System, errors: &mut Errors) {
     generated_names(system, errors);
+    for [body, a, b] in &system.closed_twice {
+        errors.push(errors::closed_twice(body, a, b));
+    }
     if system.rows().len() == system.size() {
         structural_rank(system, errors);
     } else {
@@ -45,10 +48,10 @@ fn generated_names(system: &System, errors: &mut Errors) {
     let markers = system.markers.iter();
     constants.extend(markers.map(|marker| marker.named.name.clone()));
     for names in [constants, lengths] {
-        let mut taken = RESERVED.map(str::to_owned).to_vec();
+        let mut taken: Vec<String> = Vec::new();
         for name in names.iter().chain(&stated) {
-            let key = name.to_string().to_lowercase();
-            if taken.contains(&key) {
+            let key = constant(name);
+            if is_reserved(name) || taken.contains(&key) {
                 errors.push(errors::reserved_name(name));
             }
             taken.push(key);

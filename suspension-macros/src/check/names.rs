@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use syn::Ident;
 
-use super::RESERVED;
+use super::{constant, is_reserved};
 use crate::ast::{Axis, Body, Constraint, Drive, Link, Listing, Marker, Quantity};
 use crate::errors::{self, Errors};
 use crate::system::AXES;
@@ -33,7 +33,7 @@ pub(crate) fn names(listing: &Listing, errors: &mut Errors) {
 struct Check<'a> {
     listing: &'a Listing,
     /// What each name stands for.
-    taken: BTreeMap<String, &'static str>,
+    taken: BTreeMap<Ident, &'static str>,
     errors: &'a mut Errors,
 }
 
@@ -78,22 +78,22 @@ impl<'a> Check<'a> {
     }
 
     fn declare(&mut self, name: &Ident, kind: &'static str) {
-        // Constants carry the name in upper case.
-        let key = name.to_string().to_lowercase();
-        if RESERVED.contains(&key.as_str()) {
+        if is_reserved(name) {
             self.errors.push(errors::reserved_name(name));
         }
-        if let Some(first) = self.taken.get(&key) {
+        let first = self
+            .taken
+            .iter()
+            .find(|(taken, _)| constant(taken) == constant(name));
+        if let Some((_, first)) = first {
             self.errors.push(errors::duplicate_name(name, first));
         } else {
-            self.taken.insert(key, kind);
+            self.taken.insert(name.clone(), kind);
         }
     }
 
     fn is(&self, name: &Ident, kind: &str) -> bool {
-        self.taken
-            .get(&name.to_string().to_lowercase())
-            .is_some_and(|taken| *taken == kind)
+        self.taken.get(name).is_some_and(|taken| *taken == kind)
     }
 
     /// Checks that points exist, with unknowns or on the chassis, and are not repeated.
@@ -198,6 +198,9 @@ impl<'a> Check<'a> {
                         .into_iter()
                         .chain(minus.iter().map(|minus| &minus.point)),
                 );
+                if minus.is_none() {
+                    self.bends_no_body(&drive.named.name, &of.point);
+                }
                 if let Some(minus) = minus {
                     if minus.axis != of.axis {
                         self.errors
@@ -210,6 +213,24 @@ impl<'a> Check<'a> {
                 self.axis(axis);
                 self.sites([from, to]);
                 self.not_all_fixed(&drive.named.name, [from, to]);
+            }
+        }
+    }
+
+    /// Checks that a driven chassis point is not one of two in a body, whose size it would change.
+    fn bends_no_body(&mut self, drive: &Ident, point: &Ident) {
+        for constraint in &self.listing.constraints {
+            let Constraint::Body(body) = constraint else {
+                continue;
+            };
+            let anchors = body
+                .points
+                .iter()
+                .filter(|point| self.is(point, "chassis point"));
+            let bent = anchors.count() > 1 && body.points.contains(point);
+            if bent && self.is(point, "chassis point") {
+                self.errors
+                    .push(errors::body_bent(drive, point, &body.named.name));
             }
         }
     }
@@ -261,7 +282,7 @@ impl<'a> Check<'a> {
     fn wheel_carrier(&mut self, Axis { from, to, .. }: &Axis) {
         let known = [from, to]
             .iter()
-            .all(|point| self.taken.contains_key(&point.to_string()));
+            .all(|point| self.taken.contains_key(point));
         if known && from != to && self.listing.carrier_of(from, to).is_none() {
             self.missing(errors::wheel_without_carrier(from, to));
         }

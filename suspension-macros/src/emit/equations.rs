@@ -2,6 +2,7 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
+use syn::ext::IdentExt;
 
 use super::terms::{
     Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, vector,
@@ -46,9 +47,9 @@ pub(super) fn linkage_impl(system: &System) -> TokenStream {
 
 fn tables(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    let equations = system.rows().into_iter().map(|row| row.to_string());
+    let equations = system.rows().into_iter().map(|row| row.unraw().to_string());
     let free = system.free.iter();
-    let unknowns = free.flat_map(|point| AXES.map(|axis| format!("{}.{axis}", point.name)));
+    let unknowns = free.flat_map(|point| AXES.map(|axis| format!("{}.{axis}", point.name.unraw())));
     let kinds = system.drives.iter().map(|drive| match drive.angle_of {
         Some(_) => quote!(DriveKind::Angle),
         None => quote!(DriveKind::Coordinate),

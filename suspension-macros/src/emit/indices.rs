@@ -31,7 +31,7 @@ pub(super) fn modules(system: &System) -> TokenStream {
 }
 
 fn unknown_names(point: &Ident) -> [Ident; 3] {
-    AXES.map(|axis| format_ident!("{point}_{axis}"))
+    AXES.map(|axis| format_ident!("{}_{axis}", point))
 }
 
 fn constants(names: &[Ident]) -> TokenStream {

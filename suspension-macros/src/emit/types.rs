@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
+use syn::ext::IdentExt;
 use syn::{Attribute, Ident};
 
 use crate::system::{AXES, Body, Equation, System, carried_name, frame_name, pair_name};
@@ -68,7 +69,7 @@ pub(super) fn named(name: &str, doc: &str, value: &TokenStream, fields: &[Field]
     let name = Ident::new(name, proc_macro2::Span::call_site());
     let docs = fields.iter().map(Field::docs);
     let names: Vec<&Ident> = fields.iter().map(|field| &field.name).collect();
-    let strings: Vec<String> = names.iter().map(|name| name.to_string()).collect();
+    let strings: Vec<String> = names.iter().map(|name| name.unraw().to_string()).collect();
     let none = fields
         .is_empty()
         .then(|| quote!(no_fields: ::core::marker::PhantomData<T>));
@@ -206,7 +207,7 @@ fn free(system: &System) -> TokenStream {
     let coordinate = |axis: &'static str| {
         names
             .iter()
-            .map(move |name| quote::format_ident!("{name}_{axis}"))
+            .map(move |name| quote::format_ident!("{}_{axis}", name))
             .collect::<Vec<_>>()
     };
     let [x, y, z] = AXES.map(coordinate);
