@@ -19,10 +19,11 @@ mod tests;
 ///
 /// ```text
 /// pub mod name {
-///     fixed: a, b;                 chassis points
+///     fixed: a, b at [0.1, 0.4, 0.2];   chassis points, with or without a design position
 ///     free:  c, d, e;              points to solve for, three unknowns each
 ///     link rod:   a -> c;          a constant length
-///     body plate: c, d, e;         a rigid body; the first three points are not in line
+///     body plate: c, d, e;         a rigid body: chassis points first, then those shared with
+///                                  another body, then in this order, three are not in line
 ///     drive lift: e.z;             prescribes a coordinate: of a free point, an equation;
 ///                                  of a fixed point, it moves the anchor
 ///     drive gap:  c.z - a.z;       prescribes a difference of coordinates
@@ -33,6 +34,9 @@ mod tests;
 ///     kingpin: c -> d;             upwards
 /// }
 /// ```
+///
+/// Where every point states its design position, the order of elimination is chosen by the size of
+/// the pivots there, otherwise by structure alone. Any geometry is solved all the same.
 #[proc_macro]
 pub fn linkage(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expand::expand(input.into()).into()
