@@ -33,6 +33,7 @@ fn main() {
         p: Vector3::x(),
         q: Vector3::y(),
         r: Vector3::z(),
+        hub: Vector3::zeros(),
     };
     points.q.x += 0.5;
     let model = Model::<f64>::new(&points).unwrap();

@@ -7,8 +7,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::Ident;
 
+use super::fields::{self, Field};
 use super::indices;
-use super::types::{self, Field};
+use super::types;
 use crate::ast::Listing;
 use crate::system::System;
 
@@ -45,7 +46,7 @@ fn all(listing: &Listing, system: &System) -> TokenStream {
     let markers = listing.markers.iter().map(|marker| &marker.named.name);
     let points = fixed.iter().copied().chain(free).chain(markers);
     let drives = listing.drives.iter().map(|drive| &drive.named.name);
-    let lengths = types::length_fields(system);
+    let lengths = fields::length_fields(system);
     let vector = quote!(Vector3<T>);
     let structs = [
         types::named("Points", "", &vector, &distinct(points)),

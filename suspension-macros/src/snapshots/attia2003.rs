@@ -12,15 +12,15 @@
 ///
 /// 15 equations `F(q) = 0`: `d6_1`, `d7_2`, `d8_3`, `d9_4`, `d10_5`, `d7_6`, `d8_6`, `d9_6`, `d10_6`, `d8_7`, `d9_7`, `d10_7`, `d9_8`, `d10_8`, `theta`.
 ///
-/// Jacobian: 15 x 15, 70 non-zeros of 225; its factors have 81. The longest chain of operations in the factorisation is 37, a division counted as 4.
+/// Jacobian: 15 x 15, 70 non-zeros of 225; its factors have 77. The longest chain of operations in the factorisation is 33, a division counted as 4.
 ///
 /// | no branch | multiplications | additions | divisions |
 /// |---|---|---|---|
 /// | residual | 84 | 86 | 0 |
 /// | Jacobian | 42 | 42 | 0 |
 /// | curvature | 56 | 112 | 0 |
-/// | factor | 113 | 54 | 14 |
-/// | solve | 80 | 66 | 0 |
+/// | factor | 111 | 54 | 14 |
+/// | solve | 76 | 62 | 0 |
 #[allow(dead_code, unreachable_pub)]
 pub mod attia2003 {
     use ::suspension_core::generated::*;
@@ -742,46 +742,18 @@ pub mod attia2003 {
         d8_6_by_p6_z: T,
         d9_6_by_p6_z: T,
         d10_6_by_p6_z: T,
-        d6_1_by_p6_x: T,
         d6_1_by_p6_y: T,
-        d7_6_by_p6_x: T,
-        d8_6_by_p6_x: T,
-        d9_6_by_p6_x: T,
-        d10_6_by_p6_x: T,
-        d10_5_by_p10_y: T,
-        d10_5_by_p10_x: T,
-        d10_5_by_p10_z: T,
-        d10_6_by_p10_y: T,
-        d10_7_by_p10_y: T,
-        d10_8_by_p10_y: T,
-        d10_6_by_p10_z: T,
+        d6_1_by_p6_x: T,
+        d7_6_by_p6_y: T,
+        d8_6_by_p6_y: T,
+        d9_6_by_p6_y: T,
         d10_6_by_p6_y: T,
-        d10_6_by_p10_x: T,
-        d10_7_by_p10_z: T,
-        d10_8_by_p10_z: T,
-        d10_8_by_p10_x: T,
-        d10_8_by_p8_x: T,
-        d10_8_by_p8_y: T,
-        d10_8_by_p6_y: T,
-        d10_8_by_p8_z: T,
-        d10_7_by_p10_x: T,
         d9_4_by_p9_x: T,
         d9_4_by_p9_z: T,
         d9_4_by_p9_y: T,
         d9_6_by_p9_x: T,
         d9_7_by_p9_x: T,
         d9_8_by_p9_x: T,
-        d9_6_by_p9_y: T,
-        d9_6_by_p6_y: T,
-        d9_6_by_p9_z: T,
-        d9_7_by_p9_y: T,
-        d9_8_by_p9_y: T,
-        d9_8_by_p9_z: T,
-        d9_8_by_p8_x: T,
-        d9_8_by_p8_y: T,
-        d9_8_by_p6_y: T,
-        d9_8_by_p8_z: T,
-        d9_7_by_p9_z: T,
         d7_2_by_p7_y: T,
         d7_2_by_p7_x: T,
         d7_2_by_p7_z: T,
@@ -789,34 +761,58 @@ pub mod attia2003 {
         d8_7_by_p7_y: T,
         d9_7_by_p7_y: T,
         d10_7_by_p7_y: T,
+        d10_5_by_p10_z: T,
+        d10_5_by_p10_y: T,
+        d10_5_by_p10_x: T,
+        d10_6_by_p10_z: T,
+        d10_7_by_p10_z: T,
+        d10_8_by_p10_z: T,
+        d8_3_by_p8_x: T,
+        d8_3_by_p8_z: T,
+        d8_3_by_p8_y: T,
+        d8_6_by_p8_x: T,
+        d8_7_by_p8_x: T,
+        d9_8_by_p8_x: T,
+        d10_8_by_p8_x: T,
+        d10_6_by_p10_x: T,
+        d10_6_by_p6_x: T,
+        d10_6_by_p10_y: T,
+        d10_7_by_p10_x: T,
+        d10_8_by_p10_x: T,
+        d9_6_by_p9_y: T,
+        d9_6_by_p6_x: T,
+        d9_6_by_p9_z: T,
+        d9_7_by_p9_y: T,
+        d9_8_by_p9_y: T,
+        d8_6_by_p8_y: T,
+        d8_6_by_p6_x: T,
+        d8_6_by_p8_z: T,
+        d8_7_by_p8_y: T,
+        d9_8_by_p8_y: T,
+        d10_8_by_p8_y: T,
         d7_6_by_p7_z: T,
-        d7_6_by_p6_y: T,
+        d7_6_by_p6_x: T,
         d7_6_by_p7_x: T,
         d8_7_by_p7_z: T,
         d9_7_by_p7_z: T,
         d10_7_by_p7_z: T,
-        d8_7_by_p7_x: T,
-        d8_7_by_p8_x: T,
-        d8_7_by_p8_y: T,
-        d8_7_by_p6_y: T,
-        d8_7_by_p8_z: T,
+        d9_7_by_p9_z: T,
+        d9_7_by_p6_x: T,
         d9_7_by_p7_x: T,
-        d10_7_by_p7_x: T,
-        d8_3_by_p8_z: T,
-        d8_3_by_p8_x: T,
-        d8_3_by_p8_y: T,
-        d8_6_by_p8_z: T,
-        d9_7_by_p8_z: T,
+        d9_8_by_p9_z: T,
+        d10_8_by_p10_y: T,
+        d10_8_by_p6_x: T,
+        d10_8_by_p8_z: T,
+        d10_7_by_p10_y: T,
+        d9_8_by_p8_z: T,
+        d9_8_by_p6_x: T,
+        d9_8_by_p7_x: T,
+        d8_7_by_p8_z: T,
         d10_7_by_p8_z: T,
-        d8_6_by_p6_y: T,
-        d8_6_by_p8_x: T,
-        d8_6_by_p8_y: T,
-        d9_7_by_p6_y: T,
-        d10_7_by_p6_y: T,
-        d10_7_by_p8_y: T,
-        d10_7_by_p8_x: T,
-        d9_7_by_p8_y: T,
-        d9_7_by_p8_x: T,
+        d8_7_by_p7_x: T,
+        d8_7_by_p6_x: T,
+        d10_7_by_p7_x: T,
+        d10_7_by_p6_x: T,
     }
 
     impl<T: Scalar> Elimination<T, 15> for Factors<T> {
@@ -831,46 +827,18 @@ pub mod attia2003 {
                 d8_6_by_p6_z: columns[unknown::P6_Z][equation::D8_6],
                 d9_6_by_p6_z: columns[unknown::P6_Z][equation::D9_6],
                 d10_6_by_p6_z: columns[unknown::P6_Z][equation::D10_6],
-                d6_1_by_p6_x: columns[unknown::P6_X][equation::D6_1],
                 d6_1_by_p6_y: columns[unknown::P6_Y][equation::D6_1],
-                d7_6_by_p6_x: columns[unknown::P6_X][equation::D7_6],
-                d8_6_by_p6_x: columns[unknown::P6_X][equation::D8_6],
-                d9_6_by_p6_x: columns[unknown::P6_X][equation::D9_6],
-                d10_6_by_p6_x: columns[unknown::P6_X][equation::D10_6],
-                d10_5_by_p10_y: columns[unknown::P10_Y][equation::D10_5],
-                d10_5_by_p10_x: columns[unknown::P10_X][equation::D10_5],
-                d10_5_by_p10_z: columns[unknown::P10_Z][equation::D10_5],
-                d10_6_by_p10_y: columns[unknown::P10_Y][equation::D10_6],
-                d10_7_by_p10_y: columns[unknown::P10_Y][equation::D10_7],
-                d10_8_by_p10_y: columns[unknown::P10_Y][equation::D10_8],
-                d10_6_by_p10_z: columns[unknown::P10_Z][equation::D10_6],
+                d6_1_by_p6_x: columns[unknown::P6_X][equation::D6_1],
+                d7_6_by_p6_y: columns[unknown::P6_Y][equation::D7_6],
+                d8_6_by_p6_y: columns[unknown::P6_Y][equation::D8_6],
+                d9_6_by_p6_y: columns[unknown::P6_Y][equation::D9_6],
                 d10_6_by_p6_y: columns[unknown::P6_Y][equation::D10_6],
-                d10_6_by_p10_x: columns[unknown::P10_X][equation::D10_6],
-                d10_7_by_p10_z: columns[unknown::P10_Z][equation::D10_7],
-                d10_8_by_p10_z: columns[unknown::P10_Z][equation::D10_8],
-                d10_8_by_p10_x: columns[unknown::P10_X][equation::D10_8],
-                d10_8_by_p8_x: columns[unknown::P8_X][equation::D10_8],
-                d10_8_by_p8_y: columns[unknown::P8_Y][equation::D10_8],
-                d10_8_by_p6_y: T::zero(),
-                d10_8_by_p8_z: columns[unknown::P8_Z][equation::D10_8],
-                d10_7_by_p10_x: columns[unknown::P10_X][equation::D10_7],
                 d9_4_by_p9_x: columns[unknown::P9_X][equation::D9_4],
                 d9_4_by_p9_z: columns[unknown::P9_Z][equation::D9_4],
                 d9_4_by_p9_y: columns[unknown::P9_Y][equation::D9_4],
                 d9_6_by_p9_x: columns[unknown::P9_X][equation::D9_6],
                 d9_7_by_p9_x: columns[unknown::P9_X][equation::D9_7],
                 d9_8_by_p9_x: columns[unknown::P9_X][equation::D9_8],
-                d9_6_by_p9_y: columns[unknown::P9_Y][equation::D9_6],
-                d9_6_by_p6_y: columns[unknown::P6_Y][equation::D9_6],
-                d9_6_by_p9_z: columns[unknown::P9_Z][equation::D9_6],
-                d9_7_by_p9_y: columns[unknown::P9_Y][equation::D9_7],
-                d9_8_by_p9_y: columns[unknown::P9_Y][equation::D9_8],
-                d9_8_by_p9_z: columns[unknown::P9_Z][equation::D9_8],
-                d9_8_by_p8_x: columns[unknown::P8_X][equation::D9_8],
-                d9_8_by_p8_y: columns[unknown::P8_Y][equation::D9_8],
-                d9_8_by_p6_y: T::zero(),
-                d9_8_by_p8_z: columns[unknown::P8_Z][equation::D9_8],
-                d9_7_by_p9_z: columns[unknown::P9_Z][equation::D9_7],
                 d7_2_by_p7_y: columns[unknown::P7_Y][equation::D7_2],
                 d7_2_by_p7_x: columns[unknown::P7_X][equation::D7_2],
                 d7_2_by_p7_z: columns[unknown::P7_Z][equation::D7_2],
@@ -878,67 +846,68 @@ pub mod attia2003 {
                 d8_7_by_p7_y: columns[unknown::P7_Y][equation::D8_7],
                 d9_7_by_p7_y: columns[unknown::P7_Y][equation::D9_7],
                 d10_7_by_p7_y: columns[unknown::P7_Y][equation::D10_7],
+                d10_5_by_p10_z: columns[unknown::P10_Z][equation::D10_5],
+                d10_5_by_p10_y: columns[unknown::P10_Y][equation::D10_5],
+                d10_5_by_p10_x: columns[unknown::P10_X][equation::D10_5],
+                d10_6_by_p10_z: columns[unknown::P10_Z][equation::D10_6],
+                d10_7_by_p10_z: columns[unknown::P10_Z][equation::D10_7],
+                d10_8_by_p10_z: columns[unknown::P10_Z][equation::D10_8],
+                d8_3_by_p8_x: columns[unknown::P8_X][equation::D8_3],
+                d8_3_by_p8_z: columns[unknown::P8_Z][equation::D8_3],
+                d8_3_by_p8_y: columns[unknown::P8_Y][equation::D8_3],
+                d8_6_by_p8_x: columns[unknown::P8_X][equation::D8_6],
+                d8_7_by_p8_x: columns[unknown::P8_X][equation::D8_7],
+                d9_8_by_p8_x: columns[unknown::P8_X][equation::D9_8],
+                d10_8_by_p8_x: columns[unknown::P8_X][equation::D10_8],
+                d10_6_by_p10_x: columns[unknown::P10_X][equation::D10_6],
+                d10_6_by_p6_x: columns[unknown::P6_X][equation::D10_6],
+                d10_6_by_p10_y: columns[unknown::P10_Y][equation::D10_6],
+                d10_7_by_p10_x: columns[unknown::P10_X][equation::D10_7],
+                d10_8_by_p10_x: columns[unknown::P10_X][equation::D10_8],
+                d9_6_by_p9_y: columns[unknown::P9_Y][equation::D9_6],
+                d9_6_by_p6_x: columns[unknown::P6_X][equation::D9_6],
+                d9_6_by_p9_z: columns[unknown::P9_Z][equation::D9_6],
+                d9_7_by_p9_y: columns[unknown::P9_Y][equation::D9_7],
+                d9_8_by_p9_y: columns[unknown::P9_Y][equation::D9_8],
+                d8_6_by_p8_y: columns[unknown::P8_Y][equation::D8_6],
+                d8_6_by_p6_x: columns[unknown::P6_X][equation::D8_6],
+                d8_6_by_p8_z: columns[unknown::P8_Z][equation::D8_6],
+                d8_7_by_p8_y: columns[unknown::P8_Y][equation::D8_7],
+                d9_8_by_p8_y: columns[unknown::P8_Y][equation::D9_8],
+                d10_8_by_p8_y: columns[unknown::P8_Y][equation::D10_8],
                 d7_6_by_p7_z: columns[unknown::P7_Z][equation::D7_6],
-                d7_6_by_p6_y: columns[unknown::P6_Y][equation::D7_6],
+                d7_6_by_p6_x: columns[unknown::P6_X][equation::D7_6],
                 d7_6_by_p7_x: columns[unknown::P7_X][equation::D7_6],
                 d8_7_by_p7_z: columns[unknown::P7_Z][equation::D8_7],
                 d9_7_by_p7_z: columns[unknown::P7_Z][equation::D9_7],
                 d10_7_by_p7_z: columns[unknown::P7_Z][equation::D10_7],
-                d8_7_by_p7_x: columns[unknown::P7_X][equation::D8_7],
-                d8_7_by_p8_x: columns[unknown::P8_X][equation::D8_7],
-                d8_7_by_p8_y: columns[unknown::P8_Y][equation::D8_7],
-                d8_7_by_p6_y: T::zero(),
-                d8_7_by_p8_z: columns[unknown::P8_Z][equation::D8_7],
+                d9_7_by_p9_z: columns[unknown::P9_Z][equation::D9_7],
+                d9_7_by_p6_x: T::zero(),
                 d9_7_by_p7_x: columns[unknown::P7_X][equation::D9_7],
-                d10_7_by_p7_x: columns[unknown::P7_X][equation::D10_7],
-                d8_3_by_p8_z: columns[unknown::P8_Z][equation::D8_3],
-                d8_3_by_p8_x: columns[unknown::P8_X][equation::D8_3],
-                d8_3_by_p8_y: columns[unknown::P8_Y][equation::D8_3],
-                d8_6_by_p8_z: columns[unknown::P8_Z][equation::D8_6],
-                d9_7_by_p8_z: T::zero(),
+                d9_8_by_p9_z: columns[unknown::P9_Z][equation::D9_8],
+                d10_8_by_p10_y: columns[unknown::P10_Y][equation::D10_8],
+                d10_8_by_p6_x: T::zero(),
+                d10_8_by_p8_z: columns[unknown::P8_Z][equation::D10_8],
+                d10_7_by_p10_y: columns[unknown::P10_Y][equation::D10_7],
+                d9_8_by_p8_z: columns[unknown::P8_Z][equation::D9_8],
+                d9_8_by_p6_x: T::zero(),
+                d9_8_by_p7_x: T::zero(),
+                d8_7_by_p8_z: columns[unknown::P8_Z][equation::D8_7],
                 d10_7_by_p8_z: T::zero(),
-                d8_6_by_p6_y: columns[unknown::P6_Y][equation::D8_6],
-                d8_6_by_p8_x: columns[unknown::P8_X][equation::D8_6],
-                d8_6_by_p8_y: columns[unknown::P8_Y][equation::D8_6],
-                d9_7_by_p6_y: T::zero(),
-                d10_7_by_p6_y: T::zero(),
-                d10_7_by_p8_y: T::zero(),
-                d10_7_by_p8_x: T::zero(),
-                d9_7_by_p8_y: T::zero(),
-                d9_7_by_p8_x: T::zero(),
+                d8_7_by_p7_x: columns[unknown::P7_X][equation::D8_7],
+                d8_7_by_p6_x: T::zero(),
+                d10_7_by_p7_x: columns[unknown::P7_X][equation::D10_7],
+                d10_7_by_p6_x: T::zero(),
             };
-            lu.d6_1_by_p6_x = T::one() / lu.d6_1_by_p6_x;
-            lu.d7_6_by_p6_x *= lu.d6_1_by_p6_x;
-            lu.d7_6_by_p6_y -= lu.d7_6_by_p6_x * lu.d6_1_by_p6_y;
-            lu.d8_6_by_p6_x *= lu.d6_1_by_p6_x;
-            lu.d8_6_by_p6_y -= lu.d8_6_by_p6_x * lu.d6_1_by_p6_y;
-            lu.d9_6_by_p6_x *= lu.d6_1_by_p6_x;
-            lu.d9_6_by_p6_y -= lu.d9_6_by_p6_x * lu.d6_1_by_p6_y;
-            lu.d10_6_by_p6_x *= lu.d6_1_by_p6_x;
-            lu.d10_6_by_p6_y -= lu.d10_6_by_p6_x * lu.d6_1_by_p6_y;
-            lu.d10_5_by_p10_y = T::one() / lu.d10_5_by_p10_y;
-            lu.d10_6_by_p10_y *= lu.d10_5_by_p10_y;
-            lu.d10_6_by_p10_x -= lu.d10_6_by_p10_y * lu.d10_5_by_p10_x;
-            lu.d10_6_by_p10_z -= lu.d10_6_by_p10_y * lu.d10_5_by_p10_z;
-            lu.d10_7_by_p10_y *= lu.d10_5_by_p10_y;
-            lu.d10_7_by_p10_x -= lu.d10_7_by_p10_y * lu.d10_5_by_p10_x;
-            lu.d10_7_by_p10_z -= lu.d10_7_by_p10_y * lu.d10_5_by_p10_z;
-            lu.d10_8_by_p10_y *= lu.d10_5_by_p10_y;
-            lu.d10_8_by_p10_x -= lu.d10_8_by_p10_y * lu.d10_5_by_p10_x;
-            lu.d10_8_by_p10_z -= lu.d10_8_by_p10_y * lu.d10_5_by_p10_z;
-            lu.d10_6_by_p10_z = T::one() / lu.d10_6_by_p10_z;
-            lu.d10_7_by_p10_z *= lu.d10_6_by_p10_z;
-            lu.d10_7_by_p6_y = -(lu.d10_7_by_p10_z * lu.d10_6_by_p6_y);
-            lu.d10_7_by_p10_x -= lu.d10_7_by_p10_z * lu.d10_6_by_p10_x;
-            lu.d10_8_by_p10_z *= lu.d10_6_by_p10_z;
-            lu.d10_8_by_p6_y = -(lu.d10_8_by_p10_z * lu.d10_6_by_p6_y);
-            lu.d10_8_by_p10_x -= lu.d10_8_by_p10_z * lu.d10_6_by_p10_x;
-            lu.d10_8_by_p10_x = T::one() / lu.d10_8_by_p10_x;
-            lu.d10_7_by_p10_x *= lu.d10_8_by_p10_x;
-            lu.d10_7_by_p8_x = -(lu.d10_7_by_p10_x * lu.d10_8_by_p8_x);
-            lu.d10_7_by_p8_y = -(lu.d10_7_by_p10_x * lu.d10_8_by_p8_y);
-            lu.d10_7_by_p6_y -= lu.d10_7_by_p10_x * lu.d10_8_by_p6_y;
-            lu.d10_7_by_p8_z = -(lu.d10_7_by_p10_x * lu.d10_8_by_p8_z);
+            lu.d6_1_by_p6_y = T::one() / lu.d6_1_by_p6_y;
+            lu.d7_6_by_p6_y *= lu.d6_1_by_p6_y;
+            lu.d7_6_by_p6_x -= lu.d7_6_by_p6_y * lu.d6_1_by_p6_x;
+            lu.d8_6_by_p6_y *= lu.d6_1_by_p6_y;
+            lu.d8_6_by_p6_x -= lu.d8_6_by_p6_y * lu.d6_1_by_p6_x;
+            lu.d9_6_by_p6_y *= lu.d6_1_by_p6_y;
+            lu.d9_6_by_p6_x -= lu.d9_6_by_p6_y * lu.d6_1_by_p6_x;
+            lu.d10_6_by_p6_y *= lu.d6_1_by_p6_y;
+            lu.d10_6_by_p6_x -= lu.d10_6_by_p6_y * lu.d6_1_by_p6_x;
             lu.d9_4_by_p9_x = T::one() / lu.d9_4_by_p9_x;
             lu.d9_6_by_p9_x *= lu.d9_4_by_p9_x;
             lu.d9_6_by_p9_z -= lu.d9_6_by_p9_x * lu.d9_4_by_p9_z;
@@ -949,19 +918,6 @@ pub mod attia2003 {
             lu.d9_8_by_p9_x *= lu.d9_4_by_p9_x;
             lu.d9_8_by_p9_z -= lu.d9_8_by_p9_x * lu.d9_4_by_p9_z;
             lu.d9_8_by_p9_y -= lu.d9_8_by_p9_x * lu.d9_4_by_p9_y;
-            lu.d9_6_by_p9_y = T::one() / lu.d9_6_by_p9_y;
-            lu.d9_7_by_p9_y *= lu.d9_6_by_p9_y;
-            lu.d9_7_by_p6_y = -(lu.d9_7_by_p9_y * lu.d9_6_by_p6_y);
-            lu.d9_7_by_p9_z -= lu.d9_7_by_p9_y * lu.d9_6_by_p9_z;
-            lu.d9_8_by_p9_y *= lu.d9_6_by_p9_y;
-            lu.d9_8_by_p6_y = -(lu.d9_8_by_p9_y * lu.d9_6_by_p6_y);
-            lu.d9_8_by_p9_z -= lu.d9_8_by_p9_y * lu.d9_6_by_p9_z;
-            lu.d9_8_by_p9_z = T::one() / lu.d9_8_by_p9_z;
-            lu.d9_7_by_p9_z *= lu.d9_8_by_p9_z;
-            lu.d9_7_by_p8_x = -(lu.d9_7_by_p9_z * lu.d9_8_by_p8_x);
-            lu.d9_7_by_p8_y = -(lu.d9_7_by_p9_z * lu.d9_8_by_p8_y);
-            lu.d9_7_by_p6_y -= lu.d9_7_by_p9_z * lu.d9_8_by_p6_y;
-            lu.d9_7_by_p8_z = -(lu.d9_7_by_p9_z * lu.d9_8_by_p8_z);
             lu.d7_2_by_p7_y = T::one() / lu.d7_2_by_p7_y;
             lu.d7_6_by_p7_y *= lu.d7_2_by_p7_y;
             lu.d7_6_by_p7_x -= lu.d7_6_by_p7_y * lu.d7_2_by_p7_x;
@@ -975,79 +931,113 @@ pub mod attia2003 {
             lu.d10_7_by_p7_y *= lu.d7_2_by_p7_y;
             lu.d10_7_by_p7_x -= lu.d10_7_by_p7_y * lu.d7_2_by_p7_x;
             lu.d10_7_by_p7_z -= lu.d10_7_by_p7_y * lu.d7_2_by_p7_z;
+            lu.d10_5_by_p10_z = T::one() / lu.d10_5_by_p10_z;
+            lu.d10_6_by_p10_z *= lu.d10_5_by_p10_z;
+            lu.d10_6_by_p10_y -= lu.d10_6_by_p10_z * lu.d10_5_by_p10_y;
+            lu.d10_6_by_p10_x -= lu.d10_6_by_p10_z * lu.d10_5_by_p10_x;
+            lu.d10_7_by_p10_z *= lu.d10_5_by_p10_z;
+            lu.d10_7_by_p10_y -= lu.d10_7_by_p10_z * lu.d10_5_by_p10_y;
+            lu.d10_7_by_p10_x -= lu.d10_7_by_p10_z * lu.d10_5_by_p10_x;
+            lu.d10_8_by_p10_z *= lu.d10_5_by_p10_z;
+            lu.d10_8_by_p10_y -= lu.d10_8_by_p10_z * lu.d10_5_by_p10_y;
+            lu.d10_8_by_p10_x -= lu.d10_8_by_p10_z * lu.d10_5_by_p10_x;
+            lu.d8_3_by_p8_x = T::one() / lu.d8_3_by_p8_x;
+            lu.d8_6_by_p8_x *= lu.d8_3_by_p8_x;
+            lu.d8_6_by_p8_z -= lu.d8_6_by_p8_x * lu.d8_3_by_p8_z;
+            lu.d8_6_by_p8_y -= lu.d8_6_by_p8_x * lu.d8_3_by_p8_y;
+            lu.d8_7_by_p8_x *= lu.d8_3_by_p8_x;
+            lu.d8_7_by_p8_z -= lu.d8_7_by_p8_x * lu.d8_3_by_p8_z;
+            lu.d8_7_by_p8_y -= lu.d8_7_by_p8_x * lu.d8_3_by_p8_y;
+            lu.d9_8_by_p8_x *= lu.d8_3_by_p8_x;
+            lu.d9_8_by_p8_z -= lu.d9_8_by_p8_x * lu.d8_3_by_p8_z;
+            lu.d9_8_by_p8_y -= lu.d9_8_by_p8_x * lu.d8_3_by_p8_y;
+            lu.d10_8_by_p8_x *= lu.d8_3_by_p8_x;
+            lu.d10_8_by_p8_z -= lu.d10_8_by_p8_x * lu.d8_3_by_p8_z;
+            lu.d10_8_by_p8_y -= lu.d10_8_by_p8_x * lu.d8_3_by_p8_y;
+            lu.d10_6_by_p10_x = T::one() / lu.d10_6_by_p10_x;
+            lu.d10_7_by_p10_x *= lu.d10_6_by_p10_x;
+            lu.d10_7_by_p6_x = -(lu.d10_7_by_p10_x * lu.d10_6_by_p6_x);
+            lu.d10_7_by_p10_y -= lu.d10_7_by_p10_x * lu.d10_6_by_p10_y;
+            lu.d10_8_by_p10_x *= lu.d10_6_by_p10_x;
+            lu.d10_8_by_p6_x = -(lu.d10_8_by_p10_x * lu.d10_6_by_p6_x);
+            lu.d10_8_by_p10_y -= lu.d10_8_by_p10_x * lu.d10_6_by_p10_y;
+            lu.d9_6_by_p9_y = T::one() / lu.d9_6_by_p9_y;
+            lu.d9_7_by_p9_y *= lu.d9_6_by_p9_y;
+            lu.d9_7_by_p6_x = -(lu.d9_7_by_p9_y * lu.d9_6_by_p6_x);
+            lu.d9_7_by_p9_z -= lu.d9_7_by_p9_y * lu.d9_6_by_p9_z;
+            lu.d9_8_by_p9_y *= lu.d9_6_by_p9_y;
+            lu.d9_8_by_p6_x = -(lu.d9_8_by_p9_y * lu.d9_6_by_p6_x);
+            lu.d9_8_by_p9_z -= lu.d9_8_by_p9_y * lu.d9_6_by_p9_z;
+            lu.d8_6_by_p8_y = T::one() / lu.d8_6_by_p8_y;
+            lu.d8_7_by_p8_y *= lu.d8_6_by_p8_y;
+            lu.d8_7_by_p6_x = -(lu.d8_7_by_p8_y * lu.d8_6_by_p6_x);
+            lu.d8_7_by_p8_z -= lu.d8_7_by_p8_y * lu.d8_6_by_p8_z;
+            lu.d9_8_by_p8_y *= lu.d8_6_by_p8_y;
+            lu.d9_8_by_p6_x -= lu.d9_8_by_p8_y * lu.d8_6_by_p6_x;
+            lu.d9_8_by_p8_z -= lu.d9_8_by_p8_y * lu.d8_6_by_p8_z;
+            lu.d10_8_by_p8_y *= lu.d8_6_by_p8_y;
+            lu.d10_8_by_p6_x -= lu.d10_8_by_p8_y * lu.d8_6_by_p6_x;
+            lu.d10_8_by_p8_z -= lu.d10_8_by_p8_y * lu.d8_6_by_p8_z;
             lu.d7_6_by_p7_z = T::one() / lu.d7_6_by_p7_z;
             lu.d8_7_by_p7_z *= lu.d7_6_by_p7_z;
-            lu.d8_7_by_p6_y = -(lu.d8_7_by_p7_z * lu.d7_6_by_p6_y);
+            lu.d8_7_by_p6_x -= lu.d8_7_by_p7_z * lu.d7_6_by_p6_x;
             lu.d8_7_by_p7_x -= lu.d8_7_by_p7_z * lu.d7_6_by_p7_x;
             lu.d9_7_by_p7_z *= lu.d7_6_by_p7_z;
-            lu.d9_7_by_p6_y -= lu.d9_7_by_p7_z * lu.d7_6_by_p6_y;
+            lu.d9_7_by_p6_x -= lu.d9_7_by_p7_z * lu.d7_6_by_p6_x;
             lu.d9_7_by_p7_x -= lu.d9_7_by_p7_z * lu.d7_6_by_p7_x;
             lu.d10_7_by_p7_z *= lu.d7_6_by_p7_z;
-            lu.d10_7_by_p6_y -= lu.d10_7_by_p7_z * lu.d7_6_by_p6_y;
+            lu.d10_7_by_p6_x -= lu.d10_7_by_p7_z * lu.d7_6_by_p6_x;
             lu.d10_7_by_p7_x -= lu.d10_7_by_p7_z * lu.d7_6_by_p7_x;
+            lu.d9_7_by_p9_z = T::one() / lu.d9_7_by_p9_z;
+            lu.d9_8_by_p9_z *= lu.d9_7_by_p9_z;
+            lu.d9_8_by_p6_x -= lu.d9_8_by_p9_z * lu.d9_7_by_p6_x;
+            lu.d9_8_by_p7_x = -(lu.d9_8_by_p9_z * lu.d9_7_by_p7_x);
+            lu.d10_8_by_p10_y = T::one() / lu.d10_8_by_p10_y;
+            lu.d10_7_by_p10_y *= lu.d10_8_by_p10_y;
+            lu.d10_7_by_p6_x -= lu.d10_7_by_p10_y * lu.d10_8_by_p6_x;
+            lu.d10_7_by_p8_z = -(lu.d10_7_by_p10_y * lu.d10_8_by_p8_z);
+            lu.d9_8_by_p8_z = T::one() / lu.d9_8_by_p8_z;
+            lu.d8_7_by_p8_z *= lu.d9_8_by_p8_z;
+            lu.d8_7_by_p6_x -= lu.d8_7_by_p8_z * lu.d9_8_by_p6_x;
+            lu.d8_7_by_p7_x -= lu.d8_7_by_p8_z * lu.d9_8_by_p7_x;
+            lu.d10_7_by_p8_z *= lu.d9_8_by_p8_z;
+            lu.d10_7_by_p6_x -= lu.d10_7_by_p8_z * lu.d9_8_by_p6_x;
+            lu.d10_7_by_p7_x -= lu.d10_7_by_p8_z * lu.d9_8_by_p7_x;
             lu.d8_7_by_p7_x = T::one() / lu.d8_7_by_p7_x;
-            lu.d9_7_by_p7_x *= lu.d8_7_by_p7_x;
-            lu.d9_7_by_p8_x -= lu.d9_7_by_p7_x * lu.d8_7_by_p8_x;
-            lu.d9_7_by_p8_y -= lu.d9_7_by_p7_x * lu.d8_7_by_p8_y;
-            lu.d9_7_by_p6_y -= lu.d9_7_by_p7_x * lu.d8_7_by_p6_y;
-            lu.d9_7_by_p8_z -= lu.d9_7_by_p7_x * lu.d8_7_by_p8_z;
             lu.d10_7_by_p7_x *= lu.d8_7_by_p7_x;
-            lu.d10_7_by_p8_x -= lu.d10_7_by_p7_x * lu.d8_7_by_p8_x;
-            lu.d10_7_by_p8_y -= lu.d10_7_by_p7_x * lu.d8_7_by_p8_y;
-            lu.d10_7_by_p6_y -= lu.d10_7_by_p7_x * lu.d8_7_by_p6_y;
-            lu.d10_7_by_p8_z -= lu.d10_7_by_p7_x * lu.d8_7_by_p8_z;
-            lu.d8_3_by_p8_z = T::one() / lu.d8_3_by_p8_z;
-            lu.d8_6_by_p8_z *= lu.d8_3_by_p8_z;
-            lu.d8_6_by_p8_x -= lu.d8_6_by_p8_z * lu.d8_3_by_p8_x;
-            lu.d8_6_by_p8_y -= lu.d8_6_by_p8_z * lu.d8_3_by_p8_y;
-            lu.d9_7_by_p8_z *= lu.d8_3_by_p8_z;
-            lu.d9_7_by_p8_x -= lu.d9_7_by_p8_z * lu.d8_3_by_p8_x;
-            lu.d9_7_by_p8_y -= lu.d9_7_by_p8_z * lu.d8_3_by_p8_y;
-            lu.d10_7_by_p8_z *= lu.d8_3_by_p8_z;
-            lu.d10_7_by_p8_x -= lu.d10_7_by_p8_z * lu.d8_3_by_p8_x;
-            lu.d10_7_by_p8_y -= lu.d10_7_by_p8_z * lu.d8_3_by_p8_y;
-            lu.d8_6_by_p6_y = T::one() / lu.d8_6_by_p6_y;
-            lu.d9_7_by_p6_y *= lu.d8_6_by_p6_y;
-            lu.d9_7_by_p8_x -= lu.d9_7_by_p6_y * lu.d8_6_by_p8_x;
-            lu.d9_7_by_p8_y -= lu.d9_7_by_p6_y * lu.d8_6_by_p8_y;
-            lu.d10_7_by_p6_y *= lu.d8_6_by_p6_y;
-            lu.d10_7_by_p8_x -= lu.d10_7_by_p6_y * lu.d8_6_by_p8_x;
-            lu.d10_7_by_p8_y -= lu.d10_7_by_p6_y * lu.d8_6_by_p8_y;
-            lu.d10_7_by_p8_y = T::one() / lu.d10_7_by_p8_y;
-            lu.d9_7_by_p8_y *= lu.d10_7_by_p8_y;
-            lu.d9_7_by_p8_x -= lu.d9_7_by_p8_y * lu.d10_7_by_p8_x;
-            lu.d9_7_by_p8_x = T::one() / lu.d9_7_by_p8_x;
+            lu.d10_7_by_p6_x -= lu.d10_7_by_p7_x * lu.d8_7_by_p6_x;
+            lu.d10_7_by_p6_x = T::one() / lu.d10_7_by_p6_x;
             lu.growth = largest([
-                lu.d6_1_by_p6_x,
-                lu.d10_5_by_p10_y,
-                lu.d10_6_by_p10_z,
-                lu.d10_8_by_p10_x,
+                lu.d6_1_by_p6_y,
                 lu.d9_4_by_p9_x,
-                lu.d9_6_by_p9_y,
-                lu.d9_8_by_p9_z,
                 lu.d7_2_by_p7_y,
+                lu.d10_5_by_p10_z,
+                lu.d8_3_by_p8_x,
+                lu.d10_6_by_p10_x,
+                lu.d9_6_by_p9_y,
+                lu.d8_6_by_p8_y,
                 lu.d7_6_by_p7_z,
+                lu.d9_7_by_p9_z,
+                lu.d10_8_by_p10_y,
+                lu.d9_8_by_p8_z,
                 lu.d8_7_by_p7_x,
-                lu.d8_3_by_p8_z,
-                lu.d8_6_by_p6_y,
-                lu.d10_7_by_p8_y,
-                lu.d9_7_by_p8_x,
+                lu.d10_7_by_p6_x,
             ]);
             lu.determinant_sign = product([
-                lu.d6_1_by_p6_x,
-                lu.d10_5_by_p10_y,
-                lu.d10_6_by_p10_z,
-                lu.d10_8_by_p10_x,
+                lu.d6_1_by_p6_y,
                 lu.d9_4_by_p9_x,
-                lu.d9_6_by_p9_y,
-                lu.d9_8_by_p9_z,
                 lu.d7_2_by_p7_y,
+                lu.d10_5_by_p10_z,
+                lu.d8_3_by_p8_x,
+                lu.d10_6_by_p10_x,
+                lu.d9_6_by_p9_y,
+                lu.d8_6_by_p8_y,
                 lu.d7_6_by_p7_z,
+                lu.d9_7_by_p9_z,
+                lu.d10_8_by_p10_y,
+                lu.d9_8_by_p8_z,
                 lu.d8_7_by_p7_x,
-                lu.d8_3_by_p8_z,
-                lu.d8_6_by_p6_y,
-                lu.d10_7_by_p8_y,
-                lu.d9_7_by_p8_x,
+                lu.d10_7_by_p6_x,
             ]);
             lu
         }
@@ -1067,81 +1057,77 @@ pub mod attia2003 {
             rows[equation::D8_6] -= self.d8_6_by_p6_z * rows[equation::THETA];
             rows[equation::D9_6] -= self.d9_6_by_p6_z * rows[equation::THETA];
             rows[equation::D10_6] -= self.d10_6_by_p6_z * rows[equation::THETA];
-            rows[equation::D7_6] -= self.d7_6_by_p6_x * rows[equation::D6_1];
-            rows[equation::D8_6] -= self.d8_6_by_p6_x * rows[equation::D6_1];
-            rows[equation::D9_6] -= self.d9_6_by_p6_x * rows[equation::D6_1];
-            rows[equation::D10_6] -= self.d10_6_by_p6_x * rows[equation::D6_1];
-            rows[equation::D10_6] -= self.d10_6_by_p10_y * rows[equation::D10_5];
-            rows[equation::D10_7] -= self.d10_7_by_p10_y * rows[equation::D10_5];
-            rows[equation::D10_8] -= self.d10_8_by_p10_y * rows[equation::D10_5];
-            rows[equation::D10_7] -= self.d10_7_by_p10_z * rows[equation::D10_6];
-            rows[equation::D10_8] -= self.d10_8_by_p10_z * rows[equation::D10_6];
-            rows[equation::D10_7] -= self.d10_7_by_p10_x * rows[equation::D10_8];
+            rows[equation::D7_6] -= self.d7_6_by_p6_y * rows[equation::D6_1];
+            rows[equation::D8_6] -= self.d8_6_by_p6_y * rows[equation::D6_1];
+            rows[equation::D9_6] -= self.d9_6_by_p6_y * rows[equation::D6_1];
+            rows[equation::D10_6] -= self.d10_6_by_p6_y * rows[equation::D6_1];
             rows[equation::D9_6] -= self.d9_6_by_p9_x * rows[equation::D9_4];
             rows[equation::D9_7] -= self.d9_7_by_p9_x * rows[equation::D9_4];
             rows[equation::D9_8] -= self.d9_8_by_p9_x * rows[equation::D9_4];
-            rows[equation::D9_7] -= self.d9_7_by_p9_y * rows[equation::D9_6];
-            rows[equation::D9_8] -= self.d9_8_by_p9_y * rows[equation::D9_6];
-            rows[equation::D9_7] -= self.d9_7_by_p9_z * rows[equation::D9_8];
             rows[equation::D7_6] -= self.d7_6_by_p7_y * rows[equation::D7_2];
             rows[equation::D8_7] -= self.d8_7_by_p7_y * rows[equation::D7_2];
             rows[equation::D9_7] -= self.d9_7_by_p7_y * rows[equation::D7_2];
             rows[equation::D10_7] -= self.d10_7_by_p7_y * rows[equation::D7_2];
+            rows[equation::D10_6] -= self.d10_6_by_p10_z * rows[equation::D10_5];
+            rows[equation::D10_7] -= self.d10_7_by_p10_z * rows[equation::D10_5];
+            rows[equation::D10_8] -= self.d10_8_by_p10_z * rows[equation::D10_5];
+            rows[equation::D8_6] -= self.d8_6_by_p8_x * rows[equation::D8_3];
+            rows[equation::D8_7] -= self.d8_7_by_p8_x * rows[equation::D8_3];
+            rows[equation::D9_8] -= self.d9_8_by_p8_x * rows[equation::D8_3];
+            rows[equation::D10_8] -= self.d10_8_by_p8_x * rows[equation::D8_3];
+            rows[equation::D10_7] -= self.d10_7_by_p10_x * rows[equation::D10_6];
+            rows[equation::D10_8] -= self.d10_8_by_p10_x * rows[equation::D10_6];
+            rows[equation::D9_7] -= self.d9_7_by_p9_y * rows[equation::D9_6];
+            rows[equation::D9_8] -= self.d9_8_by_p9_y * rows[equation::D9_6];
+            rows[equation::D8_7] -= self.d8_7_by_p8_y * rows[equation::D8_6];
+            rows[equation::D9_8] -= self.d9_8_by_p8_y * rows[equation::D8_6];
+            rows[equation::D10_8] -= self.d10_8_by_p8_y * rows[equation::D8_6];
             rows[equation::D8_7] -= self.d8_7_by_p7_z * rows[equation::D7_6];
             rows[equation::D9_7] -= self.d9_7_by_p7_z * rows[equation::D7_6];
             rows[equation::D10_7] -= self.d10_7_by_p7_z * rows[equation::D7_6];
-            rows[equation::D9_7] -= self.d9_7_by_p7_x * rows[equation::D8_7];
+            rows[equation::D9_8] -= self.d9_8_by_p9_z * rows[equation::D9_7];
+            rows[equation::D10_7] -= self.d10_7_by_p10_y * rows[equation::D10_8];
+            rows[equation::D8_7] -= self.d8_7_by_p8_z * rows[equation::D9_8];
+            rows[equation::D10_7] -= self.d10_7_by_p8_z * rows[equation::D9_8];
             rows[equation::D10_7] -= self.d10_7_by_p7_x * rows[equation::D8_7];
-            rows[equation::D8_6] -= self.d8_6_by_p8_z * rows[equation::D8_3];
-            rows[equation::D9_7] -= self.d9_7_by_p8_z * rows[equation::D8_3];
-            rows[equation::D10_7] -= self.d10_7_by_p8_z * rows[equation::D8_3];
-            rows[equation::D9_7] -= self.d9_7_by_p6_y * rows[equation::D8_6];
-            rows[equation::D10_7] -= self.d10_7_by_p6_y * rows[equation::D8_6];
-            rows[equation::D9_7] -= self.d9_7_by_p8_y * rows[equation::D10_7];
-            unknowns[unknown::P8_X] = rows[equation::D9_7] * self.d9_7_by_p8_x;
-            unknowns[unknown::P8_Y] = (rows[equation::D10_7]
-                - self.d10_7_by_p8_x * unknowns[unknown::P8_X]) * self.d10_7_by_p8_y;
-            unknowns[unknown::P6_Y] = (rows[equation::D8_6]
-                - self.d8_6_by_p8_x * unknowns[unknown::P8_X]
-                - self.d8_6_by_p8_y * unknowns[unknown::P8_Y]) * self.d8_6_by_p6_y;
-            unknowns[unknown::P8_Z] = (rows[equation::D8_3]
-                - self.d8_3_by_p8_x * unknowns[unknown::P8_X]
-                - self.d8_3_by_p8_y * unknowns[unknown::P8_Y]) * self.d8_3_by_p8_z;
+            unknowns[unknown::P6_X] = rows[equation::D10_7] * self.d10_7_by_p6_x;
             unknowns[unknown::P7_X] = (rows[equation::D8_7]
-                - self.d8_7_by_p8_x * unknowns[unknown::P8_X]
-                - self.d8_7_by_p8_y * unknowns[unknown::P8_Y]
-                - self.d8_7_by_p6_y * unknowns[unknown::P6_Y]
-                - self.d8_7_by_p8_z * unknowns[unknown::P8_Z]) * self.d8_7_by_p7_x;
+                - self.d8_7_by_p6_x * unknowns[unknown::P6_X]) * self.d8_7_by_p7_x;
+            unknowns[unknown::P8_Z] = (rows[equation::D9_8]
+                - self.d9_8_by_p6_x * unknowns[unknown::P6_X]
+                - self.d9_8_by_p7_x * unknowns[unknown::P7_X]) * self.d9_8_by_p8_z;
+            unknowns[unknown::P10_Y] = (rows[equation::D10_8]
+                - self.d10_8_by_p6_x * unknowns[unknown::P6_X]
+                - self.d10_8_by_p8_z * unknowns[unknown::P8_Z]) * self.d10_8_by_p10_y;
+            unknowns[unknown::P9_Z] = (rows[equation::D9_7]
+                - self.d9_7_by_p6_x * unknowns[unknown::P6_X]
+                - self.d9_7_by_p7_x * unknowns[unknown::P7_X]) * self.d9_7_by_p9_z;
             unknowns[unknown::P7_Z] = (rows[equation::D7_6]
-                - self.d7_6_by_p6_y * unknowns[unknown::P6_Y]
+                - self.d7_6_by_p6_x * unknowns[unknown::P6_X]
                 - self.d7_6_by_p7_x * unknowns[unknown::P7_X]) * self.d7_6_by_p7_z;
+            unknowns[unknown::P8_Y] = (rows[equation::D8_6]
+                - self.d8_6_by_p6_x * unknowns[unknown::P6_X]
+                - self.d8_6_by_p8_z * unknowns[unknown::P8_Z]) * self.d8_6_by_p8_y;
+            unknowns[unknown::P9_Y] = (rows[equation::D9_6]
+                - self.d9_6_by_p6_x * unknowns[unknown::P6_X]
+                - self.d9_6_by_p9_z * unknowns[unknown::P9_Z]) * self.d9_6_by_p9_y;
+            unknowns[unknown::P10_X] = (rows[equation::D10_6]
+                - self.d10_6_by_p6_x * unknowns[unknown::P6_X]
+                - self.d10_6_by_p10_y * unknowns[unknown::P10_Y]) * self.d10_6_by_p10_x;
+            unknowns[unknown::P8_X] = (rows[equation::D8_3]
+                - self.d8_3_by_p8_z * unknowns[unknown::P8_Z]
+                - self.d8_3_by_p8_y * unknowns[unknown::P8_Y]) * self.d8_3_by_p8_x;
+            unknowns[unknown::P10_Z] = (rows[equation::D10_5]
+                - self.d10_5_by_p10_y * unknowns[unknown::P10_Y]
+                - self.d10_5_by_p10_x * unknowns[unknown::P10_X]) * self.d10_5_by_p10_z;
             unknowns[unknown::P7_Y] = (rows[equation::D7_2]
                 - self.d7_2_by_p7_x * unknowns[unknown::P7_X]
                 - self.d7_2_by_p7_z * unknowns[unknown::P7_Z]) * self.d7_2_by_p7_y;
-            unknowns[unknown::P9_Z] = (rows[equation::D9_8]
-                - self.d9_8_by_p8_x * unknowns[unknown::P8_X]
-                - self.d9_8_by_p8_y * unknowns[unknown::P8_Y]
-                - self.d9_8_by_p6_y * unknowns[unknown::P6_Y]
-                - self.d9_8_by_p8_z * unknowns[unknown::P8_Z]) * self.d9_8_by_p9_z;
-            unknowns[unknown::P9_Y] = (rows[equation::D9_6]
-                - self.d9_6_by_p6_y * unknowns[unknown::P6_Y]
-                - self.d9_6_by_p9_z * unknowns[unknown::P9_Z]) * self.d9_6_by_p9_y;
             unknowns[unknown::P9_X] = (rows[equation::D9_4]
                 - self.d9_4_by_p9_z * unknowns[unknown::P9_Z]
                 - self.d9_4_by_p9_y * unknowns[unknown::P9_Y]) * self.d9_4_by_p9_x;
-            unknowns[unknown::P10_X] = (rows[equation::D10_8]
-                - self.d10_8_by_p8_x * unknowns[unknown::P8_X]
-                - self.d10_8_by_p8_y * unknowns[unknown::P8_Y]
-                - self.d10_8_by_p6_y * unknowns[unknown::P6_Y]
-                - self.d10_8_by_p8_z * unknowns[unknown::P8_Z]) * self.d10_8_by_p10_x;
-            unknowns[unknown::P10_Z] = (rows[equation::D10_6]
-                - self.d10_6_by_p6_y * unknowns[unknown::P6_Y]
-                - self.d10_6_by_p10_x * unknowns[unknown::P10_X]) * self.d10_6_by_p10_z;
-            unknowns[unknown::P10_Y] = (rows[equation::D10_5]
-                - self.d10_5_by_p10_x * unknowns[unknown::P10_X]
-                - self.d10_5_by_p10_z * unknowns[unknown::P10_Z]) * self.d10_5_by_p10_y;
-            unknowns[unknown::P6_X] = (rows[equation::D6_1]
-                - self.d6_1_by_p6_y * unknowns[unknown::P6_Y]) * self.d6_1_by_p6_x;
+            unknowns[unknown::P6_Y] = (rows[equation::D6_1]
+                - self.d6_1_by_p6_x * unknowns[unknown::P6_X]) * self.d6_1_by_p6_y;
             unknowns[unknown::P6_Z] = rows[equation::THETA];
             SVector::from(unknowns)
         }

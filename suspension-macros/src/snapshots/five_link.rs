@@ -7,7 +7,7 @@
 ///
 /// 15 equations `F(q) = 0`: `lower_front`, `upper_front`, `upper_rear`, `lower_rear`, `track_rod`, `knuckle_lower_front_outer_upper_front_outer`, `knuckle_lower_front_outer_upper_rear_outer`, `knuckle_upper_front_outer_upper_rear_outer`, `knuckle_lower_rear_outer_x`, `knuckle_lower_rear_outer_y`, `knuckle_lower_rear_outer_z`, `knuckle_track_rod_outer_x`, `knuckle_track_rod_outer_y`, `knuckle_track_rod_outer_z`, `theta`.
 ///
-/// Jacobian: 15 x 15, 94 non-zeros of 225; its factors have 99. The longest chain of operations in the factorisation is 39, a division counted as 4.
+/// Jacobian: 15 x 15, 94 non-zeros of 225; its factors have 99. The longest chain of operations in the factorisation is 33, a division counted as 4.
 ///
 /// | no branch | multiplications | additions | divisions |
 /// |---|---|---|---|
@@ -1067,56 +1067,63 @@ pub mod five_link {
         knuckle_track_rod_outer_x_by_lower_front_outer_z: T,
         knuckle_track_rod_outer_y_by_lower_front_outer_z: T,
         knuckle_track_rod_outer_z_by_lower_front_outer_z: T,
-        track_rod_by_track_rod_outer_y: T,
-        track_rod_by_track_rod_outer_x: T,
-        track_rod_by_track_rod_outer_z: T,
-        knuckle_track_rod_outer_y_by_track_rod_outer_y: T,
         lower_rear_by_lower_rear_outer_x: T,
         lower_rear_by_lower_rear_outer_z: T,
         lower_rear_by_lower_rear_outer_y: T,
         knuckle_lower_rear_outer_x_by_lower_rear_outer_x: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_y: T,
+        track_rod_by_track_rod_outer_y: T,
+        track_rod_by_track_rod_outer_z: T,
+        track_rod_by_track_rod_outer_x: T,
+        knuckle_track_rod_outer_y_by_track_rod_outer_y: T,
         knuckle_lower_rear_outer_y_by_upper_rear_outer_x: T,
         knuckle_lower_rear_outer_y_by_lower_front_outer_x: T,
         knuckle_lower_rear_outer_y_by_upper_front_outer_x: T,
         knuckle_lower_rear_outer_y_by_upper_front_outer_z: T,
+        knuckle_lower_rear_outer_y_by_upper_rear_outer_z: T,
         knuckle_lower_rear_outer_y_by_upper_front_outer_y: T,
         knuckle_lower_rear_outer_y_by_lower_front_outer_y: T,
+        knuckle_lower_rear_outer_y_by_upper_rear_outer_y: T,
         knuckle_lower_rear_outer_x_by_lower_rear_outer_y: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_x: T,
+        knuckle_track_rod_outer_x_by_lower_front_outer_x: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_z: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_z: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_y: T,
+        knuckle_track_rod_outer_x_by_lower_front_outer_y: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_y_by_track_rod_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_x: T,
+        knuckle_lower_rear_outer_z_by_lower_front_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_z: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_z: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_y: T,
+        knuckle_lower_rear_outer_z_by_lower_front_outer_y: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_y: T,
+        knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T,
+        knuckle_track_rod_outer_z_by_upper_rear_outer_x: T,
+        knuckle_track_rod_outer_z_by_lower_front_outer_x: T,
+        knuckle_track_rod_outer_z_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_z_by_upper_front_outer_z: T,
+        knuckle_track_rod_outer_z_by_upper_rear_outer_z: T,
+        knuckle_track_rod_outer_z_by_upper_front_outer_y: T,
+        knuckle_track_rod_outer_z_by_lower_front_outer_y: T,
+        knuckle_track_rod_outer_z_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_y_by_track_rod_outer_z: T,
+        upper_rear_by_upper_rear_outer_y: T,
+        upper_rear_by_upper_rear_outer_x: T,
+        upper_rear_by_upper_rear_outer_z: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        knuckle_lower_rear_outer_x_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_y_by_upper_rear_outer_y: T,
         lower_front_by_lower_front_outer_y: T,
         lower_front_by_lower_front_outer_x: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y: T,
         knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y: T,
         knuckle_lower_rear_outer_x_by_lower_front_outer_y: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_y: T,
         knuckle_track_rod_outer_y_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_z_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_x: T,
-        knuckle_track_rod_outer_z_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_z_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_z_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_z_by_upper_front_outer_y: T,
-        knuckle_track_rod_outer_y_by_track_rod_outer_z: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_y: T,
-        knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_x: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_y: T,
-        knuckle_track_rod_outer_y_by_track_rod_outer_x: T,
         upper_front_by_upper_front_outer_y: T,
         upper_front_by_upper_front_outer_x: T,
         upper_front_by_upper_front_outer_z: T,
@@ -1124,34 +1131,27 @@ pub mod five_link {
         knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y: T,
         knuckle_lower_rear_outer_x_by_upper_front_outer_y: T,
         knuckle_track_rod_outer_y_by_upper_front_outer_y: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
+        knuckle_lower_rear_outer_x_by_upper_rear_outer_z: T,
+        knuckle_track_rod_outer_y_by_upper_rear_outer_z: T,
         knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x: T,
         knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x: T,
         knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z: T,
         knuckle_lower_rear_outer_x_by_upper_front_outer_z: T,
         knuckle_track_rod_outer_y_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_y_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_x: T,
-        knuckle_track_rod_outer_y_by_lower_front_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: T,
         knuckle_lower_rear_outer_x_by_upper_front_outer_x: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_x_by_lower_front_outer_x: T,
-        upper_rear_by_upper_rear_outer_x: T,
-        upper_rear_by_upper_rear_outer_z: T,
-        upper_rear_by_upper_rear_outer_y: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
         knuckle_lower_rear_outer_x_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_z: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
+        knuckle_lower_rear_outer_x_by_lower_front_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_y_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_y_by_lower_front_outer_x: T,
+        knuckle_track_rod_outer_y_by_upper_rear_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
     }
 
     impl<T: Scalar> Elimination<T, 15> for Factors<T> {
@@ -1170,56 +1170,63 @@ pub mod five_link {
                 knuckle_track_rod_outer_x_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X],
                 knuckle_track_rod_outer_y_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 knuckle_track_rod_outer_z_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                track_rod_by_track_rod_outer_y: columns[unknown::TRACK_ROD_OUTER_Y][equation::TRACK_ROD],
-                track_rod_by_track_rod_outer_x: columns[unknown::TRACK_ROD_OUTER_X][equation::TRACK_ROD],
-                track_rod_by_track_rod_outer_z: columns[unknown::TRACK_ROD_OUTER_Z][equation::TRACK_ROD],
-                knuckle_track_rod_outer_y_by_track_rod_outer_y: columns[unknown::TRACK_ROD_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 lower_rear_by_lower_rear_outer_x: columns[unknown::LOWER_REAR_OUTER_X][equation::LOWER_REAR],
                 lower_rear_by_lower_rear_outer_z: columns[unknown::LOWER_REAR_OUTER_Z][equation::LOWER_REAR],
                 lower_rear_by_lower_rear_outer_y: columns[unknown::LOWER_REAR_OUTER_Y][equation::LOWER_REAR],
                 knuckle_lower_rear_outer_x_by_lower_rear_outer_x: columns[unknown::LOWER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                track_rod_by_track_rod_outer_y: columns[unknown::TRACK_ROD_OUTER_Y][equation::TRACK_ROD],
+                track_rod_by_track_rod_outer_z: columns[unknown::TRACK_ROD_OUTER_Z][equation::TRACK_ROD],
+                track_rod_by_track_rod_outer_x: columns[unknown::TRACK_ROD_OUTER_X][equation::TRACK_ROD],
+                knuckle_track_rod_outer_y_by_track_rod_outer_y: columns[unknown::TRACK_ROD_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 knuckle_lower_rear_outer_y_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
                 knuckle_lower_rear_outer_y_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
                 knuckle_lower_rear_outer_y_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
                 knuckle_lower_rear_outer_y_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                knuckle_lower_rear_outer_y_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
                 knuckle_lower_rear_outer_y_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
                 knuckle_lower_rear_outer_y_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                knuckle_lower_rear_outer_y_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
                 knuckle_lower_rear_outer_x_by_lower_rear_outer_y: T::zero(),
+                knuckle_track_rod_outer_x_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                knuckle_track_rod_outer_x_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                knuckle_track_rod_outer_x_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                knuckle_track_rod_outer_x_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                knuckle_track_rod_outer_x_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                knuckle_track_rod_outer_x_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                knuckle_track_rod_outer_x_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                knuckle_track_rod_outer_x_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                knuckle_track_rod_outer_y_by_track_rod_outer_x: T::zero(),
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                knuckle_lower_rear_outer_z_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                knuckle_lower_rear_outer_z_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                knuckle_lower_rear_outer_z_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                knuckle_lower_rear_outer_z_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                knuckle_lower_rear_outer_z_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T::zero(),
+                knuckle_track_rod_outer_z_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                knuckle_track_rod_outer_z_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                knuckle_track_rod_outer_z_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                knuckle_track_rod_outer_z_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                knuckle_track_rod_outer_z_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                knuckle_track_rod_outer_z_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                knuckle_track_rod_outer_z_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                knuckle_track_rod_outer_z_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                knuckle_track_rod_outer_y_by_track_rod_outer_z: T::zero(),
+                upper_rear_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::UPPER_REAR],
+                upper_rear_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::UPPER_REAR],
+                upper_rear_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::UPPER_REAR],
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                knuckle_lower_rear_outer_x_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                knuckle_track_rod_outer_y_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 lower_front_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::LOWER_FRONT],
                 lower_front_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::LOWER_FRONT],
                 knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 knuckle_lower_rear_outer_x_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_lower_rear_outer_z_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_track_rod_outer_x_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X],
                 knuckle_track_rod_outer_y_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_track_rod_outer_z_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_y_by_track_rod_outer_z: T::zero(),
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T::zero(),
-                knuckle_track_rod_outer_x_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_y_by_track_rod_outer_x: T::zero(),
                 upper_front_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::UPPER_FRONT],
                 upper_front_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::UPPER_FRONT],
                 upper_front_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::UPPER_FRONT],
@@ -1227,45 +1234,28 @@ pub mod five_link {
                 knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 knuckle_lower_rear_outer_x_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X],
                 knuckle_track_rod_outer_y_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                knuckle_lower_rear_outer_x_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                knuckle_track_rod_outer_y_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 knuckle_lower_rear_outer_x_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X],
                 knuckle_track_rod_outer_y_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_track_rod_outer_y_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_track_rod_outer_y_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_track_rod_outer_y_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_track_rod_outer_y_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_track_rod_outer_y_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 knuckle_lower_rear_outer_x_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T::zero(),
-                knuckle_lower_rear_outer_x_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                upper_rear_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::UPPER_REAR],
-                upper_rear_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::UPPER_REAR],
-                upper_rear_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::UPPER_REAR],
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 knuckle_lower_rear_outer_x_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                knuckle_lower_rear_outer_x_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                knuckle_track_rod_outer_y_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                knuckle_track_rod_outer_y_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                knuckle_track_rod_outer_y_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T::zero(),
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
             };
-            lu.track_rod_by_track_rod_outer_y = T::one()
-                / lu.track_rod_by_track_rod_outer_y;
-            lu.knuckle_track_rod_outer_y_by_track_rod_outer_y
-                *= lu.track_rod_by_track_rod_outer_y;
-            lu.knuckle_track_rod_outer_y_by_track_rod_outer_x = -(lu
-                .knuckle_track_rod_outer_y_by_track_rod_outer_y
-                * lu.track_rod_by_track_rod_outer_x);
-            lu.knuckle_track_rod_outer_y_by_track_rod_outer_z = -(lu
-                .knuckle_track_rod_outer_y_by_track_rod_outer_y
-                * lu.track_rod_by_track_rod_outer_z);
             lu.lower_rear_by_lower_rear_outer_x = T::one()
                 / lu.lower_rear_by_lower_rear_outer_x;
             lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_x
@@ -1276,12 +1266,16 @@ pub mod five_link {
             lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y = -(lu
                 .knuckle_lower_rear_outer_x_by_lower_rear_outer_x
                 * lu.lower_rear_by_lower_rear_outer_y);
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_y_by_upper_rear_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_y_by_upper_rear_outer_y;
+            lu.track_rod_by_track_rod_outer_y = T::one()
+                / lu.track_rod_by_track_rod_outer_y;
+            lu.knuckle_track_rod_outer_y_by_track_rod_outer_y
+                *= lu.track_rod_by_track_rod_outer_y;
+            lu.knuckle_track_rod_outer_y_by_track_rod_outer_z = -(lu
+                .knuckle_track_rod_outer_y_by_track_rod_outer_y
+                * lu.track_rod_by_track_rod_outer_z);
+            lu.knuckle_track_rod_outer_y_by_track_rod_outer_x = -(lu
+                .knuckle_track_rod_outer_y_by_track_rod_outer_y
+                * lu.track_rod_by_track_rod_outer_x);
             lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
                 -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
                     * lu.knuckle_lower_rear_outer_y_by_upper_rear_outer_x;
@@ -1294,12 +1288,124 @@ pub mod five_link {
             lu.knuckle_lower_rear_outer_x_by_upper_front_outer_z
                 -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
                     * lu.knuckle_lower_rear_outer_y_by_upper_front_outer_z;
+            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
+                    * lu.knuckle_lower_rear_outer_y_by_upper_rear_outer_z;
             lu.knuckle_lower_rear_outer_x_by_upper_front_outer_y
                 -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
                     * lu.knuckle_lower_rear_outer_y_by_upper_front_outer_y;
             lu.knuckle_lower_rear_outer_x_by_lower_front_outer_y
                 -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
                     * lu.knuckle_lower_rear_outer_y_by_lower_front_outer_y;
+            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
+                    * lu.knuckle_lower_rear_outer_y_by_upper_rear_outer_y;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
+                    * lu.knuckle_track_rod_outer_x_by_upper_rear_outer_x;
+            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
+                    * lu.knuckle_track_rod_outer_x_by_lower_front_outer_x;
+            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
+                    * lu.knuckle_track_rod_outer_x_by_upper_front_outer_x;
+            lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
+                    * lu.knuckle_track_rod_outer_x_by_upper_front_outer_z;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
+                    * lu.knuckle_track_rod_outer_x_by_upper_rear_outer_z;
+            lu.knuckle_track_rod_outer_y_by_upper_front_outer_y
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
+                    * lu.knuckle_track_rod_outer_x_by_upper_front_outer_y;
+            lu.knuckle_track_rod_outer_y_by_lower_front_outer_y
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
+                    * lu.knuckle_track_rod_outer_x_by_lower_front_outer_y;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
+                    * lu.knuckle_track_rod_outer_x_by_upper_rear_outer_y;
+            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
+                    * lu.knuckle_lower_rear_outer_z_by_upper_rear_outer_x;
+            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
+                    * lu.knuckle_lower_rear_outer_z_by_lower_front_outer_x;
+            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
+                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
+                    * lu.knuckle_lower_rear_outer_z_by_upper_front_outer_x;
+            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_z
+                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
+                    * lu.knuckle_lower_rear_outer_z_by_upper_front_outer_z;
+            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
+                    * lu.knuckle_lower_rear_outer_z_by_upper_rear_outer_z;
+            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_y
+                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
+                    * lu.knuckle_lower_rear_outer_z_by_upper_front_outer_y;
+            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_y
+                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
+                    * lu.knuckle_lower_rear_outer_z_by_lower_front_outer_y;
+            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
+                    * lu.knuckle_lower_rear_outer_z_by_upper_rear_outer_y;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
+                    * lu.knuckle_track_rod_outer_z_by_upper_rear_outer_x;
+            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
+                    * lu.knuckle_track_rod_outer_z_by_lower_front_outer_x;
+            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
+                    * lu.knuckle_track_rod_outer_z_by_upper_front_outer_x;
+            lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
+                    * lu.knuckle_track_rod_outer_z_by_upper_front_outer_z;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
+                    * lu.knuckle_track_rod_outer_z_by_upper_rear_outer_z;
+            lu.knuckle_track_rod_outer_y_by_upper_front_outer_y
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
+                    * lu.knuckle_track_rod_outer_z_by_upper_front_outer_y;
+            lu.knuckle_track_rod_outer_y_by_lower_front_outer_y
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
+                    * lu.knuckle_track_rod_outer_z_by_lower_front_outer_y;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
+                    * lu.knuckle_track_rod_outer_z_by_upper_rear_outer_y;
+            lu.upper_rear_by_upper_rear_outer_y = T::one()
+                / lu.upper_rear_by_upper_rear_outer_y;
+            lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                *= lu.upper_rear_by_upper_rear_outer_y;
+            lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                -= lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                    * lu.upper_rear_by_upper_rear_outer_x;
+            lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                -= lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                    * lu.upper_rear_by_upper_rear_outer_z;
+            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                *= lu.upper_rear_by_upper_rear_outer_y;
+            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                    * lu.upper_rear_by_upper_rear_outer_x;
+            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                    * lu.upper_rear_by_upper_rear_outer_z;
+            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                *= lu.upper_rear_by_upper_rear_outer_y;
+            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                -= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                    * lu.upper_rear_by_upper_rear_outer_x;
+            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                -= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                    * lu.upper_rear_by_upper_rear_outer_z;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                *= lu.upper_rear_by_upper_rear_outer_y;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                    * lu.upper_rear_by_upper_rear_outer_x;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                -= lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                    * lu.upper_rear_by_upper_rear_outer_z;
             lu.lower_front_by_lower_front_outer_y = T::one()
                 / lu.lower_front_by_lower_front_outer_y;
             lu.knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y
@@ -1317,89 +1423,11 @@ pub mod five_link {
             lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
                 -= lu.knuckle_lower_rear_outer_x_by_lower_front_outer_y
                     * lu.lower_front_by_lower_front_outer_x;
-            lu.knuckle_lower_rear_outer_z_by_lower_front_outer_y
-                *= lu.lower_front_by_lower_front_outer_y;
-            lu.knuckle_lower_rear_outer_z_by_lower_front_outer_x
-                -= lu.knuckle_lower_rear_outer_z_by_lower_front_outer_y
-                    * lu.lower_front_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_x_by_lower_front_outer_y
-                *= lu.lower_front_by_lower_front_outer_y;
-            lu.knuckle_track_rod_outer_x_by_lower_front_outer_x
-                -= lu.knuckle_track_rod_outer_x_by_lower_front_outer_y
-                    * lu.lower_front_by_lower_front_outer_x;
             lu.knuckle_track_rod_outer_y_by_lower_front_outer_y
                 *= lu.lower_front_by_lower_front_outer_y;
             lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
                 -= lu.knuckle_track_rod_outer_y_by_lower_front_outer_y
                     * lu.lower_front_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_z_by_lower_front_outer_y
-                *= lu.lower_front_by_lower_front_outer_y;
-            lu.knuckle_track_rod_outer_z_by_lower_front_outer_x
-                -= lu.knuckle_track_rod_outer_z_by_lower_front_outer_y
-                    * lu.lower_front_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_rear_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_rear_outer_y;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_rear_outer_x;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_front_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_y
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_front_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_rear_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_rear_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_rear_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_lower_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_front_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_front_outer_y;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_rear_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_rear_outer_y;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_rear_outer_x;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_front_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_y
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_front_outer_y;
             lu.upper_front_by_upper_front_outer_y = T::one()
                 / lu.upper_front_by_upper_front_outer_y;
             lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
@@ -1434,13 +1462,45 @@ pub mod five_link {
             lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
                 -= lu.knuckle_track_rod_outer_y_by_upper_front_outer_y
                     * lu.upper_front_by_upper_front_outer_z;
+            lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = T::one()
+                / lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                *= lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                    * lu
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(lu
+                .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                * lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x);
+            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                *= lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                -= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                    * lu
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                -= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                    * lu
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                *= lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                    * lu
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                    * lu
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
             lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = T::one()
                 / lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
             lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
                 *= lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(lu
-                .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
-                * lu.knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x);
+            lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
+                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
+                    * lu
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x;
             lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
                 -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
                     * lu
@@ -1465,116 +1525,56 @@ pub mod five_link {
                 -= lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
                     * lu
                         .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x = T::one()
-                / lu.knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x = T::one()
+                / lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x;
             lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                *= lu.knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                    * lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                    * lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y;
+                *= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x;
             lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
                 -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                    * lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x;
+                    * lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x;
             lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
                 -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                    * lu.knuckle_track_rod_outer_y_by_lower_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                *= lu.knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                    * lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                    * lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                    * lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                    * lu.knuckle_track_rod_outer_y_by_lower_front_outer_x;
-            lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = T::one()
-                / lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
+                    * lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
+            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
+                *= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x;
+            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
+                    * lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x;
+            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
+                -= lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
+                    * lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
+            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x = T::one()
+                / lu.knuckle_track_rod_outer_y_by_lower_front_outer_x;
             lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                *= lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y;
+                *= lu.knuckle_track_rod_outer_y_by_lower_front_outer_x;
             lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
                 -= lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                *= lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            lu.upper_rear_by_upper_rear_outer_x = T::one()
-                / lu.upper_rear_by_upper_rear_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                *= lu.upper_rear_by_upper_rear_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                    * lu.upper_rear_by_upper_rear_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                    * lu.upper_rear_by_upper_rear_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                *= lu.upper_rear_by_upper_rear_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                    * lu.upper_rear_by_upper_rear_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                    * lu.upper_rear_by_upper_rear_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y = T::one()
-                / lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                *= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = T::one()
-                / lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+                    * lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x;
+            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = T::one()
+                / lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x;
             lu.growth = largest([
-                lu.track_rod_by_track_rod_outer_y,
                 lu.lower_rear_by_lower_rear_outer_x,
+                lu.track_rod_by_track_rod_outer_y,
+                lu.upper_rear_by_upper_rear_outer_y,
                 lu.lower_front_by_lower_front_outer_y,
                 lu.upper_front_by_upper_front_outer_y,
+                lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
                 lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                lu.knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                lu.upper_rear_by_upper_rear_outer_x,
-                lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                lu.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
             ]);
             lu.determinant_sign = -product([
-                lu.track_rod_by_track_rod_outer_y,
                 lu.lower_rear_by_lower_rear_outer_x,
+                lu.track_rod_by_track_rod_outer_y,
+                lu.upper_rear_by_upper_rear_outer_y,
                 lu.lower_front_by_lower_front_outer_y,
                 lu.upper_front_by_upper_front_outer_y,
+                lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
                 lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                lu.knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                lu.upper_rear_by_upper_rear_outer_x,
-                lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                lu.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
             ]);
             lu
         }
@@ -1616,15 +1616,36 @@ pub mod five_link {
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
                 -= self.knuckle_track_rod_outer_z_by_lower_front_outer_z
                     * rows[equation::THETA];
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                -= self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x
+                    * rows[equation::LOWER_REAR];
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 -= self.knuckle_track_rod_outer_y_by_track_rod_outer_y
                     * rows[equation::TRACK_ROD];
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x
-                    * rows[equation::LOWER_REAR];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 -= self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
                     * rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                -= self.knuckle_track_rod_outer_y_by_track_rod_outer_x
+                    * rows[equation::KNUCKLE_TRACK_ROD_OUTER_X];
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                -= self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
+                    * rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                -= self.knuckle_track_rod_outer_y_by_track_rod_outer_z
+                    * rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z];
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                -= self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                    * rows[equation::UPPER_REAR];
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                    * rows[equation::UPPER_REAR];
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                -= self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                    * rows[equation::UPPER_REAR];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                -= self.knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                    * rows[equation::UPPER_REAR];
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 -= self
                     .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y
@@ -1635,27 +1656,9 @@ pub mod five_link {
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 -= self.knuckle_lower_rear_outer_x_by_lower_front_outer_y
                     * rows[equation::LOWER_FRONT];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                -= self.knuckle_lower_rear_outer_z_by_lower_front_outer_y
-                    * rows[equation::LOWER_FRONT];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                -= self.knuckle_track_rod_outer_x_by_lower_front_outer_y
-                    * rows[equation::LOWER_FRONT];
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 -= self.knuckle_track_rod_outer_y_by_lower_front_outer_y
                     * rows[equation::LOWER_FRONT];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                -= self.knuckle_track_rod_outer_z_by_lower_front_outer_y
-                    * rows[equation::LOWER_FRONT];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * rows[equation::KNUCKLE_TRACK_ROD_OUTER_X];
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 -= self
                     .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
@@ -1670,6 +1673,15 @@ pub mod five_link {
                 -= self.knuckle_track_rod_outer_y_by_upper_front_outer_y
                     * rows[equation::UPPER_FRONT];
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER];
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                -= self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                -= self.knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER];
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
                     * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER];
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
@@ -1680,55 +1692,25 @@ pub mod five_link {
                     * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER];
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                    * rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                    * rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y];
+                    * rows[equation::KNUCKLE_LOWER_REAR_OUTER_X];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                -= self.knuckle_track_rod_outer_y_by_upper_front_outer_x
+                    * rows[equation::KNUCKLE_LOWER_REAR_OUTER_X];
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 -= self.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER];
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                    * rows[equation::UPPER_REAR];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                    * rows[equation::UPPER_REAR];
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                    * rows[equation::KNUCKLE_LOWER_REAR_OUTER_X];
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                - self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z])
-                * self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y;
-            unknowns[unknown::UPPER_REAR_OUTER_X] = (rows[equation::UPPER_REAR]
-                - self.upper_rear_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.upper_rear_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y])
-                * self.upper_rear_by_upper_rear_outer_x;
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                - self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y]
-                - self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                    * unknowns[unknown::UPPER_REAR_OUTER_X])
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                - self.knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y]
+                    * rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y];
+            unknowns[unknown::UPPER_REAR_OUTER_X] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 - self.knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                    * unknowns[unknown::UPPER_REAR_OUTER_X])
+                * self.knuckle_track_rod_outer_y_by_lower_front_outer_x;
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                - self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
                     * unknowns[unknown::UPPER_REAR_OUTER_X]
-                - self.knuckle_track_rod_outer_y_by_lower_front_outer_x
+                - self.knuckle_lower_rear_outer_x_by_lower_front_outer_x
                     * unknowns[unknown::LOWER_FRONT_OUTER_X])
-                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x;
+                * self.knuckle_lower_rear_outer_x_by_upper_front_outer_x;
             unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 - self.knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
                     * unknowns[unknown::LOWER_FRONT_OUTER_X]
@@ -1736,47 +1718,29 @@ pub mod five_link {
                     * unknowns[unknown::UPPER_FRONT_OUTER_X])
                 * self
                     .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                - self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                    * unknowns[unknown::UPPER_REAR_OUTER_X]
+                - self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
+                    * unknowns[unknown::LOWER_FRONT_OUTER_X])
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
             unknowns[unknown::UPPER_FRONT_OUTER_Y] = (rows[equation::UPPER_FRONT]
                 - self.upper_front_by_upper_front_outer_x
                     * unknowns[unknown::UPPER_FRONT_OUTER_X]
                 - self.upper_front_by_upper_front_outer_z
                     * unknowns[unknown::UPPER_FRONT_OUTER_Z])
                 * self.upper_front_by_upper_front_outer_y;
-            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                - self.knuckle_track_rod_outer_x_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.knuckle_track_rod_outer_x_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y]
-                - self.knuckle_track_rod_outer_x_by_upper_rear_outer_x
+            unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
+                - self.lower_front_by_lower_front_outer_x
+                    * unknowns[unknown::LOWER_FRONT_OUTER_X])
+                * self.lower_front_by_lower_front_outer_y;
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::UPPER_REAR]
+                - self.upper_rear_by_upper_rear_outer_x
                     * unknowns[unknown::UPPER_REAR_OUTER_X]
-                - self.knuckle_track_rod_outer_x_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X]
-                - self.knuckle_track_rod_outer_x_by_upper_front_outer_x
-                    * unknowns[unknown::UPPER_FRONT_OUTER_X]
-                - self.knuckle_track_rod_outer_x_by_upper_front_outer_z
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                - self.knuckle_track_rod_outer_x_by_upper_front_outer_y
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Y];
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                - self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y]
-                - self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x
-                    * unknowns[unknown::UPPER_REAR_OUTER_X]
-                - self.knuckle_lower_rear_outer_z_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X]
-                - self.knuckle_lower_rear_outer_z_by_upper_front_outer_x
-                    * unknowns[unknown::UPPER_FRONT_OUTER_X]
-                - self.knuckle_lower_rear_outer_z_by_upper_front_outer_z
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                - self.knuckle_lower_rear_outer_z_by_upper_front_outer_y
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Y];
+                - self.upper_rear_by_upper_rear_outer_z
+                    * unknowns[unknown::UPPER_REAR_OUTER_Z])
+                * self.upper_rear_by_upper_rear_outer_y;
             unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                - self.knuckle_track_rod_outer_z_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.knuckle_track_rod_outer_z_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y]
                 - self.knuckle_track_rod_outer_z_by_upper_rear_outer_x
                     * unknowns[unknown::UPPER_REAR_OUTER_X]
                 - self.knuckle_track_rod_outer_z_by_lower_front_outer_x
@@ -1785,17 +1749,49 @@ pub mod five_link {
                     * unknowns[unknown::UPPER_FRONT_OUTER_X]
                 - self.knuckle_track_rod_outer_z_by_upper_front_outer_z
                     * unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                - self.knuckle_track_rod_outer_z_by_upper_front_outer_y
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Y];
-            unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
-                - self.lower_front_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X])
-                * self.lower_front_by_lower_front_outer_y;
-            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                - self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z
+                - self.knuckle_track_rod_outer_z_by_upper_rear_outer_z
                     * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y]
+                - self.knuckle_track_rod_outer_z_by_upper_front_outer_y
+                    * unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                - self.knuckle_track_rod_outer_z_by_lower_front_outer_y
+                    * unknowns[unknown::LOWER_FRONT_OUTER_Y]
+                - self.knuckle_track_rod_outer_z_by_upper_rear_outer_y
+                    * unknowns[unknown::UPPER_REAR_OUTER_Y];
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                - self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x
+                    * unknowns[unknown::UPPER_REAR_OUTER_X]
+                - self.knuckle_lower_rear_outer_z_by_lower_front_outer_x
+                    * unknowns[unknown::LOWER_FRONT_OUTER_X]
+                - self.knuckle_lower_rear_outer_z_by_upper_front_outer_x
+                    * unknowns[unknown::UPPER_FRONT_OUTER_X]
+                - self.knuckle_lower_rear_outer_z_by_upper_front_outer_z
+                    * unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                - self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z
+                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
+                - self.knuckle_lower_rear_outer_z_by_upper_front_outer_y
+                    * unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                - self.knuckle_lower_rear_outer_z_by_lower_front_outer_y
+                    * unknowns[unknown::LOWER_FRONT_OUTER_Y]
+                - self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y
+                    * unknowns[unknown::UPPER_REAR_OUTER_Y];
+            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                - self.knuckle_track_rod_outer_x_by_upper_rear_outer_x
+                    * unknowns[unknown::UPPER_REAR_OUTER_X]
+                - self.knuckle_track_rod_outer_x_by_lower_front_outer_x
+                    * unknowns[unknown::LOWER_FRONT_OUTER_X]
+                - self.knuckle_track_rod_outer_x_by_upper_front_outer_x
+                    * unknowns[unknown::UPPER_FRONT_OUTER_X]
+                - self.knuckle_track_rod_outer_x_by_upper_front_outer_z
+                    * unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                - self.knuckle_track_rod_outer_x_by_upper_rear_outer_z
+                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
+                - self.knuckle_track_rod_outer_x_by_upper_front_outer_y
+                    * unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                - self.knuckle_track_rod_outer_x_by_lower_front_outer_y
+                    * unknowns[unknown::LOWER_FRONT_OUTER_Y]
+                - self.knuckle_track_rod_outer_x_by_upper_rear_outer_y
+                    * unknowns[unknown::UPPER_REAR_OUTER_Y];
+            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
                 - self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x
                     * unknowns[unknown::UPPER_REAR_OUTER_X]
                 - self.knuckle_lower_rear_outer_y_by_lower_front_outer_x
@@ -1804,22 +1800,26 @@ pub mod five_link {
                     * unknowns[unknown::UPPER_FRONT_OUTER_X]
                 - self.knuckle_lower_rear_outer_y_by_upper_front_outer_z
                     * unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                - self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z
+                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
                 - self.knuckle_lower_rear_outer_y_by_upper_front_outer_y
                     * unknowns[unknown::UPPER_FRONT_OUTER_Y]
                 - self.knuckle_lower_rear_outer_y_by_lower_front_outer_y
-                    * unknowns[unknown::LOWER_FRONT_OUTER_Y];
+                    * unknowns[unknown::LOWER_FRONT_OUTER_Y]
+                - self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y
+                    * unknowns[unknown::UPPER_REAR_OUTER_Y];
+            unknowns[unknown::TRACK_ROD_OUTER_Y] = (rows[equation::TRACK_ROD]
+                - self.track_rod_by_track_rod_outer_z
+                    * unknowns[unknown::TRACK_ROD_OUTER_Z]
+                - self.track_rod_by_track_rod_outer_x
+                    * unknowns[unknown::TRACK_ROD_OUTER_X])
+                * self.track_rod_by_track_rod_outer_y;
             unknowns[unknown::LOWER_REAR_OUTER_X] = (rows[equation::LOWER_REAR]
                 - self.lower_rear_by_lower_rear_outer_z
                     * unknowns[unknown::LOWER_REAR_OUTER_Z]
                 - self.lower_rear_by_lower_rear_outer_y
                     * unknowns[unknown::LOWER_REAR_OUTER_Y])
                 * self.lower_rear_by_lower_rear_outer_x;
-            unknowns[unknown::TRACK_ROD_OUTER_Y] = (rows[equation::TRACK_ROD]
-                - self.track_rod_by_track_rod_outer_x
-                    * unknowns[unknown::TRACK_ROD_OUTER_X]
-                - self.track_rod_by_track_rod_outer_z
-                    * unknowns[unknown::TRACK_ROD_OUTER_Z])
-                * self.track_rod_by_track_rod_outer_y;
             unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
             SVector::from(unknowns)
         }

@@ -1,0 +1,179 @@
+//! One attempt: the matrix as it is eliminated step by step.
+
+use super::preference::Preference;
+use super::{DIVISION, Entry, Order, Step};
+
+/// A pivot must be at least this part of the largest entry of its column in the design position,
+/// so that multipliers stay below 5 there, and moderate in the positions around it.
+pub(crate) const THRESHOLD: f64 = 0.2;
+
+/// Nor may it be smaller than this: entries are of order 1, and what is left of one that cancels
+/// is rounding.
+const TINY: f64 = 1e-6;
+
+/// What is known of an entry during elimination.
+#[derive(Clone, Copy, Debug)]
+struct Cell {
+    value: Option<f64>,
+    unit: bool,
+    /// When it is ready, in operations from the start.
+    ready: usize,
+}
+
+/// A partly eliminated matrix.
+#[derive(Clone)]
+pub(super) struct Partial {
+    /// By row and column; `None` marks a zero.
+    cells: Vec<Vec<Option<Cell>>>,
+    /// Columns in which each row has an entry, of those not eliminated yet.
+    columns_of: Vec<Vec<usize>>,
+    /// Rows that have an entry in each column, of those not eliminated yet.
+    rows_of: Vec<Vec<usize>>,
+    order: Order,
+}
+
+impl Partial {
+    pub(super) fn new(n: usize, entries: &[Entry]) -> Self {
+        let mut partial = Self {
+            cells: vec![vec![None; n]; n],
+            columns_of: vec![Vec::new(); n],
+            rows_of: vec![Vec::new(); n],
+            order: Order::default(),
+        };
+        for entry in entries {
+            let cell = Cell {
+                value: entry.value,
+                unit: entry.unit,
+                ready: 0,
+            };
+            partial.put(entry.row, entry.column, cell);
+        }
+        partial
+    }
+
+    /// Sets an entry; returns whether it was zero.
+    fn put(&mut self, row: usize, column: usize, cell: Cell) -> bool {
+        let was_zero = self.cells[row][column].replace(cell).is_none();
+        if was_zero {
+            self.columns_of[row].push(column);
+            self.rows_of[column].push(row);
+        }
+        was_zero
+    }
+
+    /// Eliminates to the end; `None` where no entry is large enough for a pivot.
+    pub(super) fn eliminate(mut self, attempt: u64) -> Option<Order> {
+        let mut preference = Preference::of(attempt);
+        for _ in 0..self.cells.len() {
+            let (row, column) = self.pivot(&mut preference)?;
+            let pivot = self.cells[row][column]?;
+            self.step(row, column, pivot);
+        }
+        self.order.sort_substitution();
+        Some(self.order)
+    }
+
+    /// Of the entries that are large enough beside their column, the one that ranks lowest.
+    fn pivot(&self, preference: &mut Preference) -> Option<(usize, usize)> {
+        let mut best = None;
+        for (column, rows) in self.rows_of.iter().enumerate() {
+            let sizes = rows.iter().filter_map(|&row| self.size(row, column));
+            let least = TINY.max(THRESHOLD * sizes.fold(0.0, f64::max));
+            for &row in rows {
+                // One whose value is not known is large enough because it is there.
+                if self.size(row, column).is_some_and(|size| size < least) {
+                    continue;
+                }
+                let markowitz = (rows.len() - 1) * (self.columns_of[row].len() - 1);
+                let ready = self.cells[row][column].map_or(0, |cell| cell.ready);
+                let rank = preference.rank(markowitz, ready);
+                if best.is_none_or(|(lowest, _)| rank < lowest) {
+                    best = Some((rank, (row, column)));
+                }
+            }
+        }
+        best.map(|(_, pivot)| pivot)
+    }
+
+    /// How large an entry is in the design position.
+    fn size(&self, row: usize, column: usize) -> Option<f64> {
+        let cell = self.cells[row][column]?;
+        cell.value.map(f64::abs)
+    }
+
+    /// Eliminates the pivot's column from the other rows that have an entry in it.
+    fn step(&mut self, row: usize, column: usize, pivot: Cell) {
+        let right = self.close_row(row, column);
+        let below = self.close_column(row, column);
+        let scaled = usize::from(!pivot.unit);
+        let inverse_ready = pivot.ready + scaled * DIVISION;
+        self.order.operations += scaled * (1 + below.len()) + below.len() * right.len();
+        self.order.chain = self.order.chain.max(inverse_ready);
+        self.order.grow(pivot.value.map(f64::recip));
+        for &other in &below {
+            let Some(entry) = self.cells[other][column] else {
+                continue;
+            };
+            let multiplier = Cell {
+                value: entry.value.zip(pivot.value).map(|(a, p)| a / p),
+                unit: false,
+                ready: inverse_ready.max(entry.ready) + scaled,
+            };
+            self.order.chain = self.order.chain.max(multiplier.ready);
+            self.order.grow(multiplier.value);
+            self.subtract(multiplier, row, other, &right);
+        }
+        self.order.steps.push(Step {
+            row,
+            column,
+            unit: pivot.unit,
+            right,
+            below,
+        });
+    }
+
+    /// Takes the pivot's row out; returns its other columns.
+    fn close_row(&mut self, row: usize, pivot: usize) -> Vec<usize> {
+        let mut columns = std::mem::take(&mut self.columns_of[row]);
+        columns.retain(|&column| column != pivot);
+        columns.sort_unstable();
+        for &column in &columns {
+            self.rows_of[column].retain(|&open| open != row);
+        }
+        columns
+    }
+
+    /// Takes the pivot's column out; returns its other rows.
+    fn close_column(&mut self, pivot: usize, column: usize) -> Vec<usize> {
+        let mut rows = std::mem::take(&mut self.rows_of[column]);
+        rows.retain(|&row| row != pivot);
+        rows.sort_unstable();
+        for &row in &rows {
+            self.columns_of[row].retain(|&open| open != column);
+        }
+        rows
+    }
+
+    /// Subtracts a multiple of the pivot's row, in the given columns, from another.
+    fn subtract(&mut self, multiplier: Cell, pivot: usize, other: usize, columns: &[usize]) {
+        for &column in columns {
+            let Some(of_pivot) = self.cells[pivot][column] else {
+                continue;
+            };
+            let before = self.cells[other][column];
+            let product = multiplier.value.zip(of_pivot.value).map(|(m, u)| m * u);
+            let product_ready = multiplier.ready.max(of_pivot.ready) + 1;
+            let minuend = before.map_or(Some(0.0), |cell| cell.value);
+            let cell = Cell {
+                value: minuend.zip(product).map(|(a, b)| a - b),
+                unit: false,
+                // What fills in is the product itself.
+                ready: before.map_or(product_ready, |cell| cell.ready.max(product_ready) + 1),
+            };
+            self.order.chain = self.order.chain.max(cell.ready);
+            if self.put(other, column, cell) {
+                self.order.fill.insert((other, column));
+            }
+        }
+    }
+}

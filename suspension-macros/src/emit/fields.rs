@@ -1,0 +1,125 @@
+//! The fields of the generated structs of names, with their docs.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Attribute, Ident};
+
+use crate::system::{AXES, Body, Drive, Equation, System, pair_name};
+
+/// A field of a generated struct.
+pub(super) struct Field {
+    pub(super) docs: Vec<Attribute>,
+    pub(super) name: Ident,
+    /// Documents the field where the user did not.
+    pub(super) fallback: String,
+}
+
+impl Field {
+    pub(super) fn new(docs: &[Attribute], name: &Ident, fallback: String) -> Self {
+        Self {
+            docs: docs.to_vec(),
+            name: name.clone(),
+            fallback,
+        }
+    }
+
+    pub(super) fn docs(&self) -> TokenStream {
+        let Self { docs, fallback, .. } = self;
+        if docs.is_empty() {
+            quote!(#[doc = #fallback])
+        } else {
+            quote!(#(#docs)*)
+        }
+    }
+}
+
+pub(super) fn point_fields(system: &System) -> Vec<Field> {
+    let free = system
+        .free
+        .iter()
+        .map(|p| Field::new(&p.docs, &p.name, format!(" Free point `{}`.", p.name)));
+    let markers = system.markers.iter().map(|marker| {
+        let [a, b, c] = &marker.frame;
+        let fallback = format!(
+            " Marker, carried by `{}`, `{}`, `{}`.",
+            a.name, b.name, c.name
+        );
+        Field::new(&marker.named.docs, &marker.named.name, fallback)
+    });
+    fixed_fields(system)
+        .into_iter()
+        .chain(free)
+        .chain(markers)
+        .collect()
+}
+
+pub(super) fn fixed_fields(system: &System) -> Vec<Field> {
+    let fixed = system.fixed.iter();
+    fixed
+        .map(|p| Field::new(&p.docs, &p.name, format!(" Chassis point `{}`.", p.name)))
+        .collect()
+}
+
+pub(super) fn drive_fields(system: &System) -> Vec<Field> {
+    let field = |drive: &Drive| {
+        let axis = AXES[drive.axis];
+        let of = &drive.of.name;
+        let fallback = match (&drive.minus, &drive.angle_of) {
+            (Some(from), Some(_)) => {
+                format!(" Angle of `{from} -> {of}` from the {axis} axis, radians.")
+            }
+            (Some(minus), None) => format!(" `{of}.{axis} - {minus}.{axis}`."),
+            (None, _) => format!(" `{of}.{axis}`."),
+        };
+        Field::new(&drive.named.docs, &drive.named.name, fallback)
+    };
+    system.drives.iter().map(field).collect()
+}
+
+/// The lengths of links, of bodies of two points, and of larger bodies: the frame's own, then
+/// from each carried point to the frame.
+pub(super) fn length_fields(system: &System) -> Vec<Field> {
+    let between = |a: &Ident, b: &Ident| format!(" From `{a}` to `{b}`.");
+    let mut fields = Vec::new();
+    for equation in &system.equations {
+        if let Equation::Distance {
+            named, from, to, ..
+        } = equation
+            && !system
+                .bodies
+                .iter()
+                .any(|body| body.frame_lengths().any(|name| name == named.name))
+        {
+            fields.push(Field::new(
+                &named.docs,
+                &named.name,
+                between(&from.name, &to.name),
+            ));
+        }
+    }
+    for body in &system.bodies {
+        for [a, b] in body
+            .frame_pairs()
+            .into_iter()
+            .filter(|[a, b]| a.is_free() || b.is_free())
+        {
+            let name = pair_name(&body.name, &a.name, &b.name);
+            fields.push(Field::new(&[], &name, between(&a.name, &b.name)));
+        }
+        for point in &body.carried {
+            for of_frame in &body.frame {
+                let name = pair_name(&body.name, &point.name, &of_frame.name);
+                fields.push(Field::new(&[], &name, between(&point.name, &of_frame.name)));
+            }
+        }
+    }
+    fields
+}
+
+impl Body {
+    fn frame_lengths(&self) -> impl Iterator<Item = Ident> {
+        self.frame_pairs()
+            .into_iter()
+            .map(|[a, b]| pair_name(&self.name, &a.name, &b.name))
+    }
+}

@@ -1,0 +1,51 @@
+//! The Jacobian's numbers in the design position against the compiled linkages of the catalogue.
+
+use nalgebra::Vector3;
+use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::{Build, Named};
+
+use super::catalogue_system;
+
+/// Compares every entry of the sampled Jacobian with the one that the model computes.
+fn compare<L: Build<15, Scalar = f64>>(name: &str) {
+    let system = catalogue_system(name);
+    // Markers need no design position.
+    let at = |point: &str| system.design.get(point).copied().unwrap_or_default();
+    let design = L::Points::from_fn(|point| Vector3::from(at(point)));
+    let model = L::new(&design).expect("a geometry");
+    let mut jacobian = model.jacobian(&L::unknowns(&design), model.fixed());
+    for entry in system.entries() {
+        let value = entry.value.expect("a design position for each point");
+        let exact = std::mem::take(&mut jacobian[(entry.row, entry.column)]);
+        assert!((value - exact).abs() < 1e-13, "{entry:?}, but {exact}");
+        assert!(!entry.unit || exact == 1.0, "{entry:?}, but {exact}");
+    }
+    assert_eq!(jacobian.amax(), 0.0, "the pattern names every entry");
+}
+
+#[test]
+fn attia2003() {
+    compare::<attia2003::Model<f64>>("attia2003");
+}
+
+#[test]
+fn five_link() {
+    compare::<five_link::Model<f64>>("five_link");
+}
+
+#[test]
+fn without_a_design_position_nothing_is_known() {
+    let listing = quote::quote! {
+        mod bar {
+            fixed: a at [0.0, 0.0, 0.0];
+            free: p;
+            link bar: a -> p;
+            drive y: p.y;
+            drive z: p.z - a.z;
+        }
+    };
+    let (listing, _) = crate::parse::listing(listing).expect("a listing");
+    let entries = crate::lower::system(&listing).entries();
+    let values: Vec<Option<f64>> = entries.iter().map(|entry| entry.value).collect();
+    assert_eq!(values, [None, None, None, Some(1.0), Some(1.0)]);
+}
