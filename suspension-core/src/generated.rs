@@ -3,12 +3,12 @@
 pub use nalgebra::{SMatrix, SVector, Vector3};
 
 pub use crate::assemble::best_rigid_fit;
-pub use crate::build;
 pub use crate::constraint::{Carried, Distance, Frame, angle_to_coordinate};
 pub use crate::error::GeometryError;
 pub use crate::linkage::{
     Build, DriveKind, Elimination, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage, Named,
 };
+pub use crate::parts;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
 

@@ -22,7 +22,6 @@ extern crate self as suspension_core;
 
 pub mod assemble;
 pub mod body;
-pub mod build;
 pub mod chassis;
 pub mod constraint;
 pub mod error;
@@ -34,6 +33,7 @@ pub mod linkages;
 pub mod lu;
 pub mod motion;
 pub mod newton;
+pub mod parts;
 pub mod scalar;
 pub mod signal;
 pub mod tracker;

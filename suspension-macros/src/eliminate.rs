@@ -55,24 +55,6 @@ pub(crate) struct Step {
     pub(crate) below: Vec<usize>,
 }
 
-impl Order {
-    /// Whether the order of rows and columns changes the sign of the product of the pivots
-    /// against that of the determinant: by the cycles of the permutation from rows to columns.
-    pub(crate) fn is_odd(&self) -> bool {
-        let steps = self.steps.iter();
-        let mut column_of: BTreeMap<usize, usize> =
-            steps.map(|step| (step.row, step.column)).collect();
-        let mut odd = false;
-        while let Some((start, mut next)) = column_of.pop_first() {
-            while next != start {
-                odd = !odd;
-                next = column_of.remove(&next).unwrap_or(start);
-            }
-        }
-        odd
-    }
-}
-
 /// A division takes as long as this many multiplications.
 pub(crate) const DIVISION: usize = 4;
 
@@ -103,6 +85,22 @@ fn attempts(n: usize) -> u64 {
 }
 
 impl Order {
+    /// Whether the order of rows and columns changes the sign of the product of the pivots
+    /// against that of the determinant: by the cycles of the permutation from rows to columns.
+    pub(crate) fn is_odd(&self) -> bool {
+        let steps = self.steps.iter();
+        let mut column_of: BTreeMap<usize, usize> =
+            steps.map(|step| (step.row, step.column)).collect();
+        let mut odd = false;
+        while let Some((start, mut next)) = column_of.pop_first() {
+            while next != start {
+                odd = !odd;
+                next = column_of.remove(&next).unwrap_or(start);
+            }
+        }
+        odd
+    }
+
     /// What it takes, in half operations. The operations of a chain cannot overlap and count by
     /// half once more; growth, which the positions around the design add to, decides between
     /// orders that are close.

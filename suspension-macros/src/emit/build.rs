@@ -39,26 +39,26 @@ fn new(system: &System) -> TokenStream {
             third.name.to_string(),
             body.frame.iter().map(|site| &site.name),
         );
-        quote!(let #name = build::frame(#third, Frame::new(#(design.#points),*))?;)
+        quote!(let #name = parts::frame(#third, Frame::new(#(design.#points),*))?;)
     });
     let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
     let distances = distances(system).into_iter().map(|(name, [from, to])| {
         let text = name.to_string();
-        quote!(#name: build::distance(#text, design.#from, design.#to)?)
+        quote!(#name: parts::distance(#text, design.#from, design.#to)?)
     });
     let carried = system.bodies.iter().flat_map(|body| {
         let frame = frame_name(&body.name);
         body.carried.iter().map(move |point| {
             let (name, point) = (carried_name(&body.name, &point.name), &point.name);
             let text = point.to_string();
-            quote!(#name: build::carried(#text, design.#point, &#frame)?)
+            quote!(#name: parts::carried(#text, design.#point, &#frame)?)
         })
     });
     let design = quote!(design);
     let markers = markers(system, &design);
     quote! {
         fn new(design: &Points<T>) -> Result<Self, GeometryError> {
-            build::finite(design)?;
+            parts::finite(design)?;
             #(#frames)*
             let model = Self {
                 fixed: Fixed { #(#fixed: design.#fixed),* },
@@ -77,7 +77,7 @@ fn markers<'a>(system: &'a System, points: &'a TokenStream) -> impl Iterator<Ite
     system.markers.iter().map(move |marker| {
         let (name, frame) = (&marker.named.name, readout::frame_of(marker, points));
         let text = name.to_string();
-        quote!(#name: build::carried(#text, #points.#name, &#frame)?)
+        quote!(#name: parts::carried(#text, #points.#name, &#frame)?)
     })
 }
 
@@ -88,7 +88,7 @@ fn sized(system: &System) -> TokenStream {
         impl<T: Real> Model<T> {
             /// With `size` brought up to the other constants.
             fn sized(self) -> Self {
-                Self { size: build::longest(&[#(self.#distances.length()),*]), ..self }
+                Self { size: parts::longest(&[#(self.#distances.length()),*]), ..self }
             }
         }
     }
@@ -104,7 +104,7 @@ fn with_markers(system: &System) -> TokenStream {
     };
     quote! {
         fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
-            build::finite(points)?;
+            parts::finite(points)?;
             Ok(#model)
         }
     }
@@ -124,7 +124,7 @@ fn drives_at(system: &System) -> TokenStream {
             let coordinate = quote!(points.#of.#axis #minus);
             match angle_of {
                 Some(distance) => {
-                    quote!(#name: build::angle(#coordinate, self.#distance.length()))
+                    quote!(#name: parts::angle(#coordinate, self.#distance.length()))
                 }
                 None => quote!(#name: #coordinate),
             }

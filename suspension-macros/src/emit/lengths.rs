@@ -39,7 +39,7 @@ pub(super) fn with_lengths(system: &System) -> TokenStream {
         let [.., third] = &body.frame;
         let third = third.name.to_string();
         let edges = (0..3).map(|index| edge(body, index, &quote!(lengths)));
-        quote!(let #name = build::frame_of_lengths(#third, [#(#edges),*])?;)
+        quote!(let #name = parts::frame_of_lengths(#third, [#(#edges),*])?;)
     });
     let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
     let distances = distances(system)
@@ -56,12 +56,12 @@ pub(super) fn with_lengths(system: &System) -> TokenStream {
                 .frame
                 .iter()
                 .map(|site| pair_name(&body.name, &point.name, &site.name));
-            quote!(#name: build::carried_at(#text, &self.#name, &#frame, [#(lengths.#lengths),*])?)
+            quote!(#name: parts::carried_at(#text, &self.#name, &#frame, [#(lengths.#lengths),*])?)
         })
     });
     quote! {
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
-            build::positive(lengths)?;
+            parts::positive(lengths)?;
             #(#frames)*
             let model = Self {
                 #(#distances,)*

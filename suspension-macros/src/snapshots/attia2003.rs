@@ -1141,7 +1141,7 @@ pub mod attia2003 {
         /// With `size` brought up to the other constants.
         fn sized(self) -> Self {
             Self {
-                size: build::longest(
+                size: parts::longest(
                     &[
                         self.d6_1.length(),
                         self.d7_2.length(),
@@ -1167,7 +1167,7 @@ pub mod attia2003 {
     impl<T: Real> Build<15> for Model<T> {
         type Lengths = Lengths<T>;
         fn new(design: &Points<T>) -> Result<Self, GeometryError> {
-            build::finite(design)?;
+            parts::finite(design)?;
             let model = Self {
                 fixed: Fixed {
                     p1: design.p1,
@@ -1177,21 +1177,21 @@ pub mod attia2003 {
                     p5: design.p5,
                 },
                 size: T::zero(),
-                d6_1: build::distance("d6_1", design.p1, design.p6)?,
-                d7_2: build::distance("d7_2", design.p2, design.p7)?,
-                d8_3: build::distance("d8_3", design.p3, design.p8)?,
-                d9_4: build::distance("d9_4", design.p4, design.p9)?,
-                d10_5: build::distance("d10_5", design.p5, design.p10)?,
-                d7_6: build::distance("d7_6", design.p6, design.p7)?,
-                d8_6: build::distance("d8_6", design.p6, design.p8)?,
-                d9_6: build::distance("d9_6", design.p6, design.p9)?,
-                d10_6: build::distance("d10_6", design.p6, design.p10)?,
-                d8_7: build::distance("d8_7", design.p7, design.p8)?,
-                d9_7: build::distance("d9_7", design.p7, design.p9)?,
-                d10_7: build::distance("d10_7", design.p7, design.p10)?,
-                d9_8: build::distance("d9_8", design.p8, design.p9)?,
-                d10_8: build::distance("d10_8", design.p8, design.p10)?,
-                p11: build::carried(
+                d6_1: parts::distance("d6_1", design.p1, design.p6)?,
+                d7_2: parts::distance("d7_2", design.p2, design.p7)?,
+                d8_3: parts::distance("d8_3", design.p3, design.p8)?,
+                d9_4: parts::distance("d9_4", design.p4, design.p9)?,
+                d10_5: parts::distance("d10_5", design.p5, design.p10)?,
+                d7_6: parts::distance("d7_6", design.p6, design.p7)?,
+                d8_6: parts::distance("d8_6", design.p6, design.p8)?,
+                d9_6: parts::distance("d9_6", design.p6, design.p9)?,
+                d10_6: parts::distance("d10_6", design.p6, design.p10)?,
+                d8_7: parts::distance("d8_7", design.p7, design.p8)?,
+                d9_7: parts::distance("d9_7", design.p7, design.p9)?,
+                d10_7: parts::distance("d10_7", design.p7, design.p10)?,
+                d9_8: parts::distance("d9_8", design.p8, design.p9)?,
+                d10_8: parts::distance("d10_8", design.p8, design.p10)?,
+                p11: parts::carried(
                     "p11",
                     design.p11,
                     &Frame::new(design.p6, design.p7, design.p8),
@@ -1201,7 +1201,7 @@ pub mod attia2003 {
         }
 
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
-            build::positive(lengths)?;
+            parts::positive(lengths)?;
             let model = Self {
                 d6_1: Distance::new(lengths.d6_1),
                 d7_2: Distance::new(lengths.d7_2),
@@ -1223,9 +1223,9 @@ pub mod attia2003 {
         }
 
         fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
-            build::finite(points)?;
+            parts::finite(points)?;
             Ok(Self {
-                p11: build::carried(
+                p11: parts::carried(
                     "p11",
                     points.p11,
                     &Frame::new(points.p6, points.p7, points.p8),
@@ -1255,7 +1255,7 @@ pub mod attia2003 {
 
         fn drives_at(&self, points: &Points<T>) -> Drives<T> {
             Drives {
-                theta: build::angle(points.p6.z - points.p1.z, self.d6_1.length()),
+                theta: parts::angle(points.p6.z - points.p1.z, self.d6_1.length()),
             }
         }
 

@@ -1833,7 +1833,7 @@ pub mod five_link {
         /// With `size` brought up to the other constants.
         fn sized(self) -> Self {
             Self {
-                size: build::longest(
+                size: parts::longest(
                     &[
                         self.lower_front.length(),
                         self.upper_front.length(),
@@ -1853,8 +1853,8 @@ pub mod five_link {
     impl<T: Real> Build<15> for Model<T> {
         type Lengths = Lengths<T>;
         fn new(design: &Points<T>) -> Result<Self, GeometryError> {
-            build::finite(design)?;
-            let knuckle_frame = build::frame(
+            parts::finite(design)?;
+            let knuckle_frame = parts::frame(
                 "upper_rear_outer",
                 Frame::new(
                     design.lower_front_outer,
@@ -1871,58 +1871,58 @@ pub mod five_link {
                     track_rod_inner: design.track_rod_inner,
                 },
                 size: T::zero(),
-                lower_front: build::distance(
+                lower_front: parts::distance(
                     "lower_front",
                     design.lower_front_inner,
                     design.lower_front_outer,
                 )?,
-                upper_front: build::distance(
+                upper_front: parts::distance(
                     "upper_front",
                     design.upper_front_inner,
                     design.upper_front_outer,
                 )?,
-                upper_rear: build::distance(
+                upper_rear: parts::distance(
                     "upper_rear",
                     design.upper_rear_inner,
                     design.upper_rear_outer,
                 )?,
-                lower_rear: build::distance(
+                lower_rear: parts::distance(
                     "lower_rear",
                     design.lower_rear_inner,
                     design.lower_rear_outer,
                 )?,
-                track_rod: build::distance(
+                track_rod: parts::distance(
                     "track_rod",
                     design.track_rod_inner,
                     design.track_rod_outer,
                 )?,
-                knuckle_lower_front_outer_upper_front_outer: build::distance(
+                knuckle_lower_front_outer_upper_front_outer: parts::distance(
                     "knuckle_lower_front_outer_upper_front_outer",
                     design.lower_front_outer,
                     design.upper_front_outer,
                 )?,
-                knuckle_lower_front_outer_upper_rear_outer: build::distance(
+                knuckle_lower_front_outer_upper_rear_outer: parts::distance(
                     "knuckle_lower_front_outer_upper_rear_outer",
                     design.lower_front_outer,
                     design.upper_rear_outer,
                 )?,
-                knuckle_upper_front_outer_upper_rear_outer: build::distance(
+                knuckle_upper_front_outer_upper_rear_outer: parts::distance(
                     "knuckle_upper_front_outer_upper_rear_outer",
                     design.upper_front_outer,
                     design.upper_rear_outer,
                 )?,
                 knuckle_frame,
-                knuckle_lower_rear_outer: build::carried(
+                knuckle_lower_rear_outer: parts::carried(
                     "lower_rear_outer",
                     design.lower_rear_outer,
                     &knuckle_frame,
                 )?,
-                knuckle_track_rod_outer: build::carried(
+                knuckle_track_rod_outer: parts::carried(
                     "track_rod_outer",
                     design.track_rod_outer,
                     &knuckle_frame,
                 )?,
-                wheel_centre: build::carried(
+                wheel_centre: parts::carried(
                     "wheel_centre",
                     design.wheel_centre,
                     &Frame::new(
@@ -1936,8 +1936,8 @@ pub mod five_link {
         }
 
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
-            build::positive(lengths)?;
-            let knuckle_frame = build::frame_of_lengths(
+            parts::positive(lengths)?;
+            let knuckle_frame = parts::frame_of_lengths(
                 "upper_rear_outer",
                 [
                     lengths.knuckle_lower_front_outer_upper_front_outer,
@@ -1961,7 +1961,7 @@ pub mod five_link {
                     lengths.knuckle_upper_front_outer_upper_rear_outer,
                 ),
                 knuckle_frame,
-                knuckle_lower_rear_outer: build::carried_at(
+                knuckle_lower_rear_outer: parts::carried_at(
                     "lower_rear_outer",
                     &self.knuckle_lower_rear_outer,
                     &knuckle_frame,
@@ -1971,7 +1971,7 @@ pub mod five_link {
                         lengths.knuckle_lower_rear_outer_upper_rear_outer,
                     ],
                 )?,
-                knuckle_track_rod_outer: build::carried_at(
+                knuckle_track_rod_outer: parts::carried_at(
                     "track_rod_outer",
                     &self.knuckle_track_rod_outer,
                     &knuckle_frame,
@@ -1987,9 +1987,9 @@ pub mod five_link {
         }
 
         fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
-            build::finite(points)?;
+            parts::finite(points)?;
             Ok(Self {
-                wheel_centre: build::carried(
+                wheel_centre: parts::carried(
                     "wheel_centre",
                     points.wheel_centre,
                     &Frame::new(
@@ -2039,7 +2039,7 @@ pub mod five_link {
 
         fn drives_at(&self, points: &Points<T>) -> Drives<T> {
             Drives {
-                theta: build::angle(
+                theta: parts::angle(
                     points.lower_front_outer.z - points.lower_front_inner.z,
                     self.lower_front.length(),
                 ),
