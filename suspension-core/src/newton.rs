@@ -20,13 +20,14 @@ pub struct Newton<T> {
     /// The largest residual that counts as a root, as a multiple of rounding: it is compared
     /// with `tolerance * EPSILON * max(size of the linkage, largest coordinate)`.
     pub tolerance: T,
-    /// Iterations allowed.
+    /// Iterations allowed, 1 or more.
     pub max_iterations: usize,
     /// The largest ratio of a correction to the one before it; `None` accepts any.
     ///
     /// From a start where the Newton-Kantorovich condition holds each correction is at most half
-    /// of the one before, so a ratio of 1/2 refuses roots of other assemblies (Deuflhard 2011,
-    /// Newton Methods for Nonlinear Problems, section 2.1).
+    /// of the one before (Deuflhard 2011, Newton Methods for Nonlinear Problems, section 2.1): a
+    /// ratio of 1/2 stops early where there is no root near by. It does not keep to an assembly by
+    /// itself; [`Tracker`](crate::Tracker) also bounds the first correction.
     pub contraction: Option<T>,
     /// How often a correction may be halved until the residual falls; 0 is plain Newton.
     pub max_halvings: usize,
