@@ -76,7 +76,7 @@ fn the_motion_ends_where_the_mechanism_locks() {
 }
 
 /// However far the next instant, the motion stays in its assembly: without the tracker's bound on
-/// corrections 56 of these 1,560 jumps ended in another.
+/// corrections 42 of these 1,560 jumps ended in another.
 #[test]
 fn far_jumps_stay_in_the_assembly() {
     let model: five_link::Model<f64> = support::five_link_model();

@@ -9,8 +9,8 @@ use crate::lu::Lu;
 use crate::scalar::Real;
 
 /// The [growth](Elimination::growth) up to which the fixed order is used: what rounding may cost
-/// at most, as a multiple of what it costs with partial pivoting. Over the published motion it is
-/// below 300.
+/// at most, as a multiple of what it costs with partial pivoting. At the instants of the published
+/// motion it is 33 or less.
 const GROWTH_LIMIT: f64 = 1e3;
 
 /// A pivot, as a multiple of the square root of `EPSILON`, at which no digit of a velocity is

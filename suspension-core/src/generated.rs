@@ -8,6 +8,7 @@ pub use crate::error::GeometryError;
 pub use crate::linkage::{
     Build, DriveKind, Elimination, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage, Named,
 };
+pub use crate::magnitude::largest;
 pub use crate::parts;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
@@ -16,20 +17,6 @@ pub use crate::signal::Signal;
 #[inline(always)]
 pub fn from_columns<T: Scalar, const N: usize>(columns: [[T; N]; N]) -> SMatrix<T, N, N> {
     SMatrix::from_array_storage(nalgebra::ArrayStorage(columns))
-}
-
-/// The largest magnitude; zero where there are none. Four chains of comparisons run side by side.
-#[inline(always)]
-pub fn largest<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
-    let mut largest = [T::zero(); 4];
-    for (index, number) in numbers.into_iter().enumerate() {
-        if let Some(chain) = largest.get_mut(index % 4) {
-            *chain = chain.larger_magnitude(number);
-        }
-    }
-    let [a, b, c, d] = largest;
-    a.larger_magnitude(b)
-        .larger_magnitude(c.larger_magnitude(d))
 }
 
 /// The product, in four chains side by side.

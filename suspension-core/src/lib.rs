@@ -31,6 +31,7 @@ pub mod generated;
 pub mod linkage;
 pub mod linkages;
 pub mod lu;
+mod magnitude;
 pub mod motion;
 pub mod newton;
 pub mod parts;

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use crate::error::SolveError;
 use crate::factored::{Factored, smallest_pivot, with_factors};
 use crate::linkage::{Factors, Linkage};
-use crate::newton::magnitude;
+use crate::magnitude::magnitude;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 
@@ -196,7 +196,9 @@ where
     fn motion(&self) -> Result<Motion<T, N>, SolveError<T>> {
         let velocity = self.velocity();
         let acceleration = self.acceleration(&velocity);
-        magnitude(&acceleration).map_err(|unknown| SolveError::Overflow { unknown })?;
+        for rates in [&velocity, &acceleration] {
+            magnitude(rates).map_err(|unknown| SolveError::Overflow { unknown })?;
+        }
         Ok(Motion {
             position: *self.position,
             velocity,

@@ -4,8 +4,8 @@ use nalgebra::SVector;
 
 use crate::error::SolveError;
 use crate::factored::with_factors;
-use crate::generated::largest;
 use crate::linkage::Linkage;
+use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::Prescribed;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
@@ -220,34 +220,4 @@ impl<T: Real, const N: usize> Iterate<T, N> {
             _ => self,
         }
     }
-}
-
-/// The largest magnitude of the entries; the index of the first that is not finite as the error.
-#[inline(always)]
-pub(crate) fn magnitude<T: Real, const N: usize>(vector: &SVector<T, N>) -> Result<T, usize> {
-    // A number that is not finite times zero is NaN.
-    let [entries] = vector.data.0;
-    let finite = entries
-        .iter()
-        .fold(T::zero(), |sum, entry| sum + *entry * T::zero());
-    if finite == T::zero() {
-        Ok(largest(entries))
-    } else {
-        Err(entries
-            .iter()
-            .position(|entry| !entry.is_finite())
-            .unwrap_or_default())
-    }
-}
-
-/// The index of the entry with the largest magnitude.
-#[cold]
-pub(crate) fn index_of_largest<T: Real, const N: usize>(vector: &SVector<T, N>) -> usize {
-    let mut best = (0, T::zero());
-    for (index, entry) in vector.iter().enumerate() {
-        if entry.abs() > best.1 {
-            best = (index, entry.abs());
-        }
-    }
-    best.0
 }

@@ -7,7 +7,7 @@ use crate::error::GeometryError;
 use crate::linkage::Named;
 use crate::scalar::Real;
 
-/// The largest number whose fourth power is finite: constants of bodies are of that degree.
+/// Whether the fourth power is finite: constants of bodies are of that degree.
 fn is_moderate<T: Real>(number: T) -> bool {
     let square = number * number;
     (square * square).is_finite()

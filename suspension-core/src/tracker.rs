@@ -3,10 +3,10 @@
 use core::fmt;
 
 use crate::error::SolveError;
-use crate::generated::largest;
 use crate::linkage::Linkage;
+use crate::magnitude::{index_of_largest, largest};
 use crate::motion::{Motion, Prescribed, motion_at};
-use crate::newton::{Converged, Newton, index_of_largest};
+use crate::newton::{Converged, Newton};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 
