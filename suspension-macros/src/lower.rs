@@ -144,27 +144,25 @@ impl Lowering<'_> {
         });
     }
 
+    /// The points of a body, those of its frame first: chassis points, then points shared with
+    /// another body, then in the order listed.
+    fn in_frame_order(&self, body: &ast::Body) -> Vec<Site> {
+        let sites: Vec<Site> = body.points.iter().map(|point| self.site(point)).collect();
+        let is_shared = |site: &Site| {
+            let mut others = sites.iter();
+            others.any(|other| self.rigid.contains(&pair(site, other)))
+        };
+        let mut ordered = sites.clone();
+        ordered.sort_by_key(|site| (site.is_free(), !is_shared(site)));
+        ordered
+    }
+
     /// A body of two points is a distance. A larger one has the three distances of its frame,
     /// less those that the chassis or another body keeps, and three equations for each point
-    /// carried. To that end the frame takes chassis points first, then points shared with
-    /// another body.
+    /// carried.
     fn body(&mut self, body: &ast::Body) {
         let name = &body.named.name;
-        let mut sites: Vec<Site> = body.points.iter().map(|point| self.site(point)).collect();
-        let is_shared = |site: &Site| {
-            sites
-                .iter()
-                .any(|other| self.rigid.contains(&pair(site, other)))
-        };
-        let shared: Vec<bool> = sites.iter().map(is_shared).collect();
-        let rank = |index: usize, site: &Site| (site.is_free(), !shared[index]);
-        let mut order: Vec<usize> = (0..sites.len()).collect();
-        order.sort_by_key(|&index| rank(index, &sites[index]));
-        sites = order
-            .into_iter()
-            .map(|index| sites[index].clone())
-            .collect();
-
+        let sites = self.in_frame_order(body);
         if let [a, b] = sites.as_slice() {
             self.body_distance(body, a, b);
         }

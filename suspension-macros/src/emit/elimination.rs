@@ -9,7 +9,7 @@ use crate::eliminate::{Order, Step};
 use crate::system::{AXES, System};
 
 /// Rows, columns and order of an elimination under their names.
-struct Named<'a> {
+struct Unrolled<'a> {
     order: &'a Order,
     rows: Vec<Ident>,
     columns: Vec<Ident>,
@@ -17,7 +17,7 @@ struct Named<'a> {
 
 pub(super) fn elimination(system: &System, order: &Order) -> TokenStream {
     let points = system.free.iter();
-    let named = Named {
+    let unrolled = Unrolled {
         order,
         rows: system.rows(),
         columns: points
@@ -25,9 +25,9 @@ pub(super) fn elimination(system: &System, order: &Order) -> TokenStream {
             .collect(),
     };
     let n = Literal::usize_unsuffixed(system.size());
-    let fields = named.fields();
-    let factor = named.factor(&n);
-    let solve = named.solve(&n);
+    let fields = unrolled.fields();
+    let factor = unrolled.factor(&n);
+    let solve = unrolled.solve(&n);
     quote! {
         /// The Jacobian eliminated in a fixed order: multipliers below each pivot, what is left
         /// of its row to the right, and in its own place the pivot's inverse. Pivots that are 1
@@ -57,7 +57,7 @@ pub(super) fn elimination(system: &System, order: &Order) -> TokenStream {
     }
 }
 
-impl Named<'_> {
+impl Unrolled<'_> {
     /// An entry of the eliminated matrix: `row_by_column`.
     fn entry(&self, row: usize, column: usize) -> Ident {
         format_ident!("{}_by_{}", self.rows[row], self.columns[column])
