@@ -72,7 +72,7 @@ suspension motion --help), 130 interrupted (Ctrl-C, SIGTERM or SIGHUP).";
 const MOTION_NOTES: &str = r#"The file:
 
   linkage = "attia2003"              # or "five_link"
-  unit = "m"                         # or "mm"; results are in the same unit
+  unit = "m"                         # or "mm": of all lengths here, and of results; no conversion
   [points]                           # chassis points, free points and markers, each by name
   p1 = [-1.396, -0.025, -0.082]
   p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, off another point
