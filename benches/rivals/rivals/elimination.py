@@ -6,38 +6,42 @@ import numpy as np
 PIVOT_THRESHOLD = 0.1
 
 
-def builtin(matrix, _samples):
+def builtin(matrix):
     """CasADi's own: block triangular order, dense QR of the blocks."""
     return lambda b: ca.solve(matrix, b)
 
 
-def sparse_qr(matrix, _samples):
+def sparse_qr(matrix):
     """Sparse QR with approximate minimum degree."""
     factors = ca.qr_sparse(matrix, True)
     return lambda b: ca.qr_solve(b, *factors)
 
 
-def sparse_qr_as_is(matrix, _samples):
+def sparse_qr_as_is(matrix):
     """Sparse QR, columns in the order of the listing."""
     factors = ca.qr_sparse(matrix, False)
     return lambda b: ca.qr_solve(b, *factors)
 
 
-def normal_equations(matrix, _samples):
+def normal_equations(matrix):
     """Sparse LDL of `J^T J`."""
     factors = ca.ldl(matrix.T @ matrix, True)
     return lambda b: ca.ldl_solve(matrix.T @ b, *factors)
 
 
-def minimum_norm(matrix, _samples):
+def minimum_norm(matrix):
     """Sparse LDL of `J J^T`."""
     factors = ca.ldl(matrix @ matrix.T, True)
     return lambda b: matrix.T @ ca.ldl_solve(b, *factors)
 
 
-def written_lu(matrix, samples):
-    """LU without run-time pivoting, in an order searched over the motion; not part of CasADi."""
+def written_lu(samples):
+    """LU without pivoting, in an order that suits the sampled Jacobians; not part of CasADi."""
     order = pivot_order(samples)
+    return lambda matrix: _eliminate(matrix, order)
+
+
+def _eliminate(matrix, order):
     work = {(i, j): matrix[i, j] for i, j in zip(*matrix.sparsity().get_triplet())}
     lower = []
     for step, (row, column) in enumerate(order):
@@ -97,5 +101,4 @@ SOLVERS = {
     "qr_sparse, unordered": sparse_qr_as_is,
     "ldl of J'J": normal_equations,
     "ldl of JJ'": minimum_norm,
-    "LU written by hand in SX": written_lu,
 }
