@@ -1,4 +1,5 @@
-/* Batches over the recorded motion, the same for every native rival.
+/* Batches over the recorded motion, the same for every native rival. They are short, a part of
+ * a scheduler's slice, so that other load on the machine falls into few of them.
  *
  * The program is called with the file of starts and a folder. For each quantity it prints
  * `quantity,nanoseconds,spread` (median of the batches and interquartile range, a call each)
@@ -10,7 +11,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { N = 15, STEPS = 1900, BATCHES = 101, STRIDE = 30 };
+enum { N = 15, STEPS = 1900, STRIDE = 30, CHUNK = 100, ROUNDS = 100, MOST_BATCHES = 2000 };
 static const double DT = 1e-3;
 
 typedef struct {
@@ -46,24 +47,7 @@ static void drives(void)
     }
 }
 
-/* Each step from the result of the one before. */
-static inline __attribute__((always_inline)) void follow(Method method)
-{
-    for (int k = 0; k < STEPS; k++)
-        method(&found[k], &found[k + 1]);
-}
-
-/* 64 recorded starts, again and again; the result of each is kept from being optimised away. */
-static inline __attribute__((always_inline)) void repeat(Method method)
-{
-    Instant next = {0};
-    for (int round = 0; round < STRIDE; round++)
-        for (int k = 0; k < STEPS; k += STRIDE) {
-            next.theta = starts[k + 1].theta;
-            method(&starts[k], &next);
-            __asm__ volatile("" : : "r"(&next) : "memory");
-        }
-}
+static double batches[MOST_BATCHES];
 
 static int ascending(const void *a, const void *b)
 {
@@ -71,11 +55,11 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void report(const char *folder, const char *quantity, double *batches, int calls)
+static void report(const char *folder, const char *quantity, int count)
 {
-    qsort(batches, BATCHES, sizeof *batches, ascending);
-    double spread = batches[3 * BATCHES / 4] - batches[BATCHES / 4];
-    printf("%s,%.2f,%.2f\n", quantity, batches[BATCHES / 2] / calls, spread / calls);
+    qsort(batches, count, sizeof *batches, ascending);
+    double spread = batches[3 * count / 4] - batches[count / 4];
+    printf("%s,%.2f,%.2f\n", quantity, batches[count / 2], spread);
     char path[4096];
     snprintf(path, sizeof path, "%s/%s.bin", folder, quantity);
     FILE *file = fopen(path, "wb");
@@ -88,37 +72,42 @@ static void report(const char *folder, const char *quantity, double *batches, in
     fclose(file);
 }
 
-/* A step of the control loop: each starts from the last result. */
+/* A step of the control loop: each starts from the last result; a batch is CHUNK steps. */
 static inline __attribute__((always_inline)) void time_step(const char *folder, Method method)
 {
-    double batches[BATCHES];
-    for (int i = -3; i < BATCHES; i++) {
-        found[0] = starts[0];
-        double begin = now();
-        follow(method);
-        if (i >= 0)
-            batches[i] = now() - begin;
-    }
-    report(folder, "step", batches, STEPS);
+    int count = 0;
+    found[0] = starts[0];
+    for (int round = 0; round < ROUNDS; round++)
+        for (int chunk = 0; chunk < STEPS; chunk += CHUNK) {
+            double begin = now();
+            for (int k = chunk; k < chunk + CHUNK; k++)
+                method(&found[k], &found[k + 1]);
+            batches[count++] = (now() - begin) / CHUNK;
+        }
+    report(folder, "step", count);
 }
 
-/* A part of the step, from recorded starts. */
+/* A part of the step, from recorded starts; a batch is one call from each of 64 of them. The
+ * result is kept from being optimised away. */
 static inline __attribute__((always_inline)) void time_part(const char *folder, const char *quantity,
                                                             Method method)
 {
-    double batches[BATCHES];
+    Instant next = {0};
     for (int k = 0; k < STEPS; k++) {
         memset(found[k + 1].v, 0, sizeof found[k + 1].v);
         memset(found[k + 1].a, 0, sizeof found[k + 1].a);
         method(&starts[k], &found[k + 1]);
     }
-    for (int i = -3; i < BATCHES; i++) {
+    for (int round = 0; round < MOST_BATCHES; round++) {
         double begin = now();
-        repeat(method);
-        if (i >= 0)
-            batches[i] = now() - begin;
+        for (int k = 0; k < STEPS; k += STRIDE) {
+            next.theta = starts[k + 1].theta;
+            method(&starts[k], &next);
+            __asm__ volatile("" : : "r"(&next) : "memory");
+        }
+        batches[round] = (now() - begin) / ((STEPS + STRIDE - 1) / STRIDE);
     }
-    report(folder, quantity, batches, STRIDE * ((STEPS + STRIDE - 1) / STRIDE));
+    report(folder, quantity, MOST_BATCHES);
 }
 
 static const char *load(int count, char **arguments)

@@ -1,7 +1,11 @@
-"""Measures the rivals named on the command line: `python -m rivals SCRATCH NAME...`; see `../run`."""
+"""Measures the rivals named on the command line: see `../run`.
+
+`python -m rivals SCRATCH README NAME...`; a README that is not empty takes the table.
+"""
 
 import datetime
 import importlib
+import subprocess
 import sys
 from pathlib import Path
 
@@ -16,6 +20,7 @@ TITLES = {
     "pymycar": "pymycar",
     "explorer": "Suspension Explorer",
 }
+MARK = "<!-- Written by run --readme: -->"
 MODULES = {"casadi": "casadi_c", "pymycar": "pymycar_multilink"}
 
 
@@ -26,12 +31,13 @@ def measure(name, scratch, table):
         module = importlib.import_module(f".{MODULES.get(name, name)}", __package__)
         for row in module.measure(scratch):
             table.add(row)
-            print(f"   {row.quantity:<9} {row.nanoseconds:11.1f} ns  {row.method}, {row.flags}", flush=True)
+            label = f"{row.method}, {row.flags}" if row.flags else row.method
+            print(f"   {row.quantity:<9} {row.nanoseconds:11.1f} ns  {label}", flush=True)
         table.write()
     except (Missing, ImportError) as reason:
         table.add(Row(TITLES[name], note=f"missing: {reason}"))
         print(f"!! {TITLES[name]} MISSING: {reason}", file=sys.stderr, flush=True)
-    except (RuntimeError, OSError) as error:
+    except (RuntimeError, OSError, subprocess.SubprocessError) as error:
         table.add(Row(TITLES[name], note=f"failed: {error}"))
         print(f"!! {TITLES[name]} FAILED: {error}", file=sys.stderr, flush=True)
         return False
@@ -39,7 +45,7 @@ def measure(name, scratch, table):
 
 
 def main():
-    scratch, names = Path(sys.argv[1]), sys.argv[2:]
+    scratch, readme, names = Path(sys.argv[1]), sys.argv[2], sys.argv[3:]
     table = Table(scratch.parent / "rivals.csv")
     try:
         failed = [name for name in names if not measure(name, scratch, table)]
@@ -47,10 +53,19 @@ def main():
     except KeyboardInterrupt:
         print("\ninterrupted: what was measured is kept", file=sys.stderr)
         code = 130
-    print(f"\n{native.machine()}, {datetime.date.today()}")
+    heading = f"{native.machine()}, {datetime.date.today()}"
+    print(f"\n{heading}")
     table.print()
+    if readme and code == 0:
+        put(table.markdown(heading), Path(readme))
     print(f"\n{table.path}")
     return code
+
+
+def put(text, readme):
+    """Replaces what follows the mark in the README."""
+    kept, mark, _ = readme.read_text().partition(MARK)
+    readme.write_text(f"{kept}{mark}\n\n{text}")
 
 
 if __name__ == "__main__":

@@ -98,7 +98,7 @@ def _rank(work, filled, rows, columns, i, j):
 SOLVERS = {
     "solve": builtin,
     "qr_sparse": sparse_qr,
-    "qr_sparse, unordered": sparse_qr_as_is,
+    "qr_sparse unordered": sparse_qr_as_is,
     "ldl of J'J": normal_equations,
     "ldl of JJ'": minimum_norm,
 }

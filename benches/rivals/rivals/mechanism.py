@@ -5,6 +5,7 @@ fourteen distances of the listing, then `z6 - z1 - d6_1 cos(theta)`.
 """
 
 import csv
+import functools
 import tomllib
 from pathlib import Path
 
@@ -58,47 +59,51 @@ def _point(q, name):
 
 
 def residual(q, angle):
-    """The fifteen equations, m^2 (the last: m)."""
+    """The fifteen equations, m^2 (the last: m), in the precision of `q`."""
     distances = []
     for first, second, length in LINKS:
         d = _point(q, second) - _point(q, first)
-        distances.append((d @ d - length * length) / 2)
-    height = q[2] - CHASSIS["p1"][2] - DRIVEN_LENGTH * np.cos(angle)
+        distances.append((d @ d - length * q.dtype.type(length)) / 2)
+    height = q[2] - CHASSIS["p1"][2] - DRIVEN_LENGTH * np.cos(q.dtype.type(angle))
     return np.array([*distances, height])
 
 
 def jacobian(q):
     """Derivatives of `residual` by `q`, 15 x 15."""
-    matrix = np.zeros((15, 15))
+    matrix = np.zeros((15, 15), q.dtype)
     for row, (first, second, _) in enumerate(LINKS):
         d = _point(q, second) - _point(q, first)
         matrix[row, unknown(second)] = d
         if first not in CHASSIS:
             matrix[row, unknown(first)] = -d
-    matrix[14, 2] = 1.0
+    matrix[14, 2] = 1
     return matrix
+
+
+def solve(matrix, right):
+    """Linear solution in the precision of the arguments, refined from factors in f64."""
+    solution = np.zeros_like(right)
+    for _ in range(3):
+        remaining = right - matrix @ solution
+        solution = solution + np.linalg.solve(matrix.astype(float), remaining.astype(float))
+    return solution
 
 
 def rates(q, drive):
     """Velocity and acceleration of `q` at a solution."""
-    angle, rate, second_rate = drive
+    angle, rate, second_rate = map(q.dtype.type, drive)
     matrix = jacobian(q)
-    drive_row = np.zeros(15)
-    drive_row[14] = -DRIVEN_LENGTH * np.sin(angle) * rate
-    velocity = np.linalg.solve(matrix, drive_row)
-    # The Jacobian is affine in q: its change along the velocity is its own value there,
-    # without what the chassis points add.
+    along_drive = np.zeros_like(q)
+    along_drive[14] = -DRIVEN_LENGTH * np.sin(angle) * rate
+    velocity = solve(matrix, along_drive)
+    # The Jacobian is affine in q: its change along the velocity is a difference of two.
     curvature = (jacobian(q + velocity) - matrix) @ velocity
-    drive_row[14] = -DRIVEN_LENGTH * (np.cos(angle) * rate**2 + np.sin(angle) * second_rate)
-    return velocity, np.linalg.solve(matrix, drive_row - curvature)
+    along_drive[14] = -DRIVEN_LENGTH * (np.cos(angle) * rate**2 + np.sin(angle) * second_rate)
+    return velocity, solve(matrix, along_drive - curvature)
 
 
-def reference():
-    """Rows of the 40-digit solution after t = 0 and up to t = 1.9 s: step number, `q qdot qddot`."""
-    return {k: motion for k, motion in _reference_rows() if 0 < k <= STEPS}
-
-
-def _reference_rows():
+def _reference():
+    """Rows of the 40-digit solution: number of the step, `q qdot qddot`."""
     with REFERENCE.open() as file:
         for row in csv.DictReader(file):
             kinds = ("", "v", "a")
@@ -106,28 +111,31 @@ def _reference_rows():
             yield round(float(row["t_s"]) / STEP), np.array([float(row[name]) for name in names])
 
 
+@functools.cache
 def starts():
     """Instant 0 to `STEPS`, a row each: theta, its rates (3), q, qdot, qddot (45).
 
-    Followed in f64 from the reference at t = 0, Newton to rounding.
+    Newton's method in extended precision, followed from the 40-digit solution at t = 0.
     """
-    _, first = next(_reference_rows())
-    q, v, a = first.reshape(3, 15)
-    rows = [np.concatenate([theta(0.0), first])]
-    for k in range(1, STEPS + 1):
+    _, first = next(_reference())
+    q, v, a = first.reshape(3, 15).astype(np.longdouble)
+    rows = []
+    for k in range(STEPS + 1):
         drive = theta(k * STEP)
-        q = q + STEP * (v + STEP / 2 * a)
         for _ in range(3):
-            q = q - np.linalg.solve(jacobian(q), residual(q, drive[0]))
+            q = q - solve(jacobian(q), residual(q, drive[0]))
         v, a = rates(q, drive)
-        rows.append(np.concatenate([drive, q, v, a]))
+        rows.append(np.concatenate([drive, q, v, a]).astype(float))
+        q = q + STEP * (v + STEP / 2 * a)
     return np.array(rows)
 
 
 def errors(motions):
-    """Largest differences from the reference in position, velocity, acceleration.
+    """Largest differences in position, velocity, acceleration: from the 40-digit solution at its
+    instants, and from `starts` at all steps.
 
     `motions`: one row of 45 for each step from 1 to `STEPS`.
     """
-    found = [abs(motions[k - 1] - exact).reshape(3, 15).max(axis=1) for k, exact in reference().items()]
-    return np.max(found, axis=0)
+    found = [abs(motions - starts()[1:, 3:])]
+    found += [abs(motions[k - 1] - exact)[None] for k, exact in _reference() if 0 < k <= STEPS]
+    return np.concatenate(found).reshape(-1, 3, 15).max(axis=(0, 2))

@@ -13,6 +13,9 @@ QUANTITIES = {
 ACCURACY = (1e-14, 1e-11, 1e-8)
 """What a right result may be off by: m, m/s, m/s^2."""
 
+HEADLINE = "headline"
+"""How the note of a method's best variant begins."""
+
 
 class Missing(Exception):
     """A rival that this machine does not have, and why."""
@@ -39,11 +42,22 @@ class Row:
     def is_right(self):
         return all(error <= bound for error, bound in zip(self.errors(), ACCURACY))
 
+    def remark(self):
+        """What a reader must not miss."""
+        if not self.is_right():
+            return "  INACCURATE"
+        return f"  <- {HEADLINE}" if self.note.startswith(HEADLINE) else ""
+
+    def family(self):
+        """The method without its variant."""
+        return self.method.split(", ")[0]
+
 
 class Table:
     def __init__(self, path):
         self.path = path
         self.rows = []
+        self.write()
 
     def add(self, row):
         self.rows.append(row)
@@ -56,29 +70,50 @@ class Table:
             for row in self.rows:
                 writer.writerow([_figure(value) for value in vars(row).values()])
 
+    def of(self, quantity):
+        """Its rows, the fastest first."""
+        rows = [row for row in self.rows if row.quantity == quantity]
+        return sorted(rows, key=lambda row: row.nanoseconds)
+
+    def missing(self):
+        return [row for row in self.rows if row.nanoseconds == ""]
+
     def print(self):
         for quantity, meaning in QUANTITIES.items():
-            rows = sorted((r for r in self.rows if r.quantity == quantity), key=lambda r: r.nanoseconds)
-            if rows:
-                self._print_quantity(f"{quantity}: {meaning}", rows)
-        missing = [row for row in self.rows if row.nanoseconds == ""]
-        if missing:
-            print("\nnot measured")
-        for row in missing:
-            print(f"  {row.method}: {row.note}")
+            rows = self.of(quantity)
+            if not rows:
+                continue
+            print(f"\n{quantity}: {meaning}")
+            print(f"  {'ns':>11} {'spread':>9} {'x ours':>8}  {'errors: m, m/s, m/s^2':<24}  method, flags")
+            for row in rows:
+                errors = " ".join(f"{error:7.0e}" for error in row.errors())
+                figures = f"{row.nanoseconds:11.1f} {row.spread_ns:9.1f} {_ratio(row, rows):>8}  {errors:<24}"
+                print(f"  {figures}  {row.method}, {row.flags}{row.remark()}")
+        print("\nx ours: time over that of ours in its fastest build")
+        for row in self.missing():
+            print(f"not measured: {row.method}: {row.note}")
 
-    @staticmethod
-    def _print_quantity(heading, rows):
-        ours = min((r.nanoseconds for r in rows if r.method.startswith("ours")), default=None)
-        print(f"\n{heading}")
-        print(f"  {'ns':>11} {'spread':>9} {'x ours':>8}  {'errors: m, m/s, m/s^2':<24}  method, flags")
-        for row in rows:
-            ratio = f"{row.nanoseconds / ours:8.2f}" if ours else " " * 8
-            errors = " ".join(f"{error:7.0e}" for error in row.errors())
-            wrong = "" if row.is_right() else "  INACCURATE"
-            figures = f"{row.nanoseconds:11.1f} {row.spread_ns:9.1f} {ratio}  {errors:<24}"
-            print(f"  {figures}  {row.method}, {row.flags}{wrong}")
-        print("  x ours: time over that of ours in its fastest build")
+    def markdown(self, heading):
+        """The fastest right variant of each method, and what could not be measured."""
+        lines = [f"{heading}", ""]
+        lines += ["| | method | ns | x ours | errors: m, m/s, m/s^2 | flags |", "| --- " * 6 + "|"]
+        for quantity in QUANTITIES:
+            best = {}
+            rows = self.of(quantity)
+            for row in rows:
+                if row.is_right():
+                    best.setdefault(row.family(), row)
+            for row in best.values():
+                errors = ", ".join(f"{error:.0e}" for error in row.errors())
+                figures = f"{row.nanoseconds:,.0f} | {_ratio(row, rows)} | {errors}"
+                lines.append(f"| `{quantity}` | {row.method} {row.version} | {figures} | {row.flags} |")
+        lines += ["", *(f"Not measured: {row.note}." for row in self.missing())]
+        return "\n".join(lines).rstrip() + "\n"
+
+
+def _ratio(row, rows):
+    ours = min((r.nanoseconds for r in rows if r.method == "ours"), default=None)
+    return f"{row.nanoseconds / ours:.2f}" if ours else ""
 
 
 def measured(method, version, flags, quantity, time, errors, note):

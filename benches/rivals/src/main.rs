@@ -1,4 +1,5 @@
-//! Batches over the published motion, as the other harnesses take them.
+//! Batches over the published motion, as the other harnesses take them: short, a part of a
+//! scheduler's slice, so that other load on the machine falls into few of them.
 //!
 //! `rivals FOLDER` prints for each method and quantity
 //! `method,version,quantity,nanoseconds,spread,note` (median of the batches and interquartile
@@ -11,10 +12,12 @@ use std::time::Instant;
 
 use rivals::{Inputs, Mechanism, Method, Motion, Start, Stopwatch, Vector, time_all};
 
-const BATCHES: usize = 101;
-const WARM_UP: usize = 3;
-/// Parts are timed from each thirtieth start, 64 of them.
+/// Parts are timed in batches of one call from each thirtieth start, 64 of them.
 const STRIDE: usize = 30;
+const PART_BATCHES: usize = 2000;
+/// Steps are timed in batches of this many.
+const CHUNK: usize = 100;
+const STEP_ROUNDS: usize = 100;
 
 struct Batches<'a> {
     mechanism: &'a Mechanism,
@@ -27,12 +30,14 @@ impl Stopwatch for Batches<'_> {
         let found = starts.iter().map(|start| Motion::at_rest(work(start)));
         self.write(method, quantity, found.collect());
         let few: Vec<&Start> = starts.iter().step_by(STRIDE).collect();
-        let calls = STRIDE * few.len();
-        print(method, quantity, calls, || {
-            for start in few.iter().cycle().take(calls) {
-                black_box(work(black_box(start)));
-            }
+        let batches = (0..PART_BATCHES).map(|_| {
+            clock(few.len(), || {
+                for start in &few {
+                    black_box(work(black_box(start)));
+                }
+            })
         });
+        print(method, quantity, batches.collect());
     }
 
     fn step(&mut self, method: &Method, mut work: impl FnMut(&Motion, &Inputs) -> Motion) {
@@ -43,13 +48,19 @@ impl Stopwatch for Batches<'_> {
             Some(*motion)
         });
         self.write(method, "step", steps.collect());
-        print(method, "step", starts.len(), || {
+        let mut batches = Vec::new();
+        for _ in 0..STEP_ROUNDS {
             let mut motion = first;
-            for start in starts {
-                motion = work(&motion, &start.inputs);
+            for chunk in starts.chunks(CHUNK) {
+                batches.push(clock(chunk.len(), || {
+                    for start in chunk {
+                        motion = work(&motion, &start.inputs);
+                    }
+                }));
             }
             black_box(motion);
-        });
+        }
+        print(method, "step", batches);
     }
 }
 
@@ -68,23 +79,22 @@ impl Batches<'_> {
     }
 }
 
-fn print(method: &Method, quantity: &str, calls: usize, mut batch: impl FnMut()) {
-    let mut times: Vec<f64> = (0..WARM_UP + BATCHES)
-        .map(|_| {
-            let begin = Instant::now();
-            batch();
-            begin.elapsed().as_nanos() as f64 / calls as f64
-        })
-        .skip(WARM_UP)
-        .collect();
+/// Nanoseconds a call.
+fn clock(calls: usize, batch: impl FnOnce()) -> f64 {
+    let begin = Instant::now();
+    batch();
+    begin.elapsed().as_nanos() as f64 / calls as f64
+}
+
+fn print(method: &Method, quantity: &str, mut times: Vec<f64>) {
     times.sort_by(f64::total_cmp);
-    let spread = times[3 * BATCHES / 4] - times[BATCHES / 4];
+    let part = |quarters: usize| times[times.len() * quarters / 4];
+    let (median, spread) = (part(2), part(3) - part(1));
     let Method {
         name,
         version,
         note,
     } = method;
-    let median = times[BATCHES / 2];
     println!("{name},{version},{quantity},{median:.2},{spread:.2},\"{note}\"");
 }
 
