@@ -89,7 +89,7 @@ class Table:
                 errors = " ".join(f"{error:7.0e}" for error in row.errors())
                 figures = f"{row.nanoseconds:11.1f} {row.spread_ns:9.1f} {_ratio(row, rows):>8}  {errors:<24}"
                 print(f"  {figures}  {row.method}, {row.flags}{row.remark()}")
-        print("\nx ours: time over that of ours in its fastest build")
+        print("\nx ours: time over that of the fastest of ours")
         for row in self.missing():
             print(f"not measured: {row.method}: {row.note}")
 
@@ -112,7 +112,7 @@ class Table:
 
 
 def _ratio(row, rows):
-    ours = min((r.nanoseconds for r in rows if r.method == "ours"), default=None)
+    ours = min((r.nanoseconds for r in rows if r.family() == "ours"), default=None)
     return f"{row.nanoseconds / ours:.2f}" if ours else ""
 
 

@@ -95,7 +95,7 @@ fn print(method: &Method, quantity: &str, mut times: Vec<f64>) {
         version,
         note,
     } = method;
-    println!("{name},{version},{quantity},{median:.2},{spread:.2},\"{note}\"");
+    println!("\"{name}\",{version},{quantity},{median:.2},{spread:.2},\"{note}\"");
 }
 
 fn stop(message: &str) -> ! {

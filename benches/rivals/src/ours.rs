@@ -1,16 +1,24 @@
-//! Our solver, as the macro writes it.
+//! Our solver, as the macro writes it: iterated to a tolerance, and in a fixed number of
+//! operations.
 
+use suspension_core::bounded::{Bounded, Outputs};
 use suspension_core::factored::with_factors;
 use suspension_core::{Linkage, Newton, Tracker};
 
 use crate::{Mechanism, Method, STEP, Stopwatch};
 
 pub(crate) fn time(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
+    to_tolerance(mechanism, watch);
+    bounded(mechanism, watch);
+}
+
+fn to_tolerance(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
     let model = &mechanism.model;
     let method = Method {
-        name: "ours",
-        version: suspension_version(),
-        note: "geometry read at run time; every result tested against its residual",
+        name: "ours, to tolerance",
+        // All packages of the repository share one.
+        version: env!("CARGO_PKG_VERSION"),
+        note: "geometry read at run time; steps are tested against their residual",
     };
     watch.part(&method, "newton", |start| {
         let q = start.motion.predict(STEP);
@@ -36,7 +44,26 @@ pub(crate) fn time(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
     });
 }
 
-/// All packages of the repository share one version.
-const fn suspension_version() -> &'static str {
-    env!("CARGO_PKG_VERSION")
+fn bounded(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
+    let model = &mechanism.model;
+    let method = Method {
+        name: "ours, bounded",
+        version: env!("CARGO_PKG_VERSION"),
+        note: "one factorisation; geometry read at run time; tested against the residual",
+    };
+    let stepper: Bounded<f64> = Bounded::default();
+    watch.part(&method, "position", |start| {
+        let mut motion = start.motion;
+        stepper
+            .step_to(Outputs::Position, model, &start.inputs, STEP, &mut motion)
+            .expect("a regular motion");
+        motion.position
+    });
+    watch.step(&method, |motion, inputs| {
+        let mut motion = *motion;
+        stepper
+            .step(model, inputs, STEP, &mut motion)
+            .expect("a regular motion");
+        motion
+    });
 }
