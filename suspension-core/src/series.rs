@@ -61,6 +61,7 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
         })?
     }
 
+    #[inline(always)]
     fn expand<L, C>(
         linkage: &L,
         prescribed: &PrescribedSeries<L::Fixed, L::Drives, K>,

@@ -86,6 +86,7 @@ pub(super) struct PrescribedSeries<F, D, const K: usize> {
 }
 
 impl<F: Copy, D: Copy, const K: usize> PrescribedSeries<F, D, K> {
+    #[inline(always)]
     pub(super) fn new<L, C, const N: usize>(linkage: &L, inputs: &InputSeries<C, D, K>) -> Self
     where
         L: Linkage<N, Fixed = F, Drives = D>,
@@ -148,9 +149,9 @@ where
     let (mut sum, mut j) = (D::default(), T::zero());
     for (term, slope) in drives.terms.iter().zip(slope.below(order).rev()) {
         j += T::one();
-        let weight = j / T::constant(order as f64);
         let product = zip(term, slope, |term, slope| term * slope);
-        sum = zip(&sum, &product, |sum, product| sum + product * weight);
+        sum = zip(&sum, &product, |sum, product| sum + product * j);
     }
-    sum
+    let order = T::constant(order as f64);
+    sum.map(|sum| sum / order)
 }

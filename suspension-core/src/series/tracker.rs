@@ -96,6 +96,7 @@ impl<T: Real> SeriesTracker<T> {
 }
 
 /// The series from a motion's position after one correction with the factors that it needs anyway.
+#[inline(always)]
 fn series_from<T, L, C, const N: usize, const K: usize>(
     linkage: &L,
     inputs: &InputSeries<C, L::Drives, K>,
