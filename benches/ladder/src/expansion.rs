@@ -6,7 +6,7 @@ use std::time::Instant;
 use proc_macro2::TokenStream;
 
 use crate::median::median;
-use crate::{eliminate, expand, listing, lower, parse};
+use crate::{eliminate, expand, listing, lower, parse, sample};
 
 /// What an expansion takes and says.
 pub(crate) struct Expansion {
@@ -30,7 +30,10 @@ impl Expansion {
         let expansion_s = seconds(|| drop(expand::expand(tokens.clone())));
         let (listing, _) = parse::listing(tokens.clone()).map_err(|error| error.to_string())?;
         let system = lower::system(&listing);
-        let order_s = seconds(|| drop(eliminate::order(system.size(), &system.entries())));
+        let order_s = seconds(|| {
+            let entries = system.entries(&sample::positions(&system));
+            eliminate::order(system.size(), &entries);
+        });
         Ok(Self {
             unknowns: system.size(),
             non_zeros: header.number_before("non-zeros of")?,

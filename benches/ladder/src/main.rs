@@ -48,7 +48,7 @@ use expansion::Expansion;
 #[derive(Parser)]
 struct Arguments {
     /// Numbers of bodies.
-    #[arg(long, value_delimiter = ',', default_values_t = [1, 2, 3, 5, 7, 10, 15, 20, 30, 40])]
+    #[arg(long, value_delimiter = ',', default_values_t = [1, 2, 3, 4, 6, 8, 10, 15, 20, 30, 40])]
     bodies: Vec<usize>,
     /// The folder that results are written to.
     #[arg(long, default_value = "out/ladder")]
