@@ -92,6 +92,7 @@ impl Workshop {
                 .args(arguments)
                 .arg("--quiet")
                 .env("CARGO_TARGET_DIR", "target")
+                .env("CARGO_INCREMENTAL", "0")
                 .current_dir(&self.folder)
                 .output()?;
             if !output.status.success() {
