@@ -100,7 +100,8 @@ impl Panel {
             .x_label_formatter(&|bodies| format!("{bodies:.0}"))
             .y_label_formatter(&|value| format!("{value}"))
             .bold_line_style(BLACK.mix(0.15))
-            .light_line_style(BLACK.mix(0.05))
+            .light_line_style(TRANSPARENT)
+            .x_labels(6)
             .label_style(("sans-serif", 14))
             .draw()?;
         for ((name, value), colour) in self.curves.iter().zip(COLOURS) {
