@@ -12,6 +12,7 @@ pub mod cli;
 pub mod failure;
 pub mod input;
 pub mod job;
+pub mod lanes;
 pub mod number;
 pub mod output;
 pub mod published;
