@@ -1,0 +1,190 @@
+//! The exact motion as a function of one drive.
+
+use nalgebra::Vector3;
+use suspension_core::{
+    Build, HasWheel, Inputs, Linkage, Motion, Named, Signal, SolveError, Still, Stopped, Tracker,
+};
+
+/// Which points are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// Every point that the drive moves: free points, markers, driven chassis points.
+    AllPoints,
+    /// The wheel: its centre and its spin axis.
+    Wheel,
+}
+
+/// Three coordinates of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// A point's position.
+    Point(&'static str),
+    /// The wheel centre's position.
+    WheelCentre,
+    /// The spin axis, of unit length, outboard.
+    SpinAxis,
+}
+
+/// A value with its first and second derivative with respect to the drive.
+pub type Derivatives = [Vector3<f64>; 3];
+
+/// The mechanism driven by one drive, the others held.
+#[derive(Clone, Debug)]
+pub struct Path<'a, L: Linkage<N>, const N: usize> {
+    model: &'a L,
+    held: L::Drives,
+    drive: usize,
+    wish: Wish,
+    /// Configurations evenly over the range, with the drive's value.
+    anchors: Vec<(f64, Motion<f64, N>)>,
+}
+
+/// How far a drive goes where it does not go all the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutOfReach {
+    /// The value that is out of reach.
+    pub asked: f64,
+    /// The last value that the mechanism reached.
+    pub reached: f64,
+    /// Why it went no further.
+    pub cause: Option<SolveError<f64>>,
+}
+
+impl OutOfReach {
+    fn new(asked: f64, stopped: &Stopped<f64>) -> Self {
+        Self {
+            asked,
+            reached: stopped.reached,
+            cause: stopped.refused.map(|(_, cause)| cause),
+        }
+    }
+}
+
+const ANCHORS: u32 = 65;
+
+impl<'a, L, const N: usize> Path<'a, L, N>
+where
+    L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
+{
+    /// The path of drive number `drive` over `range`, with the other drives held at `held`. The
+    /// mechanism is driven there from the configuration `start` at `held`.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfReach`] where the mechanism cannot be driven through the range.
+    pub fn new(
+        model: &'a L,
+        start: &Motion<f64, N>,
+        held: L::Drives,
+        drive: usize,
+        range: [f64; 2],
+        wish: Wish,
+    ) -> Result<Self, OutOfReach> {
+        let mut path = Self {
+            model,
+            held,
+            drive,
+            wish,
+            anchors: Vec::new(),
+        };
+        let mut at = held.values().nth(drive).unwrap_or_default();
+        let mut motion = *start;
+        // The rates of the start are those of another motion.
+        motion = Motion {
+            positive_determinant: motion.positive_determinant,
+            ..Motion::at_rest(motion.position)
+        };
+        let [from, to] = range;
+        let even = |k| from + (to - from) * f64::from(k) / f64::from(ANCHORS - 1);
+        for next in (0..ANCHORS).map(even) {
+            path.follow([at, next], &mut motion)?;
+            path.anchors.push((next, motion));
+            at = next;
+        }
+        Ok(path)
+    }
+
+    /// What the outputs are.
+    pub fn outputs(&self) -> Vec<Output> {
+        match self.wish {
+            Wish::Wheel => vec![Output::WheelCentre, Output::SpinAxis],
+            Wish::AllPoints => {
+                let names = <L::Points as Named<Vector3<f64>>>::NAMES;
+                self.moved()
+                    .map(|point| Output::Point(names[point]))
+                    .collect()
+            }
+        }
+    }
+
+    /// The outputs' values where the drive has the value `at`.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfReach`].
+    pub fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach> {
+        let nearest = self
+            .anchors
+            .iter()
+            .min_by(|(a, _), (b, _)| (a - at).abs().total_cmp(&(b - at).abs()));
+        let Some((from, mut motion)) = nearest.copied() else {
+            return Ok(Vec::new());
+        };
+        self.follow([from, at], &mut motion)?;
+        let points = motion.points(self.model, &self.inputs(at));
+        let derivatives = [&points.value, &points.rate, &points.second_rate];
+        Ok(match self.wish {
+            Wish::Wheel => {
+                let [inner, centre] = [0, 1].map(|end| derivatives.map(|p| p.wheel()[end]));
+                let axis = [0, 1, 2].map(|order| centre[order] - inner[order]);
+                // Both points belong to one body: their distance does not change.
+                let length = axis[0].norm();
+                vec![centre, axis.map(|axis| axis / length)]
+            }
+            Wish::AllPoints => {
+                let each = derivatives.map(|points| points.values().collect::<Vec<_>>());
+                self.moved()
+                    .map(|point| [0, 1, 2].map(|order| each[order][point]))
+                    .collect()
+            }
+        })
+    }
+
+    fn follow(&self, [from, to]: [f64; 2], motion: &mut Motion<f64, N>) -> Result<(), OutOfReach> {
+        let tracker = Tracker {
+            max_steps: 10_000,
+            ..Tracker::default()
+        };
+        let followed = tracker.advance(self.model, |at| self.inputs(at), from, to, motion);
+        followed.map_err(|stopped| OutOfReach::new(to, &stopped))?;
+        Ok(())
+    }
+
+    /// The drive at a value, moving at one unit per unit of "time": rates are derivatives.
+    fn inputs(&self, at: f64) -> Inputs<Still, L::Drives> {
+        let mut held = self.held.values().enumerate();
+        let value = L::Drives::from_fn(|_| match held.next() {
+            Some((index, _)) if index == self.drive => at,
+            Some((_, held)) => held,
+            None => 0.0,
+        });
+        Inputs::still(Signal {
+            value,
+            rate: self.unit_rate(),
+            second_rate: L::Drives::default(),
+        })
+    }
+
+    fn unit_rate(&self) -> L::Drives {
+        let mut indices = 0..;
+        L::Drives::from_fn(|_| f64::from(u8::from(indices.next() == Some(self.drive))))
+    }
+
+    /// The numbers of the points that the drive can move.
+    fn moved(&self) -> impl Iterator<Item = usize> {
+        let driven = L::drive_anchors(L::Fixed::default(), &self.unit_rate());
+        let driven: Vec<bool> = driven.values().map(|p| p != Vector3::zeros()).collect();
+        let count = <L::Points as Named<Vector3<f64>>>::NAMES.len();
+        (0..count).filter(move |point| driven.get(*point).copied().unwrap_or(true))
+    }
+}
