@@ -8,10 +8,13 @@
 
 pub mod certify;
 pub mod fit;
+pub mod order;
 pub mod path;
 pub mod scheme;
+pub mod source;
 
 pub use certify::Reached;
 pub use fit::{Baked, Unmet, Wanted, bake};
-pub use path::{OutOfReach, Output, Path, Wish};
-pub use scheme::Continuity;
+pub use order::Order;
+pub use path::{Exact, OutOfReach, Output, Path, Wish};
+pub use scheme::{Continuity, TERMS};

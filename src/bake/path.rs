@@ -39,25 +39,35 @@ pub struct Path<'a, L: Linkage<N>, const N: usize> {
     anchors: Vec<(f64, Motion<f64, N>)>,
 }
 
-/// How far a drive goes where it does not go all the way.
+/// The mechanism does not go through the range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfReach {
-    /// The value that is out of reach.
-    pub asked: f64,
-    /// The last value that the mechanism reached.
-    pub reached: f64,
-    /// Why it went no further.
+    /// The drive's first and last value towards the range that the mechanism reaches.
+    pub reached: [f64; 2],
+    /// Why it goes no further.
     pub cause: Option<SolveError<f64>>,
 }
 
 impl OutOfReach {
-    fn new(asked: f64, stopped: &Stopped<f64>) -> Self {
+    fn between(from: f64, stopped: &Stopped<f64>) -> Self {
         Self {
-            asked,
-            reached: stopped.reached,
+            reached: [from, stopped.reached],
             cause: stopped.refused.map(|(_, cause)| cause),
         }
     }
+}
+
+/// A motion along a drive, whatever its linkage.
+pub trait Exact {
+    /// What the outputs are.
+    fn outputs(&self) -> Vec<Output>;
+
+    /// The outputs where the drive has the value `at`.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfReach`].
+    fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach>;
 }
 
 const ANCHORS: u32 = 65;
@@ -87,77 +97,45 @@ where
             wish,
             anchors: Vec::new(),
         };
-        let mut at = held.values().nth(drive).unwrap_or_default();
-        let mut motion = *start;
+        let now = held.values().nth(drive).unwrap_or_default();
         // The rates of the start are those of another motion.
-        motion = Motion {
-            positive_determinant: motion.positive_determinant,
-            ..Motion::at_rest(motion.position)
+        let start = Motion {
+            positive_determinant: start.positive_determinant,
+            ..Motion::at_rest(start.position)
         };
+        let [mut first, mut last] = [start; 2];
         let [from, to] = range;
-        let even = |k| from + (to - from) * f64::from(k) / f64::from(ANCHORS - 1);
-        for next in (0..ANCHORS).map(even) {
-            path.follow([at, next], &mut motion)?;
+        let down = path.follow([now, from], &mut first);
+        let up = path.follow([now, to], &mut last);
+        let limit = |way: Result<(), Stopped<f64>>, end| way.err().map_or(end, |stop| stop.reached);
+        if let Some(stopped) = down.and(up).err() {
+            return Err(OutOfReach {
+                reached: [limit(down, from), limit(up, to)],
+                cause: stopped.refused.map(|(_, cause)| cause),
+            });
+        }
+        let (mut at, mut motion) = (from, first);
+        for part in 0..ANCHORS {
+            let next = from + (to - from) * f64::from(part) / f64::from(ANCHORS - 1);
+            let on_the_way = path.follow([at, next], &mut motion);
+            on_the_way.map_err(|stopped| OutOfReach::between(at, &stopped))?;
             path.anchors.push((next, motion));
             at = next;
         }
         Ok(path)
     }
 
-    /// What the outputs are.
-    pub fn outputs(&self) -> Vec<Output> {
-        match self.wish {
-            Wish::Wheel => vec![Output::WheelCentre, Output::SpinAxis],
-            Wish::AllPoints => {
-                let names = <L::Points as Named<Vector3<f64>>>::NAMES;
-                self.moved()
-                    .map(|point| Output::Point(names[point]))
-                    .collect()
-            }
-        }
-    }
-
-    /// The outputs' values where the drive has the value `at`.
-    ///
-    /// # Errors
-    ///
-    /// [`OutOfReach`].
-    pub fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach> {
-        let nearest = self
-            .anchors
-            .iter()
-            .min_by(|(a, _), (b, _)| (a - at).abs().total_cmp(&(b - at).abs()));
-        let Some((from, mut motion)) = nearest.copied() else {
-            return Ok(Vec::new());
-        };
-        self.follow([from, at], &mut motion)?;
-        let points = motion.points(self.model, &self.inputs(at));
-        let derivatives = [&points.value, &points.rate, &points.second_rate];
-        Ok(match self.wish {
-            Wish::Wheel => {
-                let [inner, centre] = [0, 1].map(|end| derivatives.map(|p| p.wheel()[end]));
-                let axis = [0, 1, 2].map(|order| centre[order] - inner[order]);
-                // Both points belong to one body: their distance does not change.
-                let length = axis[0].norm();
-                vec![centre, axis.map(|axis| axis / length)]
-            }
-            Wish::AllPoints => {
-                let each = derivatives.map(|points| points.values().collect::<Vec<_>>());
-                self.moved()
-                    .map(|point| [0, 1, 2].map(|order| each[order][point]))
-                    .collect()
-            }
-        })
-    }
-
-    fn follow(&self, [from, to]: [f64; 2], motion: &mut Motion<f64, N>) -> Result<(), OutOfReach> {
+    fn follow(
+        &self,
+        [from, to]: [f64; 2],
+        motion: &mut Motion<f64, N>,
+    ) -> Result<(), Stopped<f64>> {
         let tracker = Tracker {
             max_steps: 10_000,
             ..Tracker::default()
         };
         let followed = tracker.advance(self.model, |at| self.inputs(at), from, to, motion);
-        followed.map_err(|stopped| OutOfReach::new(to, &stopped))?;
-        Ok(())
+        followed.map(|_| ())
     }
 
     /// The drive at a value, moving at one unit per unit of "time": rates are derivatives.
@@ -186,5 +164,51 @@ where
         let driven: Vec<bool> = driven.values().map(|p| p != Vector3::zeros()).collect();
         let count = <L::Points as Named<Vector3<f64>>>::NAMES.len();
         (0..count).filter(move |point| driven.get(*point).copied().unwrap_or(true))
+    }
+}
+
+impl<L, const N: usize> Exact for Path<'_, L, N>
+where
+    L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
+{
+    fn outputs(&self) -> Vec<Output> {
+        match self.wish {
+            Wish::Wheel => vec![Output::WheelCentre, Output::SpinAxis],
+            Wish::AllPoints => {
+                let names = <L::Points as Named<Vector3<f64>>>::NAMES;
+                self.moved()
+                    .map(|point| Output::Point(names[point]))
+                    .collect()
+            }
+        }
+    }
+
+    fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach> {
+        let nearest = self
+            .anchors
+            .iter()
+            .min_by(|(a, _), (b, _)| (a - at).abs().total_cmp(&(b - at).abs()));
+        let Some((from, mut motion)) = nearest.copied() else {
+            return Ok(Vec::new());
+        };
+        let followed = self.follow([from, at], &mut motion);
+        followed.map_err(|stopped| OutOfReach::between(from, &stopped))?;
+        let points = motion.points(self.model, &self.inputs(at));
+        let derivatives = [&points.value, &points.rate, &points.second_rate];
+        Ok(match self.wish {
+            Wish::Wheel => {
+                let [inner, centre] = [0, 1].map(|end| derivatives.map(|p| p.wheel()[end]));
+                let axis = [0, 1, 2].map(|order| centre[order] - inner[order]);
+                // Both points belong to one body: their distance does not change.
+                let length = axis[0].norm();
+                vec![centre, axis.map(|axis| axis / length)]
+            }
+            Wish::AllPoints => {
+                let each = derivatives.map(|points| points.values().collect::<Vec<_>>());
+                self.moved()
+                    .map(|point| [0, 1, 2].map(|order| each[order][point]))
+                    .collect()
+            }
+        })
     }
 }
