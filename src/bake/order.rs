@@ -148,14 +148,17 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         )))
     }
 
-    /// The part of a range that can be baked.
+    /// The part of a range that can be baked, in a few digits.
     fn possible(&self, drive: usize, wanted: &Wanted) -> Option<[f64; 2]> {
         /// Of a range: how close to a turning point the mechanism is solved.
         const CLOSE: f64 = 1e-6;
         let [from, to] = wanted.range;
         let range = [from + CLOSE * (to - from), to - CLOSE * (to - from)];
         let path = self.path(drive, range).ok()?;
-        widest(&Wanted { range, ..*wanted }, &path).ok()?
+        let [from, to] = widest(&Wanted { range, ..*wanted }, &path).ok()??;
+        let steps_a_unit = 10_f64.powf(3.0 - (to - from).log10().floor());
+        let (from, to) = (from * steps_a_unit, to * steps_a_unit);
+        Some([from.ceil(), to.floor()].map(|end| end / steps_a_unit))
     }
 
     fn path(&self, drive: usize, range: [f64; 2]) -> Result<Path<'_, L, N>, OutOfReach> {

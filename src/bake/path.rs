@@ -25,6 +25,17 @@ pub enum Output {
     SpinAxis,
 }
 
+impl Output {
+    /// Its name: a point's, or what it is of the wheel.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Point(name) => name,
+            Self::WheelCentre => "wheel_centre",
+            Self::SpinAxis => "spin_axis",
+        }
+    }
+}
+
 /// A value with its first and second derivative with respect to the drive.
 pub type Derivatives = [Vector3<f64>; 3];
 

@@ -78,11 +78,7 @@ impl Sheet {
     /// The numbers' names, in order.
     fn output_names(&self) -> Vec<String> {
         let coordinates = |output: &Output| {
-            let name = match output {
-                Output::Point(name) => name,
-                Output::WheelCentre => "wheel_centre",
-                Output::SpinAxis => "spin_axis",
-            };
+            let name = output.name();
             ["x", "y", "z"].map(|axis| format!("{name}_{axis}"))
         };
         self.baked.outputs.iter().flat_map(coordinates).collect()

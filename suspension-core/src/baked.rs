@@ -25,9 +25,13 @@
 //! # Ok::<(), suspension_core::baked::Outside<f64>>(())
 //! ```
 
+mod surface;
+
 use core::fmt;
 
 use crate::scalar::Real;
+
+pub use surface::{Patch, Surface, SurfacePlace};
 
 /// A number that can be split into an index and a remainder.
 pub trait Split: Real {
@@ -73,6 +77,16 @@ pub struct Outside<T> {
     pub nearest: T,
 }
 
+impl<T: Real> Outside<T> {
+    /// `None` where a drive is inside its range.
+    #[inline(always)]
+    fn of(drive: T, [first, last]: [T; 2]) -> Option<Self> {
+        let nearest = if drive > last { last } else { first };
+        let inside = first <= drive && drive <= last;
+        (!inside).then_some(Self { drive, nearest })
+    }
+}
+
 impl<T: fmt::Display> fmt::Display for Outside<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { drive, nearest } = self;
@@ -102,19 +116,20 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Curve<'a, T, OUT, TERMS
     /// `curve.at(drive).or_else(|outside| curve.at(outside.nearest))`.
     #[inline(always)]
     pub fn at(&self, drive: T) -> Result<Place<'a, T, OUT, TERMS>, Outside<T>> {
-        let [first, last] = self.range;
+        let [first, _] = self.range;
         let last_segment = self.segments.len().wrapping_sub(1);
         let (index, variable) = ((drive - first) * self.segments_per_unit).split(last_segment);
-        match self.segments.get(index) {
-            Some(segment) if first <= drive && drive <= last => Ok(Place {
+        match (self.segments.get(index), Outside::of(drive, self.range)) {
+            (Some(segment), None) => Ok(Place {
                 segment,
                 variable,
                 segments_per_unit: self.segments_per_unit,
             }),
-            _ => Err(Outside {
+            // A curve without segments is nowhere inside.
+            (_, outside) => Err(outside.unwrap_or(Outside {
                 drive,
-                nearest: if drive > last { last } else { first },
-            }),
+                nearest: first,
+            })),
         }
     }
 }
