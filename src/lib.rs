@@ -10,6 +10,7 @@ struct Readme;
 
 pub mod bake;
 pub mod cli;
+pub mod detail;
 pub mod failure;
 pub mod input;
 pub mod job;

@@ -1,7 +1,8 @@
 //! The smallest number of segments with which a tolerance is met.
 
 use crate::bake::certify::{Reached, bound, places};
-use crate::bake::path::{Derivatives, Exact, OutOfReach, Output};
+use crate::bake::driven::{Derivatives, Output};
+use crate::bake::path::{Exact, OutOfReach};
 use crate::bake::scheme::{Coefficients, Continuity, TERMS};
 
 /// What to bake.
@@ -82,7 +83,7 @@ impl From<OutOfReach> for Unmet {
 }
 
 /// Segments that a curve may have: with more, it no longer lies in the fast caches.
-pub const MOST_SEGMENTS: usize = 512;
+pub const MOST_SEGMENTS: usize = 256;
 
 /// Bakes a motion.
 ///
@@ -108,14 +109,14 @@ pub fn bake(wanted: &Wanted, exact: &dyn Exact) -> Result<Baked, Unmet> {
     Err(Unmet::TooManySegments { at })
 }
 
-/// The widest part of the range, to a 256th, that can be baked; `None` where not even the smallest
+/// The widest part of the range, to a 64th, that can be baked; `None` where not even the smallest
 /// about the middle can.
 ///
 /// # Errors
 ///
 /// [`OutOfReach`].
 pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Result<Option<[f64; 2]>, OutOfReach> {
-    const PARTS: u32 = 256;
+    const PARTS: u32 = 64;
     let [from, to] = wanted.range;
     let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
     let possible = |first: u32, last: u32| {
@@ -210,10 +211,7 @@ impl Fit<'_> {
             };
             let polynomial = continuity.fit(length, &of_output(&met));
             let bound = bound(&polynomial, length, &of_output(&seen));
-            let scale = match output {
-                Output::SpinAxis => self.wanted.metre,
-                Output::Point(_) | Output::WheelCentre => 1.0,
-            };
+            let scale = output.lever(self.wanted.metre);
             reached = reached.larger(bound.scaled(scale));
             polynomials.push(polynomial);
         }
