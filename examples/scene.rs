@@ -47,9 +47,9 @@ const TRAVEL: f64 = 0.08;
 type Read = [Vector3<f64>; 2];
 
 /// How a corner is computed. More methods are more variants.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 enum Corner<'a> {
-    Exact(Motion<f64, 15>),
+    Exact(Box<Motion<f64, 15>>),
     Baked(Curve<'a, f64, 6, TERMS>),
 }
 
@@ -166,7 +166,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         step: STEP,
     };
     let Detail { method, .. } = choose(&need).ok_or("no method meets the need")?;
-    let exact = Corner::Exact(scene.start());
+    let exact = Corner::Exact(Box::new(scene.start()));
     let segments;
     let others = match method {
         Method::Baked { tolerance } => {
@@ -178,13 +178,12 @@ fn main() -> Result<(), Box<dyn Error>> {
                 segments: &segments,
             })
         }
-        Method::Exact | Method::Bounded { .. } | Method::Series { .. } => exact,
+        Method::Exact | Method::Bounded { .. } | Method::Series { .. } => exact.clone(),
     };
-    let chosen: Vec<_> = (0..CORNERS)
-        .map(|corner| if corner < PLAYERS { exact } else { others })
-        .collect();
+    let mut chosen = vec![exact.clone(); PLAYERS];
+    chosen.resize(CORNERS, others);
 
-    let (all_exact, truth) = scene.run(&[exact; CORNERS])?;
+    let (all_exact, truth) = scene.run(&vec![exact; CORNERS])?;
     let (with_chosen, read) = scene.run(&chosen)?;
     let mut worst = [0.0_f64; 2];
     for (found, exact) in read.iter().zip(&truth) {

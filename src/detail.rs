@@ -12,7 +12,9 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::Deserialize;
+use serde::de::{Deserialize, Deserializer, Error};
+
+pub use suspension_core::bounded::Outputs;
 
 use crate::failure::Failure;
 
@@ -72,18 +74,6 @@ impl fmt::Display for Method {
     }
 }
 
-/// What is read of a motion; each includes the ones before it.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, PartialOrd, Ord)]
-#[serde(rename_all = "lowercase")]
-pub enum Outputs {
-    /// Positions.
-    Position,
-    /// Velocities too.
-    Velocity,
-    /// Accelerations too.
-    Acceleration,
-}
-
 /// What a part of a scene needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Need {
@@ -109,15 +99,25 @@ pub struct Detail {
 }
 
 /// One measurement, as tables have it; columns that are not needed here are left out.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, serde::Deserialize)]
 struct Row {
     method: String,
     scalar: String,
     lanes: u32,
     step_s: f64,
+    #[serde(deserialize_with = "outputs")]
     outputs: Outputs,
     nanoseconds: f64,
     error_position_m: f64,
+}
+
+fn outputs<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Outputs, D::Error> {
+    match String::deserialize(deserializer)?.as_str() {
+        "position" => Ok(Outputs::Position),
+        "velocity" => Ok(Outputs::Velocity),
+        "acceleration" => Ok(Outputs::Acceleration),
+        other => Err(D::Error::custom(format!("unknown outputs `{other}`"))),
+    }
 }
 
 /// Measured figures of methods.

@@ -194,7 +194,7 @@ fn segments_join_as_smoothly_as_asked() {
                         .acceleration(1.0, 0.0)
                 });
                 for order in 0..=continuous {
-                    let moved = after.get(order + 1).map_or(1e4, |next| norm(next)) * 4e-9 * length;
+                    let moved = after.get(order + 1).map_or(1e4, norm) * 4e-9 * length;
                     let jump = norm(&std::array::from_fn(|i| after[order][i] - before[order][i]));
                     assert!(jump <= moved + rounding[order], "{order} at {at}: {jump:e}");
                 }

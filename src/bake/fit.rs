@@ -218,3 +218,70 @@ impl Fit<'_> {
         Ok((reached.position <= self.wanted.tolerance).then_some((polynomials, reached)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+
+    /// A point on a circle of radius one.
+    struct Circle;
+
+    impl Exact for Circle {
+        fn outputs(&self) -> Vec<Output> {
+            vec![Output::WheelCentre]
+        }
+
+        fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach> {
+            let (y, x) = at.sin_cos();
+            Ok(vec![[
+                Vector3::new(x, y, 0.0),
+                Vector3::new(-y, x, 0.0),
+                Vector3::new(-x, -y, 0.0),
+            ]])
+        }
+    }
+
+    /// Every derivative of the circle has length one: over a segment of length `h` the error is
+    /// `|product of (x - node)| / 6!` at most, for `h = 1` as given here, and that times `h^6`.
+    #[test]
+    fn no_fewer_segments_would_do() {
+        for (continuity, product) in [
+            (Continuity::Position, 1.0 / 1024.0),
+            (Continuity::Velocity, 1.6546e-3),
+            (Continuity::Acceleration, 1.0 / 64.0),
+        ] {
+            for tolerance in [1e-4_f64, 1e-7, 1e-10] {
+                let wanted = Wanted {
+                    range: [0.0, 6.0],
+                    tolerance,
+                    metre: 1.0,
+                    continuity,
+                };
+                let length = (tolerance * 720.0 / product).powf(1.0 / 6.0);
+                let expected = 6.0 / length;
+                let found = bake(&wanted, &Circle).expect("smooth").segments.len() as f64;
+                // The bound takes a few hundredths more than the difference seen.
+                let allowed = 0.98 * expected..1.02 * expected + 1.0;
+                assert!(
+                    allowed.contains(&found),
+                    "{continuity:?} {tolerance:e}: {found}, {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_too_fine_is_refused() {
+        let wanted = Wanted {
+            range: [0.0, 6.0],
+            tolerance: 1e-18,
+            metre: 1.0,
+            continuity: Continuity::Velocity,
+        };
+        let refused = bake(&wanted, &Circle);
+        assert!(matches!(refused, Err(Unmet::TooManySegments { .. })));
+        assert_eq!(widest(&wanted, &Circle), Ok(None));
+    }
+}
