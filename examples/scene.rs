@@ -163,6 +163,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let need = Need {
         tolerance: 1e-4,
         outputs: Outputs::Velocity,
+        points: Wish::Wheel,
         step: STEP,
     };
     let Detail { method, .. } = choose(&need).ok_or("no method meets the need")?;

@@ -1,10 +1,15 @@
 //! How finely to model: the cheapest method that a scene's needs allow, from measured figures.
 //!
 //! ```
-//! use suspension::detail::{Method, Need, Outputs, choose};
+//! use suspension::detail::{Method, Need, Outputs, Wish, choose};
 //!
 //! // A car far away: 0.1 mm is plenty, and nobody reads accelerations.
-//! let need = Need { tolerance: 1e-4, outputs: Outputs::Velocity, step: 1e-3 };
+//! let need = Need {
+//!     tolerance: 1e-4,
+//!     outputs: Outputs::Velocity,
+//!     points: Wish::Wheel,
+//!     step: 1e-3,
+//! };
 //! let detail = choose(&need).expect("met by a method that was measured");
 //! assert_eq!(detail.method, Method::Baked { tolerance: 1e-4 });
 //! ```
@@ -16,6 +21,7 @@ use serde::de::{Deserialize, Deserializer, Error};
 
 pub use suspension_core::bounded::Outputs;
 
+pub use crate::bake::Wish;
 use crate::failure::Failure;
 
 /// A way to compute a motion, under the names that tables of figures use.
@@ -81,6 +87,8 @@ pub struct Need {
     pub tolerance: f64,
     /// What is read.
     pub outputs: Outputs,
+    /// Of which points.
+    pub points: Wish,
     /// From one instant to the next, s.
     pub step: f64,
 }
@@ -92,6 +100,8 @@ pub struct Detail {
     pub method: Method,
     /// What it computes.
     pub outputs: Outputs,
+    /// Of which points.
+    pub points: Wish,
     /// Time a step and suspension, ns.
     pub nanoseconds: f64,
     /// The largest error of a position, m.
@@ -109,6 +119,28 @@ struct Row {
     outputs: Outputs,
     nanoseconds: f64,
     error_position_m: f64,
+    /// Where the column is missing or empty, a baked curve is the wheel's; a solver finds all.
+    points: Option<String>,
+}
+
+impl Row {
+    /// `None` where it is not of one suspension in `f64`, or there for comparison only.
+    fn detail(&self) -> Option<Detail> {
+        let method = self.method.parse().ok()?;
+        let baked = matches!(method, Method::Baked { .. });
+        let points = match self.points.as_deref() {
+            Some("wheel") => Wish::Wheel,
+            None if baked => Wish::Wheel,
+            _ => Wish::AllPoints,
+        };
+        (self.scalar == "f64" && self.lanes == 1).then_some(Detail {
+            method,
+            outputs: self.outputs,
+            points,
+            nanoseconds: self.nanoseconds,
+            error: self.error_position_m,
+        })
+    }
 }
 
 fn outputs<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Outputs, D::Error> {
@@ -149,16 +181,8 @@ impl Figures {
         let mut reader = csv::Reader::from_reader(text.as_bytes());
         let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
         let rows = rows.map_err(|error| Failure::Input(format!("{name}: {error}")))?;
-        let detail = |row: Row| {
-            let detail = Detail {
-                method: row.method.parse().ok()?,
-                outputs: row.outputs,
-                nanoseconds: row.nanoseconds,
-                error: row.error_position_m,
-            };
-            (row.scalar == "f64" && row.lanes == 1).then_some((row.step_s, detail))
-        };
-        let rows = rows.into_iter().filter_map(detail).collect();
+        let steps = rows.iter().map(|row| Some((row.step_s, row.detail()?)));
+        let rows = steps.flatten().collect();
         Ok(Self { rows })
     }
 
@@ -168,7 +192,10 @@ impl Figures {
     /// longer one.
     pub fn choose(&self, need: &Need) -> Option<Detail> {
         let meets = |(step, detail): &&(f64, Detail)| {
-            *step >= need.step && detail.outputs >= need.outputs && detail.error <= need.tolerance
+            *step >= need.step
+                && detail.outputs >= need.outputs
+                && (detail.points == Wish::AllPoints || need.points == Wish::Wheel)
+                && detail.error <= need.tolerance
         };
         let cheapest = self
             .rows
@@ -189,51 +216,70 @@ mod tests {
     use super::*;
 
     const TABLE: &str = "\
-method,scalar,lanes,step_s,outputs,nanoseconds,spread_ns,error_position_m,error_velocity_m_s,error_acceleration_m_s2
-nalgebra_lu,f64,1,0.001,position,5,1,1e-15,,
-generated,f64,1,0.001,position,400,1,1e-15,,
-generated,f64,1,0.001,acceleration,800,1,1e-15,1e-12,1e-10
-bounded_1,f64,1,0.001,position,150,1,2e-12,,
-bounded_1,f64,1,0.02,position,150,1,1e-5,,
-bounded_1,f64,4,0.001,position,40,1,2e-12,,
-series_4,f32,1,0.001,position,30,1,1e-7,,
-baked_1e-4,f64,1,0.02,velocity,8,1,9e-5,1e-2,
-baked_1e-6,f64,1,0.02,velocity,9,1,9e-7,1e-4,
+method,scalar,lanes,step_s,outputs,nanoseconds,spread_ns,error_position_m,error_velocity_m_s,error_acceleration_m_s2,points
+nalgebra_lu,f64,1,0.001,position,5,1,1e-15,,,
+generated,f64,1,0.001,position,400,1,1e-15,,,
+generated,f64,1,0.001,acceleration,800,1,1e-15,1e-12,1e-10,
+bounded_1,f64,1,0.001,position,150,1,2e-12,,,
+bounded_1,f64,1,0.02,position,150,1,1e-5,,,
+bounded_1,f64,4,0.001,position,40,1,2e-12,,,
+series_4,f32,1,0.001,position,30,1,1e-7,,,
+baked_1e-4,f64,1,0.02,velocity,8,1,9e-5,1e-2,,
+baked_1e-6,f64,1,0.02,velocity,9,1,9e-7,1e-4,,wheel
+baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
 ";
 
-    fn chosen(tolerance: f64, outputs: Outputs, step: f64) -> Option<String> {
+    fn chosen(need: &Need) -> Option<String> {
         let figures = Figures::parse("table", TABLE).expect("a table");
-        let need = Need {
-            tolerance,
-            outputs,
-            step,
-        };
-        figures
-            .choose(&need)
-            .map(|detail| detail.method.to_string())
+        let detail = figures.choose(need);
+        detail.map(|detail| detail.method.to_string())
     }
 
     #[test]
     fn the_cheapest_that_meets_the_need() {
         use Outputs::{Acceleration, Position, Velocity};
-        for (tolerance, outputs, step, expected) in [
-            (1e-4, Position, 1e-3, Some("baked_1e-4")),
-            (1e-4, Velocity, 1e-3, Some("baked_1e-4")),
-            (1e-5, Velocity, 1e-3, Some("baked_1e-6")),
-            (1e-9, Position, 1e-3, Some("bounded_1")),
-            (1e-9, Velocity, 1e-3, Some("generated")),
-            (1e-9, Position, 2e-3, None),
-            (1e-14, Position, 1e-3, Some("generated")),
-            (1e-4, Acceleration, 1e-3, Some("generated")),
-            (1e-16, Position, 1e-3, None),
+        use Wish::{AllPoints, Wheel};
+        for (tolerance, outputs, points, step, expected) in [
+            (1e-4, Position, Wheel, 1e-3, Some("baked_1e-4")),
+            (1e-4, Velocity, Wheel, 1e-3, Some("baked_1e-4")),
+            (1e-7, Velocity, AllPoints, 1e-3, Some("generated")),
+            (1e-7, Position, AllPoints, 1e-3, Some("bounded_1")),
+            (1e-5, Velocity, Wheel, 1e-3, Some("baked_1e-6")),
+            (1e-5, Velocity, AllPoints, 1e-3, Some("baked_1e-6")),
+            (1e-9, Position, Wheel, 1e-3, Some("bounded_1")),
+            (1e-9, Velocity, Wheel, 1e-3, Some("generated")),
+            (1e-9, Position, Wheel, 2e-3, None),
+            (1e-14, Position, Wheel, 1e-3, Some("generated")),
+            (1e-4, Acceleration, Wheel, 1e-3, Some("generated")),
+            (1e-16, Position, Wheel, 1e-3, None),
         ] {
-            let found = chosen(tolerance, outputs, step);
-            assert_eq!(
-                found.as_deref(),
-                expected,
-                "{tolerance:e} {outputs:?} {step}"
-            );
+            let need = Need {
+                tolerance,
+                outputs,
+                points,
+                step,
+            };
+            assert_eq!(chosen(&need).as_deref(), expected, "{need:?}");
         }
+    }
+
+    #[test]
+    fn a_table_without_points_is_of_wheels_where_it_is_baked() {
+        let without: String = TABLE
+            .lines()
+            .filter_map(|line| line.rsplit_once(','))
+            .map(|(line, _)| format!("{line}\n"))
+            .collect();
+        let figures = Figures::parse("table", &without).expect("a table");
+        let need = |points| Need {
+            tolerance: 1e-4,
+            outputs: Outputs::Velocity,
+            points,
+            step: 1e-3,
+        };
+        let method = |points| figures.choose(&need(points)).map(|detail| detail.method);
+        assert_eq!(method(Wish::Wheel), Some(Method::Baked { tolerance: 1e-4 }));
+        assert_eq!(method(Wish::AllPoints), Some(Method::Exact));
     }
 
     #[test]
@@ -273,6 +319,7 @@ baked_1e-6,f64,1,0.02,velocity,9,1,9e-7,1e-4,
             let need = Need {
                 tolerance: 1e-14,
                 outputs,
+                points: Wish::AllPoints,
                 step: 1e-3,
             };
             assert_eq!(
