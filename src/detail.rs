@@ -14,71 +14,15 @@
 //! assert_eq!(detail.method, Method::Baked { tolerance: 1e-4 });
 //! ```
 
-use std::fmt;
-use std::str::FromStr;
+mod method;
+mod row;
 
-use serde::de::{Deserialize, Deserializer, Error};
-
+pub use method::{Method, NotAMethod};
 pub use suspension_core::bounded::Outputs;
 
 pub use crate::bake::Wish;
 use crate::failure::Failure;
-
-/// A way to compute a motion, under the names that tables of figures use.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Method {
-    /// The solver to its tolerance: `generated`.
-    Exact,
-    /// One factorisation and a fixed number of corrections: `bounded_1`, `bounded_2`, ...
-    Bounded {
-        /// Corrections.
-        corrections: u8,
-    },
-    /// Taylor series of this order: `series_2`, ...
-    Series {
-        /// Order.
-        order: u8,
-    },
-    /// A baked curve of this tolerance in metres: `baked_1e-6`, ...
-    Baked {
-        /// Tolerance, m.
-        tolerance: f64,
-    },
-}
-
-/// A name that is not a [`Method`]'s: tables also hold methods that are there for comparison.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NotAMethod;
-
-impl FromStr for Method {
-    type Err = NotAMethod;
-
-    fn from_str(name: &str) -> Result<Self, NotAMethod> {
-        fn number<T: FromStr>(digits: &str) -> Result<T, NotAMethod> {
-            digits.parse().map_err(|_| NotAMethod)
-        }
-        match name.split_once('_') {
-            None if name == "generated" => Ok(Self::Exact),
-            Some(("bounded", digits)) => {
-                number(digits).map(|corrections| Self::Bounded { corrections })
-            }
-            Some(("series", digits)) => number(digits).map(|order| Self::Series { order }),
-            Some(("baked", digits)) => number(digits).map(|tolerance| Self::Baked { tolerance }),
-            _ => Err(NotAMethod),
-        }
-    }
-}
-
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Exact => f.write_str("generated"),
-            Self::Bounded { corrections } => write!(f, "bounded_{corrections}"),
-            Self::Series { order } => write!(f, "series_{order}"),
-            Self::Baked { tolerance } => write!(f, "baked_{tolerance:e}"),
-        }
-    }
-}
+use row::Row;
 
 /// What a part of a scene needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,50 +50,6 @@ pub struct Detail {
     pub nanoseconds: f64,
     /// The largest error of a position, m.
     pub error: f64,
-}
-
-/// One measurement, as tables have it; columns that are not needed here are left out.
-#[derive(Clone, Debug, serde::Deserialize)]
-struct Row {
-    method: String,
-    scalar: String,
-    lanes: u32,
-    step_s: f64,
-    #[serde(deserialize_with = "outputs")]
-    outputs: Outputs,
-    nanoseconds: f64,
-    error_position_m: f64,
-    /// Where the column is missing or empty, a baked curve is the wheel's; a solver finds all.
-    points: Option<String>,
-}
-
-impl Row {
-    /// `None` where it is not of one suspension in `f64`, or there for comparison only.
-    fn detail(&self) -> Option<Detail> {
-        let method = self.method.parse().ok()?;
-        let baked = matches!(method, Method::Baked { .. });
-        let points = match self.points.as_deref() {
-            Some("wheel") => Wish::Wheel,
-            None if baked => Wish::Wheel,
-            _ => Wish::AllPoints,
-        };
-        (self.scalar == "f64" && self.lanes == 1).then_some(Detail {
-            method,
-            outputs: self.outputs,
-            points,
-            nanoseconds: self.nanoseconds,
-            error: self.error_position_m,
-        })
-    }
-}
-
-fn outputs<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Outputs, D::Error> {
-    match String::deserialize(deserializer)?.as_str() {
-        "position" => Ok(Outputs::Position),
-        "velocity" => Ok(Outputs::Velocity),
-        "acceleration" => Ok(Outputs::Acceleration),
-        other => Err(D::Error::custom(format!("unknown outputs `{other}`"))),
-    }
 }
 
 /// Measured figures of methods.
@@ -280,26 +180,6 @@ baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
         let method = |points| figures.choose(&need(points)).map(|detail| detail.method);
         assert_eq!(method(Wish::Wheel), Some(Method::Baked { tolerance: 1e-4 }));
         assert_eq!(method(Wish::AllPoints), Some(Method::Exact));
-    }
-
-    #[test]
-    fn names_of_methods_are_read_as_written() {
-        for name in ["generated", "bounded_2", "series_8", "baked_1e-8"] {
-            assert_eq!(
-                name.parse::<Method>().map(|m| m.to_string()),
-                Ok(name.to_owned())
-            );
-        }
-        for name in [
-            "dense_lu",
-            "nalgebra_lu",
-            "absolute",
-            "relative",
-            "baked_",
-            "bounded_-1",
-        ] {
-            assert_eq!(name.parse::<Method>(), Err(NotAMethod));
-        }
     }
 
     #[test]

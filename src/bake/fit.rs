@@ -109,64 +109,17 @@ pub fn bake(wanted: &Wanted, exact: &dyn Exact) -> Result<Baked, Unmet> {
     Err(Unmet::TooManySegments { at })
 }
 
-/// The widest part of the range, to a 64th, that can be baked; `None` where not even the smallest
-/// about the middle can.
-///
-/// # Errors
-///
-/// [`OutOfReach`].
-pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Result<Option<[f64; 2]>, OutOfReach> {
-    const PARTS: u32 = 64;
-    let [from, to] = wanted.range;
-    let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
-    let possible = |first: u32, last: u32| {
-        let range = [first, last].map(place);
-        let count = MOST_SEGMENTS;
-        let fit = Fit {
-            wanted: &Wanted { range, ..*wanted },
-            exact,
-            count,
-        };
-        Ok(last > first && fit.all(0.5)?.is_ok())
-    };
-    let middle = PARTS / 2;
-    let half = most(middle, |half| possible(middle - half, middle + half))?;
-    let before = most(middle, |before| {
-        possible(middle - before.max(half), middle + half)
-    })?
-    .max(half);
-    let after = most(middle, |after| {
-        possible(middle - before, middle + after.max(half))
-    })?
-    .max(half);
-    Ok((half > 0).then(|| [middle - before, middle + after].map(place)))
-}
-
-/// The largest number up to `limit` that is possible, where all smaller ones are.
-fn most(limit: u32, possible: impl Fn(u32) -> Result<bool, OutOfReach>) -> Result<u32, OutOfReach> {
-    let (mut good, mut bad) = (0, limit + 1);
-    while bad - good > 1 {
-        let middle = good.midpoint(bad);
-        if possible(middle)? {
-            good = middle;
-        } else {
-            bad = middle;
-        }
-    }
-    Ok(good)
-}
-
 /// A try with a number of segments.
-struct Fit<'a> {
-    wanted: &'a Wanted,
-    exact: &'a dyn Exact,
-    count: usize,
+pub(super) struct Fit<'a> {
+    pub(super) wanted: &'a Wanted,
+    pub(super) exact: &'a dyn Exact,
+    pub(super) count: usize,
 }
 
 impl Fit<'_> {
     /// All segments, or where in the range (0 to 1) the tolerance is not met: tried first where it
     /// was not met before.
-    fn all(&self, suspect: f64) -> Result<Result<Baked, f64>, OutOfReach> {
+    pub(super) fn all(&self, suspect: f64) -> Result<Result<Baked, f64>, OutOfReach> {
         let first = ((suspect * self.count as f64) as usize).min(self.count - 1);
         if self.segment(first)?.is_none() {
             return Ok(Err(suspect));
@@ -224,6 +177,7 @@ mod tests {
     use nalgebra::Vector3;
 
     use super::*;
+    use crate::bake::widest::widest;
 
     /// A point on a circle of radius one.
     struct Circle;
