@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use suspension::bake::{Baked, Continuity, Path, TERMS, Wanted, Wish, bake};
-use suspension_core::baked::{Curve, Place};
+use suspension_core::baked::Place;
 use suspension_core::{Build, HasWheel, Inputs, Still};
 
 #[path = "../tests/support/mod.rs"]
@@ -29,12 +29,8 @@ fn time<R, const OUT: usize>(
     baked: &Baked,
     read: impl Fn(Place<'_, f64, OUT, TERMS>) -> R,
 ) {
-    let segments = baked.table().expect("so many outputs");
-    let curve = Curve {
-        range: RANGE,
-        segments_per_unit: baked.segments_per_unit(),
-        segments: &segments,
-    };
+    let segments = baked.table::<f64, OUT>().expect("so many outputs");
+    let curve = baked.curve(&segments);
     // Multiples of the golden ratio, modulo 1: all over the range, no two in a row near.
     let part = |k: usize| (k as f64 * 0.618_033_988_749_895).fract();
     let places: Vec<f64> = (0..PLACES)

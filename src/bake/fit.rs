@@ -1,9 +1,15 @@
 //! The smallest number of segments with which a tolerance is met.
 
+use std::fmt;
+
+use suspension_core::Scalar;
+use suspension_core::baked::Curve;
+
 use crate::bake::certify::{Reached, bound, places};
 use crate::bake::driven::{Derivatives, Output};
 use crate::bake::path::{Exact, OutOfReach};
 use crate::bake::scheme::{Coefficients, Continuity, TERMS};
+use crate::number::number;
 
 /// What to bake.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +44,7 @@ impl Baked {
         self.segments.len() as f64 / (to - from)
     }
 
-    /// Numbers by segment, power and output, as [`suspension_core::baked::Curve`] has them.
+    /// Numbers by segment, power and output, as [`Curve`] has them.
     pub fn rows(&self) -> impl Iterator<Item = [Vec<f64>; TERMS]> {
         self.segments.iter().map(|segment| {
             let mut power = 0;
@@ -50,17 +56,31 @@ impl Baked {
         })
     }
 
-    /// The segments of a [`suspension_core::baked::Curve`]; `None` where `OUT` is not the number
-    /// of outputs.
-    pub fn table<const OUT: usize>(&self) -> Option<Vec<[[f64; OUT]; TERMS]>> {
+    /// The segments of a [`Curve`] in a number type; `None` where `OUT` is not the number of
+    /// outputs. What is reached holds in `f64`; with `f32`, coordinates lose some 1e-7 of their
+    /// size more.
+    pub fn table<T: Scalar, const OUT: usize>(&self) -> Option<Vec<[[T; OUT]; TERMS]>> {
         let fixed = |rows: [Vec<f64>; TERMS]| {
-            let mut table = [[0.0; OUT]; TERMS];
+            let mut table = [[T::zero(); OUT]; TERMS];
             for (fixed, row) in table.iter_mut().zip(rows) {
-                *fixed = row.try_into().ok()?;
+                let row: [f64; OUT] = row.try_into().ok()?;
+                *fixed = row.map(T::constant);
             }
             Some(table)
         };
         self.rows().map(fixed).collect()
+    }
+
+    /// The curve over its [`table`](Self::table).
+    pub fn curve<'a, T: Scalar, const OUT: usize>(
+        &self,
+        table: &'a [[[T; OUT]; TERMS]],
+    ) -> Curve<'a, T, OUT, TERMS> {
+        Curve {
+            range: self.wanted.range.map(T::constant),
+            segments_per_unit: T::constant(self.segments_per_unit()),
+            segments: table,
+        }
     }
 }
 
@@ -81,6 +101,21 @@ impl From<OutOfReach> for Unmet {
         Self::OutOfReach(error)
     }
 }
+
+impl fmt::Display for Unmet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfReach(error) => error.fmt(f),
+            Self::TooManySegments { at } => write!(
+                f,
+                "{MOST_SEGMENTS} segments do not meet the tolerance about {}",
+                number(*at)
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Unmet {}
 
 /// Segments that a curve may have: with more, it no longer lies in the fast caches.
 pub const MOST_SEGMENTS: usize = 256;

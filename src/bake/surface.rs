@@ -3,6 +3,8 @@
 
 mod plane;
 
+use std::fmt;
+
 use nalgebra::Vector3;
 use suspension_core::baked::Patch;
 use suspension_core::{Build, HasWheel, Motion, SolveError};
@@ -10,6 +12,7 @@ use suspension_core::{Build, HasWheel, Motion, SolveError};
 use crate::bake::certify;
 use crate::bake::driven::{Driven, Output, Wish};
 use crate::bake::scheme::{Continuity, TERMS};
+use crate::number::number;
 use plane::{Mixed, Plane};
 
 /// What to bake.
@@ -84,6 +87,23 @@ pub enum UnmetSurface {
     /// The tolerance is not met with [`MOST_PATCHES`].
     TooManyPatches,
 }
+
+impl fmt::Display for UnmetSurface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfReach { drives, cause } => {
+                let [first, second] = drives.map(number);
+                write!(f, "the mechanism does not reach {first} and {second}")?;
+                cause.map_or(Ok(()), |cause| write!(f, ": {cause}"))
+            }
+            Self::TooManyPatches => {
+                write!(f, "{MOST_PATCHES} patches do not meet the tolerance")
+            }
+        }
+    }
+}
+
+impl std::error::Error for UnmetSurface {}
 
 /// Patches that a surface may have.
 pub const MOST_PATCHES: usize = 144;

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use suspension::bake::{Baked, Continuity, Exact, Path, TERMS, Wanted, Wish, bake};
 use suspension_core::baked::Curve;
 use suspension_core::linkages::five_link;
-use suspension_core::{Build, HasWheel, Inputs, Named, Still};
+use suspension_core::{Build, HasWheel, Inputs, Named, Real, Still};
 
 use crate::mixed;
 
@@ -44,19 +44,8 @@ fn published<L>(
     check(&bake(wanted, &path).expect("within the tolerance"), &path);
 }
 
-fn curve<const OUT: usize>(
-    baked: &Baked,
-    segments: &'static [[[f64; OUT]; TERMS]],
-) -> Curve<'static, f64, OUT, TERMS> {
-    Curve {
-        range: baked.wanted.range,
-        segments_per_unit: baked.segments_per_unit(),
-        segments,
-    }
-}
-
-fn curve_of<const OUT: usize>(baked: &Baked) -> Curve<'static, f64, OUT, TERMS> {
-    curve(baked, baked.table().expect("the number of outputs").leak())
+fn curve_of<T: Real, const OUT: usize>(baked: &Baked) -> Curve<'static, T, OUT, TERMS> {
+    baked.curve(baked.table().expect("the number of outputs").leak())
 }
 
 fn vectors<const OUT: usize>(numbers: &[f64; OUT]) -> Vec<Vector3<f64>> {
@@ -71,7 +60,7 @@ fn check_against_the_solver(baked: &Baked, exact: &dyn Exact) {
         tolerance,
         ..
     } = baked.wanted;
-    let curve = curve_of::<6>(baked);
+    let curve = curve_of::<f64, 6>(baked);
     let mut largest = [0.0_f64; 3];
     let ends = [0.0, 1.0].into_iter();
     for part in ends.chain(mixed(SEED).take(3000)) {
@@ -131,7 +120,7 @@ fn a_baked_wheel_is_as_close_to_the_solver_as_it_says() {
 fn baked_points_agree_with_the_reference() {
     let reference = Reference::load();
     let check = |baked: &Baked, _: &dyn Exact| {
-        let curve = curve_of::<18>(baked);
+        let curve = curve_of::<f64, 18>(baked);
         let reached = baked.reached;
         for (instant, t) in INSTANTS.into_iter().enumerate() {
             let drive = theta(t);
@@ -168,7 +157,7 @@ fn baked_points_agree_with_the_reference() {
 fn segments_join_as_smoothly_as_asked() {
     for (continuous, continuity) in CONTINUITIES.into_iter().enumerate() {
         let check = |baked: &Baked, _: &dyn Exact| {
-            let curve = curve_of::<6>(baked);
+            let curve = curve_of::<f64, 6>(baked);
             let length = 1.0 / curve.segments_per_unit;
             let rounding = [1e-14, 1e-12, 1e-10];
             for join in 1..curve.segments.len() {
@@ -252,6 +241,31 @@ fn names_of_points_are_those_of_the_listing() {
         support::five_link_inputs,
         Wish::AllPoints,
         &wanted(1e-4, Continuity::Position),
+        check,
+    );
+}
+
+#[test]
+fn in_f32_a_curve_loses_rounding_only() {
+    let check = |baked: &Baked, exact: &dyn Exact| {
+        let curve = curve_of::<f32, 6>(baked);
+        for part in mixed(7).take(1000) {
+            let [from, to] = curve.range;
+            let at = (from + (to - from) * part as f32).min(to);
+            let found = curve.at(at).expect("inside").position().map(f64::from);
+            let exact = exact.at(f64::from(at)).expect("regular");
+            for (found, exact) in vectors(&found).iter().zip(&exact) {
+                let off = (found - exact[0]).norm();
+                assert!(off <= baked.reached.position + 1e-6, "{off:e} at {at}");
+            }
+        }
+    };
+    published(
+        &support::five_link_model(),
+        &support::five_link_rough(),
+        support::five_link_inputs,
+        Wish::Wheel,
+        &wanted(1e-5, Continuity::Velocity),
         check,
     );
 }

@@ -157,3 +157,28 @@ fn a_surface_of_travel_and_steering_is_as_close_to_the_solver_as_it_says() {
         check_surface(tolerance, false, 3.0 * velocity_within);
     }
 }
+
+#[test]
+fn a_surface_beyond_the_mechanism_is_refused() {
+    let design = wishbone();
+    let model = double_wishbone::Model::new(&design).expect("a double wishbone");
+    let at_rest = Motion::at_rest(double_wishbone::Model::unknowns(&design));
+    let held = model.drives_at(&design);
+    let wanted = WantedSurface {
+        drives: [0, 1],
+        ranges: [
+            [held.bump - 1.0, held.bump + 1.0],
+            [held.steer - RACK, held.steer + RACK],
+        ],
+        tolerance: 1e-4,
+        metre: 1.0,
+        smooth: true,
+        wish: Wish::Wheel,
+    };
+    let refused = bake_surface(&model, &at_rest, held, &wanted).expect_err("out of reach");
+    let message = refused.to_string();
+    assert!(
+        message.starts_with("the mechanism does not reach -0.67"),
+        "{message}"
+    );
+}
