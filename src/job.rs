@@ -8,7 +8,7 @@ use crate::input::instants::Instants;
 use crate::input::setup;
 use crate::input::source::Source;
 use crate::output::csv_file::Target;
-use crate::output::files::{print, write_file};
+use crate::output::files::{print, refuse_input, write_file};
 use crate::output::plot::{Chart, Curve};
 use crate::output::summary;
 use crate::published::comparison;
@@ -95,7 +95,7 @@ pub struct Wanted {
 pub fn motion(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = Source::read(&wanted.file)?;
     if let Some(Target::File(csv)) = &wanted.csv {
-        refuse_input(csv, &wanted.file)?;
+        refuse_input(csv, &wanted.file, "--csv")?;
     }
     let (study, instants) = setup::load(&source)?;
     let outcome = run(&*study, &instants, wanted.csv.as_ref(), KEPT, interrupted)?;
@@ -117,19 +117,6 @@ pub fn motion(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> 
     announce(&written);
     let table = wanted.csv.as_ref();
     outcome.failure(source.name(), table).map_or(Ok(()), Err)
-}
-
-/// A table would replace the motion that it is the result of.
-fn refuse_input(csv: &Path, input: &Path) -> Result<(), Failure> {
-    match (csv.canonicalize(), input.canonicalize()) {
-        (Ok(csv_found), Ok(input_found)) if csv_found == input_found => {
-            Err(Failure::Input(format!(
-                "{}: this is the motion file, which --csv would overwrite",
-                csv.display()
-            )))
-        }
-        _ => Ok(()),
-    }
 }
 
 fn announce(written: &[PathBuf]) {

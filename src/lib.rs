@@ -8,7 +8,9 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+pub mod bake;
 pub mod cli;
+pub mod detail;
 pub mod failure;
 pub mod input;
 pub mod job;

@@ -10,6 +10,8 @@ use suspension_core::{
     Advanced, Build, HasKingpin, HasWheel, Inputs, Motion, SolveError, Still, Stopped, Tracker,
 };
 
+use crate::bake::order::{Order, Ordered};
+use crate::bake::source::Sheet;
 use crate::failure::Failure;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
@@ -55,6 +57,14 @@ pub trait Study {
     /// Measures what one step of a millisecond takes: position, velocity and acceleration.
     /// `None` where the motion is too short to tell, or stops.
     fn time_a_step(&self, ends: [f64; 2]) -> Option<Timing>;
+
+    /// Bakes the motion along one drive. `file` and `instants` are those that it was loaded from.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where the order makes no sense, [`Failure::Solver`] where it cannot be
+    /// met.
+    fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure>;
 }
 
 /// How a sweep ended.
@@ -173,6 +183,16 @@ impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N> {
             steps: steps as usize,
             passes: passes.len(),
         })
+    }
+
+    fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure> {
+        let ordered = Ordered {
+            file,
+            assembled: self,
+            instants,
+            order,
+        };
+        ordered.sheet()
     }
 }
 

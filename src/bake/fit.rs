@@ -1,0 +1,276 @@
+//! The smallest number of segments with which a tolerance is met.
+
+use std::fmt;
+
+use suspension_core::Scalar;
+use suspension_core::baked::Curve;
+
+use crate::bake::certify::{Reached, bound, places};
+use crate::bake::driven::{Derivatives, Output};
+use crate::bake::path::{Exact, OutOfReach};
+use crate::bake::scheme::{Coefficients, Continuity, TERMS};
+use crate::number::number;
+
+/// What to bake.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    /// The drive's first and last value.
+    pub range: [f64; 2],
+    /// How far a point may be off, in the unit of the hardpoints.
+    pub tolerance: f64,
+    /// A metre in that unit: the spin axis may be off by as much as a point a metre away.
+    pub metre: f64,
+    /// How segments join.
+    pub continuity: Continuity,
+}
+
+/// A baked motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Baked {
+    /// What was asked for.
+    pub wanted: Wanted,
+    /// The outputs, three numbers each.
+    pub outputs: Vec<Output>,
+    /// Bounds of what the curve is off by.
+    pub reached: Reached,
+    /// The polynomials by segment and output.
+    pub segments: Vec<Vec<Coefficients>>,
+}
+
+impl Baked {
+    /// The number of segments divided by the length of the range.
+    pub fn segments_per_unit(&self) -> f64 {
+        let [from, to] = self.wanted.range;
+        self.segments.len() as f64 / (to - from)
+    }
+
+    /// Numbers by segment, power and output, as [`Curve`] has them.
+    pub fn rows(&self) -> impl Iterator<Item = [Vec<f64>; TERMS]> {
+        self.segments.iter().map(|segment| {
+            let mut power = 0;
+            [(); TERMS].map(|()| {
+                let row = segment.iter().flat_map(|output| output[power]).collect();
+                power += 1;
+                row
+            })
+        })
+    }
+
+    /// The segments of a [`Curve`] in a number type; `None` where `OUT` is not the number of
+    /// outputs. What is reached holds in `f64`; with `f32`, coordinates lose some 1e-7 of their
+    /// size more.
+    pub fn table<T: Scalar, const OUT: usize>(&self) -> Option<Vec<[[T; OUT]; TERMS]>> {
+        let fixed = |rows: [Vec<f64>; TERMS]| {
+            let mut table = [[T::zero(); OUT]; TERMS];
+            for (fixed, row) in table.iter_mut().zip(rows) {
+                let row: [f64; OUT] = row.try_into().ok()?;
+                *fixed = row.map(T::constant);
+            }
+            Some(table)
+        };
+        self.rows().map(fixed).collect()
+    }
+
+    /// The curve over its [`table`](Self::table).
+    pub fn curve<'a, T: Scalar, const OUT: usize>(
+        &self,
+        table: &'a [[[T; OUT]; TERMS]],
+    ) -> Curve<'a, T, OUT, TERMS> {
+        Curve {
+            range: self.wanted.range.map(T::constant),
+            segments_per_unit: T::constant(self.segments_per_unit()),
+            segments: table,
+        }
+    }
+}
+
+/// Why a motion was not baked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unmet {
+    /// The mechanism does not go through the range.
+    OutOfReach(OutOfReach),
+    /// The tolerance is not met with [`MOST_SEGMENTS`].
+    TooManySegments {
+        /// The drive's value about which it was missed.
+        at: f64,
+    },
+}
+
+impl From<OutOfReach> for Unmet {
+    fn from(error: OutOfReach) -> Self {
+        Self::OutOfReach(error)
+    }
+}
+
+impl fmt::Display for Unmet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfReach(error) => error.fmt(f),
+            Self::TooManySegments { at } => write!(
+                f,
+                "{MOST_SEGMENTS} segments do not meet the tolerance about {}",
+                number(*at)
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Unmet {}
+
+/// Segments that a curve may have: with more, it no longer lies in the fast caches.
+pub const MOST_SEGMENTS: usize = 256;
+
+/// Bakes a motion.
+///
+/// # Errors
+///
+/// See [`Unmet`].
+pub fn bake(wanted: &Wanted, exact: &dyn Exact) -> Result<Baked, Unmet> {
+    let [from, to] = wanted.range;
+    let mut missed = 0.5;
+    for count in 1..=MOST_SEGMENTS {
+        match (Fit {
+            wanted,
+            exact,
+            count,
+        })
+        .all(missed)?
+        {
+            Ok(baked) => return Ok(baked),
+            Err(at) => missed = at,
+        }
+    }
+    let at = from + (to - from) * missed;
+    Err(Unmet::TooManySegments { at })
+}
+
+/// A try with a number of segments.
+pub(super) struct Fit<'a> {
+    pub(super) wanted: &'a Wanted,
+    pub(super) exact: &'a dyn Exact,
+    pub(super) count: usize,
+}
+
+impl Fit<'_> {
+    /// All segments, or where in the range (0 to 1) the tolerance is not met: tried first where it
+    /// was not met before.
+    pub(super) fn all(&self, suspect: f64) -> Result<Result<Baked, f64>, OutOfReach> {
+        let first = ((suspect * self.count as f64) as usize).min(self.count - 1);
+        if self.segment(first)?.is_none() {
+            return Ok(Err(suspect));
+        }
+        let mut segments = Vec::new();
+        let mut reached = Reached::default();
+        for index in 0..self.count {
+            let Some((polynomials, of_segment)) = self.segment(index)? else {
+                return Ok(Err((index as f64 + 0.5) / self.count as f64));
+            };
+            segments.push(polynomials);
+            reached = reached.larger(of_segment);
+        }
+        Ok(Ok(Baked {
+            wanted: *self.wanted,
+            outputs: self.exact.outputs(),
+            reached,
+            segments,
+        }))
+    }
+
+    /// One segment; `None` where it does not meet the tolerance.
+    fn segment(&self, index: usize) -> Result<Option<(Vec<Coefficients>, Reached)>, OutOfReach> {
+        let Wanted {
+            range: [from, to],
+            continuity,
+            ..
+        } = *self.wanted;
+        let length = (to - from) / self.count as f64;
+        let at = |place: &f64| self.exact.at(from + length * (index as f64 + place));
+        let met: Vec<_> = continuity
+            .places()
+            .iter()
+            .map(at)
+            .collect::<Result<_, _>>()?;
+        let seen: Vec<_> = places().iter().map(at).collect::<Result<_, _>>()?;
+        let mut polynomials = Vec::new();
+        let mut reached = Reached::default();
+        for (number, output) in self.exact.outputs().iter().enumerate() {
+            let of_output = |values: &[Vec<Derivatives>]| -> Vec<Derivatives> {
+                values.iter().map(|outputs| outputs[number]).collect()
+            };
+            let polynomial = continuity.fit(length, &of_output(&met));
+            let bound = bound(&polynomial, length, &of_output(&seen));
+            let scale = output.lever(self.wanted.metre);
+            reached = reached.larger(bound.scaled(scale));
+            polynomials.push(polynomial);
+        }
+        Ok((reached.position <= self.wanted.tolerance).then_some((polynomials, reached)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+    use crate::bake::widest::widest;
+
+    /// A point on a circle of radius one.
+    struct Circle;
+
+    impl Exact for Circle {
+        fn outputs(&self) -> Vec<Output> {
+            vec![Output::WheelCentre]
+        }
+
+        fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach> {
+            let (y, x) = at.sin_cos();
+            Ok(vec![[
+                Vector3::new(x, y, 0.0),
+                Vector3::new(-y, x, 0.0),
+                Vector3::new(-x, -y, 0.0),
+            ]])
+        }
+    }
+
+    /// Every derivative of the circle has length one: over a segment of length `h` the error is
+    /// `|product of (x - node)| / 6!` at most, for `h = 1` as given here, and that times `h^6`.
+    #[test]
+    fn no_fewer_segments_would_do() {
+        for (continuity, product) in [
+            (Continuity::Position, 1.0 / 1024.0),
+            (Continuity::Velocity, 1.6546e-3),
+            (Continuity::Acceleration, 1.0 / 64.0),
+        ] {
+            for tolerance in [1e-4_f64, 1e-7, 1e-10] {
+                let wanted = Wanted {
+                    range: [0.0, 6.0],
+                    tolerance,
+                    metre: 1.0,
+                    continuity,
+                };
+                let length = (tolerance * 720.0 / product).powf(1.0 / 6.0);
+                let expected = 6.0 / length;
+                let found = bake(&wanted, &Circle).expect("smooth").segments.len() as f64;
+                // The bound takes a few hundredths more than the difference seen.
+                let allowed = 0.98 * expected..1.02 * expected + 1.0;
+                assert!(
+                    allowed.contains(&found),
+                    "{continuity:?} {tolerance:e}: {found}, {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_too_fine_is_refused() {
+        let wanted = Wanted {
+            range: [0.0, 6.0],
+            tolerance: 1e-18,
+            metre: 1.0,
+            continuity: Continuity::Velocity,
+        };
+        let refused = bake(&wanted, &Circle);
+        assert!(matches!(refused, Err(Unmet::TooManySegments { .. })));
+        assert_eq!(widest(&wanted, &Circle), Ok(None));
+    }
+}

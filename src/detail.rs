@@ -1,0 +1,211 @@
+//! How finely to model: the cheapest method that a scene's needs allow, from measured figures.
+//!
+//! ```
+//! use suspension::detail::{Method, Need, Outputs, Wish, choose};
+//!
+//! // A car far away: 0.1 mm is plenty, and nobody reads accelerations.
+//! let need = Need {
+//!     tolerance: 1e-4,
+//!     outputs: Outputs::Velocity,
+//!     points: Wish::Wheel,
+//!     step: 1e-3,
+//! };
+//! let detail = choose(&need).expect("met by a method that was measured");
+//! assert_eq!(detail.method, Method::Baked { tolerance: 1e-4 });
+//! ```
+
+mod method;
+mod row;
+
+pub use method::{Method, NotAMethod};
+pub use suspension_core::bounded::Outputs;
+
+pub use crate::bake::Wish;
+use crate::failure::Failure;
+use row::Row;
+
+/// What a part of a scene needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Need {
+    /// How far a point may be off, m.
+    pub tolerance: f64,
+    /// What is read.
+    pub outputs: Outputs,
+    /// Of which points.
+    pub points: Wish,
+    /// From one instant to the next, s.
+    pub step: f64,
+}
+
+/// A method and what it was measured to cost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Detail {
+    /// The method.
+    pub method: Method,
+    /// What it computes.
+    pub outputs: Outputs,
+    /// Of which points.
+    pub points: Wish,
+    /// Time a step and suspension, ns.
+    pub nanoseconds: f64,
+    /// The largest error of a position, m.
+    pub error: f64,
+}
+
+/// Measured figures of methods.
+#[derive(Clone, Debug)]
+pub struct Figures {
+    rows: Vec<(f64, Detail)>,
+}
+
+impl Figures {
+    /// Those that were measured for this version, on the published five-point suspension.
+    ///
+    /// # Errors
+    ///
+    /// None: the table is part of the program and tested.
+    pub fn built_in() -> Result<Self, Failure> {
+        Self::parse(
+            "src/detail/measured.csv",
+            include_str!("detail/measured.csv"),
+        )
+    }
+
+    /// Reads a table as `suspension chart --csv` writes it: of its rows those in `f64` and one
+    /// lane. `name` is for messages.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where a column is missing or holds no number.
+    pub fn parse(name: &str, text: &str) -> Result<Self, Failure> {
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
+        let rows = rows.map_err(|error| Failure::Input(format!("{name}: {error}")))?;
+        let steps = rows.iter().map(|row| Some((row.step_s, row.detail()?)));
+        let rows = steps.flatten().collect();
+        Ok(Self { rows })
+    }
+
+    /// The cheapest of the methods that were measured to meet a need; `None` where there is none.
+    ///
+    /// Errors grow with the step: a method counts where it was measured with the same step or a
+    /// longer one.
+    pub fn choose(&self, need: &Need) -> Option<Detail> {
+        let meets = |(step, detail): &&(f64, Detail)| {
+            *step >= need.step
+                && detail.outputs >= need.outputs
+                && (detail.points == Wish::AllPoints || need.points == Wish::Wheel)
+                && detail.error <= need.tolerance
+        };
+        let cheapest = self
+            .rows
+            .iter()
+            .filter(meets)
+            .min_by(|(_, a), (_, b)| a.nanoseconds.total_cmp(&b.nanoseconds));
+        cheapest.map(|(_, detail)| *detail)
+    }
+}
+
+/// [`Figures::choose`] from the figures of this version.
+pub fn choose(need: &Need) -> Option<Detail> {
+    Figures::built_in().ok()?.choose(need)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TABLE: &str = "\
+method,scalar,lanes,step_s,outputs,nanoseconds,spread_ns,error_position_m,error_velocity_m_s,error_acceleration_m_s2,points
+nalgebra_lu,f64,1,0.001,position,5,1,1e-15,,,
+generated,f64,1,0.001,position,400,1,1e-15,,,
+generated,f64,1,0.001,acceleration,800,1,1e-15,1e-12,1e-10,
+bounded_1,f64,1,0.001,position,150,1,2e-12,,,
+bounded_1,f64,1,0.02,position,150,1,1e-5,,,
+bounded_1,f64,4,0.001,position,40,1,2e-12,,,
+series_4,f32,1,0.001,position,30,1,1e-7,,,
+baked_1e-4,f64,1,0.02,velocity,8,1,9e-5,1e-2,,
+baked_1e-6,f64,1,0.02,velocity,9,1,9e-7,1e-4,,wheel
+baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
+";
+
+    fn chosen(need: &Need) -> Option<String> {
+        let figures = Figures::parse("table", TABLE).expect("a table");
+        let detail = figures.choose(need);
+        detail.map(|detail| detail.method.to_string())
+    }
+
+    #[test]
+    fn the_cheapest_that_meets_the_need() {
+        use Outputs::{Acceleration, Position, Velocity};
+        use Wish::{AllPoints, Wheel};
+        for (tolerance, outputs, points, step, expected) in [
+            (1e-4, Position, Wheel, 1e-3, Some("baked_1e-4")),
+            (1e-4, Velocity, Wheel, 1e-3, Some("baked_1e-4")),
+            (1e-7, Velocity, AllPoints, 1e-3, Some("generated")),
+            (1e-7, Position, AllPoints, 1e-3, Some("bounded_1")),
+            (1e-5, Velocity, Wheel, 1e-3, Some("baked_1e-6")),
+            (1e-5, Velocity, AllPoints, 1e-3, Some("baked_1e-6")),
+            (1e-9, Position, Wheel, 1e-3, Some("bounded_1")),
+            (1e-9, Velocity, Wheel, 1e-3, Some("generated")),
+            (1e-9, Position, Wheel, 2e-3, None),
+            (1e-14, Position, Wheel, 1e-3, Some("generated")),
+            (1e-4, Acceleration, Wheel, 1e-3, Some("generated")),
+            (1e-16, Position, Wheel, 1e-3, None),
+        ] {
+            let need = Need {
+                tolerance,
+                outputs,
+                points,
+                step,
+            };
+            assert_eq!(chosen(&need).as_deref(), expected, "{need:?}");
+        }
+    }
+
+    #[test]
+    fn a_table_without_points_is_of_wheels_where_it_is_baked() {
+        let without: String = TABLE
+            .lines()
+            .filter_map(|line| line.rsplit_once(','))
+            .map(|(line, _)| format!("{line}\n"))
+            .collect();
+        let figures = Figures::parse("table", &without).expect("a table");
+        let need = |points| Need {
+            tolerance: 1e-4,
+            outputs: Outputs::Velocity,
+            points,
+            step: 1e-3,
+        };
+        let method = |points| figures.choose(&need(points)).map(|detail| detail.method);
+        assert_eq!(method(Wish::Wheel), Some(Method::Baked { tolerance: 1e-4 }));
+        assert_eq!(method(Wish::AllPoints), Some(Method::Exact));
+    }
+
+    #[test]
+    fn a_wrong_table_is_refused_with_its_line() {
+        let text = TABLE.replace("400", "fast");
+        let refused = Figures::parse("table.csv", &text).expect_err("not a number");
+        let message = refused.to_string();
+        assert!(
+            message.starts_with("table.csv: ") && message.contains("line: 3"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn the_built_in_figures_have_a_method_for_every_output() {
+        for outputs in [Outputs::Position, Outputs::Velocity, Outputs::Acceleration] {
+            let need = Need {
+                tolerance: 1e-14,
+                outputs,
+                points: Wish::AllPoints,
+                step: 1e-3,
+            };
+            assert_eq!(
+                choose(&need).map(|detail| detail.method),
+                Some(Method::Exact)
+            );
+        }
+    }
+}
