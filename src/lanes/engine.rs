@@ -75,7 +75,7 @@ where
 #[inline(always)]
 fn align_frame() {
     #[repr(align(64))]
-    struct CacheLine(u8);
+    struct CacheLine(#[expect(dead_code, reason = "it takes room")] u8);
     let mut line = CacheLine(0);
     std::hint::black_box(&mut line);
 }
