@@ -103,10 +103,7 @@ impl<T: Real> Newton<T> {
         let residual_at = |x: &SVector<T, N>| {
             linkage.residual(x, &prescribed.fixed.value, &prescribed.drives.value)
         };
-        let rounding_at = |x: &SVector<T, N>| {
-            let [coordinates] = x.data.0;
-            T::EPSILON * linkage.size().max(largest(coordinates))
-        };
+        let rounding_at = |x: &SVector<T, N>| self.rounding_at(linkage, x);
         let mut at = Iterate::new(*q, residual_at(q))?;
         let mut bound = first_bound;
         for iterations in 1..=self.max_iterations {
@@ -151,6 +148,16 @@ impl<T: Real> Newton<T> {
             tolerance: self.tolerance * rounding_at(&at.q),
             iterations: self.max_iterations,
         })
+    }
+
+    /// What rounding leaves of a length at a position.
+    #[inline(always)]
+    pub(crate) fn rounding_at<L, const N: usize>(&self, linkage: &L, q: &SVector<T, N>) -> T
+    where
+        L: Linkage<N, Scalar = T>,
+    {
+        let [coordinates] = q.data.0;
+        T::EPSILON * linkage.size().max(largest(coordinates))
     }
 
     /// The correction, halved until the residual falls at least a quarter as fast as its
