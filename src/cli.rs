@@ -1,10 +1,14 @@
 //! The command line's options and help.
 
+mod chart;
+
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 
 use clap::{Parser, Subcommand};
 
-use crate::job::Wanted;
+use crate::failure::Failure;
+use crate::job::{self, Wanted};
 use crate::output::csv_file::Target;
 
 /// Suspension kinematics: positions, velocities and accelerations of a driven suspension.
@@ -37,24 +41,35 @@ pub enum Command {
         #[arg(long, value_name = "DIR")]
         plots: Option<PathBuf>,
     },
+    /// Measures every method: what a step takes against the error it makes.
+    ///
+    /// Writes a table, a figure and a page with all figures; see also benches/rivals.
+    #[command(after_long_help = chart::NOTES)]
+    Chart(chart::Arguments),
 }
 
 impl Command {
-    /// The job that the command asks for.
-    pub fn wanted(self) -> Wanted {
-        let Self::Motion { file, csv, plots } = self;
-        let target = |path: PathBuf| {
-            if path.as_os_str() == "-" {
-                Target::Stdout
-            } else {
-                Target::File(path)
+    /// Does what the command asks for.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`].
+    pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
+        match self {
+            Self::Motion { file, csv, plots } => {
+                let csv = csv.map(target);
+                job::motion(&Wanted { file, csv, plots }, interrupted)
             }
-        };
-        Wanted {
-            file,
-            csv: csv.map(target),
-            plots,
+            Self::Chart(arguments) => arguments.run(interrupted),
         }
+    }
+}
+
+fn target(path: PathBuf) -> Target {
+    if path.as_os_str() == "-" {
+        Target::Stdout
+    } else {
+        Target::File(path)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::input::instants::Instants;
 use crate::input::setup;
 use crate::input::source::Source;
 use crate::output::csv_file::Target;
-use crate::output::files::{print, write_file};
+use crate::output::files::{print, refuse_input, write_file};
 use crate::output::plot::{Chart, Curve};
 use crate::output::summary;
 use crate::published::comparison;
@@ -22,6 +22,12 @@ const BUILT_IN: (&str, &str) = (
     include_str!("../examples/attia2003.toml"),
 );
 
+/// The published motion.
+pub fn built_in() -> Source {
+    let (name, text) = BUILT_IN;
+    Source::new(name, text)
+}
+
 /// Rows kept of a sweep for the summary and as marks in the plots.
 const KEPT: usize = 12;
 
@@ -31,8 +37,7 @@ const KEPT: usize = 12;
 ///
 /// Where a result cannot be written, or the user interrupts.
 pub fn published(interrupted: &AtomicBool) -> Result<(), Failure> {
-    let (name, text) = BUILT_IN;
-    let source = Source::new(name, text);
+    let source = built_in();
     let (study, instants) = setup::load(&source)?;
     let csv = PathBuf::from("out/attia2003.csv");
     let target = Target::File(csv.clone());
@@ -95,7 +100,7 @@ pub struct Wanted {
 pub fn motion(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = Source::read(&wanted.file)?;
     if let Some(Target::File(csv)) = &wanted.csv {
-        refuse_input(csv, &wanted.file)?;
+        refuse_input(csv, &wanted.file, "--csv")?;
     }
     let (study, instants) = setup::load(&source)?;
     let outcome = run(&*study, &instants, wanted.csv.as_ref(), KEPT, interrupted)?;
@@ -119,20 +124,8 @@ pub fn motion(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> 
     outcome.failure(source.name(), table).map_or(Ok(()), Err)
 }
 
-/// A table would replace the motion that it is the result of.
-fn refuse_input(csv: &Path, input: &Path) -> Result<(), Failure> {
-    match (csv.canonicalize(), input.canonicalize()) {
-        (Ok(csv_found), Ok(input_found)) if csv_found == input_found => {
-            Err(Failure::Input(format!(
-                "{}: this is the motion file, which --csv would overwrite",
-                csv.display()
-            )))
-        }
-        _ => Ok(()),
-    }
-}
-
-fn announce(written: &[PathBuf]) {
+/// Names the files that were written.
+pub fn announce(written: &[PathBuf]) {
     for path in written {
         eprintln!("wrote {}", path.display());
     }

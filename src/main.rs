@@ -18,7 +18,7 @@ fn main() -> ExitCode {
     }
     let done = match options.command {
         None => job::published(&interrupted),
-        Some(command) => job::motion(&command.wanted(), &interrupted),
+        Some(command) => command.run(&interrupted),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

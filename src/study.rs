@@ -4,12 +4,18 @@ pub mod columns;
 pub mod sweep;
 
 use std::ops::ControlFlow;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
+use nalgebra::{Const, DimMin};
+use suspension_core::linkage::Listing;
 use suspension_core::{
-    Advanced, Build, HasKingpin, HasWheel, Inputs, Motion, SolveError, Still, Stopped, Tracker,
+    Advanced, Build, HasKingpin, HasWheel, Inputs, Linkage, Motion, SolveError, Still, Stopped,
+    Tracker,
 };
 
+use crate::chart;
+use crate::chart::survey::{Effort, Surveyed};
 use crate::failure::Failure;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
@@ -19,12 +25,16 @@ use columns::PointNames;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
 pub trait Suspension<const N: usize>:
-    Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>> + 'static
+    Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
+    + Linkage<N, Listing: Listing<N, Model<f64> = Self>>
+    + 'static
 {
 }
 
 impl<L, const N: usize> Suspension<N> for L where
-    L: Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>> + 'static
+    L: Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
+        + Linkage<N, Listing: Listing<N, Model<f64> = L>>
+        + 'static
 {
 }
 
@@ -55,6 +65,18 @@ pub trait Study {
     /// Measures what one step of a millisecond takes: position, velocity and acceleration.
     /// `None` where the motion is too short to tell, or stops.
     fn time_a_step(&self, ends: [f64; 2]) -> Option<Timing>;
+
+    /// Puts every method of the chart through the motion between two times.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] where there is no motion.
+    fn chart(
+        &self,
+        ends: [f64; 2],
+        effort: &Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<Surveyed, Failure>;
 }
 
 /// How a sweep ended.
@@ -111,7 +133,10 @@ pub struct Assembled<L, const N: usize> {
     pub drives: DriveLaws,
 }
 
-impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N> {
+impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
     fn linkage(&self) -> &'static str {
         self.linkage
     }
@@ -173,6 +198,15 @@ impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N> {
             steps: steps as usize,
             passes: passes.len(),
         })
+    }
+
+    fn chart(
+        &self,
+        ends: [f64; 2],
+        effort: &Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<Surveyed, Failure> {
+        chart::measure(self, ends, effort, interrupted)
     }
 }
 

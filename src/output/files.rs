@@ -125,3 +125,21 @@ pub fn print(text: &str) -> Result<(), Failure> {
         .and_then(|()| out.flush())
         .map_err(|error| Failure::writing("standard output", &error))
 }
+
+/// Refuses to write a result over the motion that it is the result of. `option` is the one that
+/// names the result.
+///
+/// # Errors
+///
+/// [`Failure::Input`].
+pub fn refuse_input(result: &Path, input: &Path, option: &str) -> Result<(), Failure> {
+    match (result.canonicalize(), input.canonicalize()) {
+        (Ok(result_found), Ok(input_found)) if result_found == input_found => {
+            Err(Failure::Input(format!(
+                "{}: this is the motion file, which {option} would overwrite",
+                result.display()
+            )))
+        }
+        _ => Ok(()),
+    }
+}

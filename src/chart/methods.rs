@@ -1,0 +1,52 @@
+//! The table of methods: one row each.
+
+use nalgebra::{Const, DimMin, SVector};
+use suspension_core::{Build, Linkage, Named, Real};
+
+use super::double_double::DoubleDouble;
+use super::formulation::absolute::Absolute;
+use super::formulation::five_links::FiveLinks;
+use super::formulation::points::Points;
+use super::formulation::relative::Relative;
+use super::method::Method;
+use super::newton::{Nalgebra, Newton, Own};
+use super::tracked::Generated;
+use super::trial::{Candidate, Entry};
+
+/// The methods of the chart, for drives `D` and `N` coordinates.
+pub struct Methods<'a, D, const N: usize> {
+    /// In the order of the table.
+    pub rows: Vec<Box<dyn Candidate<'a, D, N> + 'a>>,
+}
+
+impl<'a, D: Named<f64> + 'a, const N: usize> Methods<'a, D, N> {
+    /// The methods that work on one suspension, in the number type of `model`. `position` are the
+    /// coordinates at the first instant.
+    pub fn add_scalar<T, L, M>(
+        &mut self,
+        published: &L,
+        model: &'a M,
+        position: &SVector<DoubleDouble, N>,
+    ) where
+        T: Real,
+        L: Build<N, Scalar = f64>,
+        M: Linkage<N, Scalar = T>,
+        Const<N>: DimMin<Const<N>, Output = Const<N>>,
+    {
+        let (scalar, points) = (std::any::type_name::<T>(), Points(model));
+        self.add("nalgebra_lu", scalar, Newton::new(points, Nalgebra));
+        self.add("dense_lu", scalar, Newton::new(points, Own));
+        self.add("generated", scalar, Generated(model));
+        if let Some(links) = FiveLinks::<T>::of(published, position) {
+            self.add("absolute", scalar, Newton::new(Absolute(links), Own));
+            self.add("relative", scalar, Newton::new(Relative::new(links), Own));
+        }
+    }
+
+    fn add<M>(&mut self, name: &str, scalar: &'static str, method: M)
+    where
+        M: Method<D, N> + Copy + 'a,
+    {
+        self.rows.push(Box::new(Entry::new(name, scalar, method)));
+    }
+}
