@@ -6,6 +6,8 @@ pub mod double_double;
 pub mod figure;
 pub mod formulation;
 pub mod labels;
+pub mod latency;
+pub mod latency_page;
 pub mod method;
 pub mod methods;
 pub mod newton;
@@ -37,7 +39,7 @@ use double_double::DoubleDouble;
 use methods::Methods;
 use page::Findings;
 use reference::Reference;
-use survey::{Effort, Surveyed, survey};
+use survey::{Effort, MILLISECOND, Plan, Survey, nearest_to};
 
 /// What to make a chart of, and where it goes.
 #[derive(Clone, Debug)]
@@ -75,7 +77,7 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let (study, instants) = setup::load(&source)?;
     let [first, last] = instants.ends();
     let last = wanted.file.as_ref().map_or(LAST_OF_PUBLISHED, |_| last);
-    let (rows, missing) = study.chart([first, last], &wanted.effort, interrupted)?;
+    let survey = study.chart([first, last], &wanted.effort, interrupted)?;
     let motion = format!(
         "{}, {} of t = {} s to {} s",
         source.name(),
@@ -85,13 +87,13 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     );
     let findings = Findings {
         motion,
-        rows,
+        clock: latency::clock(),
+        survey,
         rivals,
-        missing,
     };
     write(&findings, &wanted.folder, csv)?;
     if interrupted.load(Ordering::Relaxed) {
-        let kept = findings.rows.len();
+        let kept = findings.survey.rows.len();
         return Err(Failure::Interrupted(format!(
             "interrupted: {kept} rows were kept"
         )));
@@ -101,15 +103,14 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
 
 fn write(findings: &Findings, folder: &Path, csv: PathBuf) -> Result<(), Failure> {
     let mut written = vec![csv];
-    write_file(&written[0], &rows::to_csv(&findings.rows)?)?;
-    if let Some(step) = findings.steps().into_iter().min_by(|a, b| {
-        let off = |step: &f64| (step / SHOWN_STEP).ln().abs();
-        off(a).total_cmp(&off(b))
-    }) {
-        for (name, text) in [
+    write_file(&written[0], &rows::to_csv(&findings.survey.rows)?)?;
+    if let Some(step) = nearest_to(MILLISECOND, findings.steps().into_iter()) {
+        let latencies = findings.latency_svg().map(|text| ("latency.svg", text));
+        let page = [
             ("chart.svg", findings.svg(step)),
             ("chart.html", findings.html()),
-        ] {
+        ];
+        for (name, text) in page.into_iter().chain(latencies) {
             let path = folder.join(name);
             write_file(&path, &text)?;
             written.push(path);
@@ -118,9 +119,6 @@ fn write(findings: &Findings, folder: &Path, csv: PathBuf) -> Result<(), Failure
     job::announce(&written);
     Ok(())
 }
-
-/// The time step of `chart.svg`, s, or the one that is nearest to it.
-const SHOWN_STEP: f64 = 1e-3;
 
 /// Measures all methods on a mechanism between two times.
 ///
@@ -132,7 +130,7 @@ pub fn measure<L: Suspension<N>, const N: usize>(
     ends: [f64; 2],
     effort: &Effort,
     interrupted: &AtomicBool,
-) -> Result<Surveyed, Failure>
+) -> Result<Survey, Failure>
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
@@ -144,10 +142,17 @@ where
             let cause = cause::<L, N>(&error, assembled.unit);
             Failure::Solver(format!("no motion at t = {} s: {cause}", number(t)))
         })?;
-    let position = &reference.at(0)[0];
+    let [position, ..] = &reference.instants()[0];
     let single = L::Listing::gather([model], |[x]: [f64; 1]| x as f32);
     let mut methods = Methods { rows: Vec::new() };
     methods.add_scalar(model, model, position);
     methods.add_scalar(model, &single, position);
-    Ok(survey(&methods, &course, &reference, effort, interrupted))
+    let plan = Plan {
+        methods,
+        course: &course,
+        reference: &reference,
+        effort,
+        interrupted,
+    };
+    Ok(plan.survey())
 }

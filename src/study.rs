@@ -15,7 +15,7 @@ use suspension_core::{
 };
 
 use crate::chart;
-use crate::chart::survey::{Effort, Surveyed};
+use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
@@ -76,7 +76,7 @@ pub trait Study {
         ends: [f64; 2],
         effort: &Effort,
         interrupted: &AtomicBool,
-    ) -> Result<Surveyed, Failure>;
+    ) -> Result<Survey, Failure>;
 }
 
 /// How a sweep ended.
@@ -205,7 +205,7 @@ where
         ends: [f64; 2],
         effort: &Effort,
         interrupted: &AtomicBool,
-    ) -> Result<Surveyed, Failure> {
+    ) -> Result<Survey, Failure> {
         chart::measure(self, ends, effort, interrupted)
     }
 }

@@ -1,5 +1,8 @@
 //! Logarithmic axes.
 
+/// Left free between an end and the first value, in decades: points are not cut by the frame.
+const MARGIN: f64 = 0.08;
+
 /// A logarithmic axis of a figure: whole decades, from one place of the drawing to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
@@ -17,10 +20,15 @@ impl Axis {
             Some((exponent.min(low), exponent.max(high)))
         });
         let (low, high) = ends.unwrap_or_default();
-        let low = low.floor() as i32;
-        let high = (high.ceil() as i32).max(low + 1);
+        let low = (low - MARGIN).floor() as i32;
+        let high = (high + MARGIN).ceil() as i32;
+        Self::between([low, high], places)
+    }
+
+    /// From one power of ten to another.
+    pub fn between([low, high]: [i32; 2], places: [f64; 2]) -> Self {
         Self {
-            decades: [low, high],
+            decades: [low, high.max(low + 1)],
             places,
         }
     }
@@ -40,7 +48,7 @@ impl Axis {
     }
 
     /// Places of two to nine in each decade.
-    pub fn between(&self) -> impl Iterator<Item = f64> {
+    pub fn minor(&self) -> impl Iterator<Item = f64> {
         let [low, high] = self.decades;
         let axis = *self;
         (low..high).flat_map(move |exponent| {
@@ -79,7 +87,7 @@ mod tests {
         let axis = Axis::around([3.0, 250.0].into_iter(), [0.0, 300.0]);
         let decades: Vec<_> = axis.decades().collect();
         assert_eq!(decades, [(0, 0.0), (1, 100.0), (2, 200.0), (3, 300.0)]);
-        assert_eq!(axis.between().count(), 24);
+        assert_eq!(axis.minor().count(), 24);
     }
 
     #[test]

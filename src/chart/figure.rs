@@ -64,13 +64,15 @@ impl Figure {
             .collect();
         let values: Vec<(f64, f64)> = marks.iter().map(|mark| (mark.time, mark.error)).collect();
         let front = front(&values);
+        let corners = staircase(front.iter().map(|index| places[*index]));
+        let drawn = drawn(&places, &corners);
         html! {
             g font-size="12" fill=(INK) {
                 text x=(LEFT) y=(TOP - 16.0) font-size="15" font-weight="bold" { (self.title) }
                 (self.grid(&x, &y))
-                (steps(&front.iter().map(|index| places[*index]).collect::<Vec<_>>()))
+                (draw_staircase(&corners))
                 @for (mark, at) in marks.iter().zip(&places) { (draw_mark(mark, *at, &x)) }
-                (names(&marks, &places, &front))
+                (names(&marks, &places, &front, &drawn))
             }
         }
     }
@@ -80,7 +82,7 @@ impl Figure {
         let turned = format!("translate(18 {}) rotate(-90)", (TOP + BOTTOM) / 2.0);
         html! {
             g stroke="#e4e4e4" {
-                @for at in x.between().map(tenth) { line x1=(at) x2=(at) y1=(TOP) y2=(BOTTOM) stroke="#f3f3f3" {} }
+                @for at in x.minor().map(tenth) { line x1=(at) x2=(at) y1=(TOP) y2=(BOTTOM) stroke="#f3f3f3" {} }
                 @for (_, at) in x.decades() { line x1=(tenth(at)) x2=(tenth(at)) y1=(TOP) y2=(BOTTOM) {} }
                 @for (_, at) in y.decades() { line x1=(LEFT) x2=(RIGHT) y1=(tenth(at)) y2=(tenth(at)) {} }
             }
@@ -97,25 +99,44 @@ impl Figure {
     }
 }
 
-/// The front's staircase: what is above and right of it is beaten.
-fn steps(front: &[(f64, f64)]) -> Markup {
-    let mut path = String::new();
-    for (index, (x, y)) in front
-        .iter()
-        .map(|(x, y)| (tenth(*x), tenth(*y)))
-        .enumerate()
-    {
-        path += &match index {
-            0 => format!("M{x} {TOP}V{y}"),
-            _ => format!("H{x}V{y}"),
-        };
+/// The front's staircase, corner by corner: what is above and right of it is beaten.
+fn staircase(front: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let mut corners = Vec::new();
+    let mut level = TOP;
+    for (x, y) in front {
+        corners.extend([(x, level), (x, y)]);
+        level = y;
     }
-    let path = if front.is_empty() {
-        path
-    } else {
-        format!("{path}H{RIGHT}")
-    };
-    html! { path d=(path) fill="none" stroke=(INK) stroke-width="1.2" stroke-dasharray="5 3" {} }
+    corners.extend((!corners.is_empty()).then_some((RIGHT, level)));
+    corners
+}
+
+fn draw_staircase(corners: &[(f64, f64)]) -> Markup {
+    let points: Vec<String> = corners
+        .iter()
+        .map(|(x, y)| format!("{},{}", tenth(*x), tenth(*y)))
+        .collect();
+    html! {
+        polyline points=(points.join(" ")) fill="none" stroke=(INK) stroke-width="1.2" stroke-dasharray="5 3" {}
+    }
+}
+
+/// What a name must not cover: points, and the staircase's lines.
+fn drawn(places: &[(f64, f64)], corners: &[(f64, f64)]) -> Vec<Area> {
+    const POINT: f64 = 5.0;
+    let points = places
+        .iter()
+        .map(|place| Area::around(*place, POINT, POINT));
+    let lines = corners.windows(2).map(|ends| {
+        let ((x, y), (to_x, to_y)) = (ends[0], ends[1]);
+        let middle = ((x + to_x) / 2.0, (y + to_y) / 2.0);
+        Area::around(
+            middle,
+            (to_x - x).abs() / 2.0 + 1.0,
+            (to_y - y).abs() / 2.0 + 1.0,
+        )
+    });
+    points.chain(lines).collect()
 }
 
 fn draw_mark(mark: &Mark, (x, y): (f64, f64), axis: &Axis) -> Markup {
@@ -134,13 +155,13 @@ fn draw_mark(mark: &Mark, (x, y): (f64, f64), axis: &Axis) -> Markup {
 }
 
 /// Names of the points on the front.
-fn names(marks: &[&Mark], places: &[(f64, f64)], front: &[usize]) -> Markup {
+fn names(marks: &[&Mark], places: &[(f64, f64)], front: &[usize], drawn: &[Area]) -> Markup {
     let texts: Vec<(String, (f64, f64))> = front
         .iter()
         .map(|index| (marks[*index].name.clone(), places[*index]))
         .collect();
     let frame = Area([LEFT + 2.0, TOP + 2.0, RIGHT - 2.0, BOTTOM - 2.0]);
-    let areas = place(&texts, places, frame);
+    let areas = place(&texts, drawn, frame);
     html! {
         @for ((text, point), Area([left, top, right, bottom])) in texts.iter().zip(areas) {
             @let end = (point.0.clamp(left, right), point.1.clamp(top, bottom));

@@ -42,13 +42,10 @@ pub fn width(text: &str) -> f64 {
 }
 
 /// Puts each text beside its point: the nearest of many places around it that is inside `frame`
-/// and meets neither a point nor another text; where there is none, the place that covers least.
-pub fn place(texts: &[(String, (f64, f64))], points: &[(f64, f64)], frame: Area) -> Vec<Area> {
-    const POINT: f64 = 4.5;
-    let mut taken: Vec<Area> = points
-        .iter()
-        .map(|point| Area::around(*point, POINT, POINT))
-        .collect();
+/// and meets neither what is `drawn` nor another text; where there is none, the one that covers
+/// least.
+pub fn place(texts: &[(String, (f64, f64))], drawn: &[Area], frame: Area) -> Vec<Area> {
+    let mut taken = drawn.to_vec();
     let mut placed = Vec::new();
     for (text, at) in texts {
         let (half_width, half_height) = (width(text) / 2.0, LINE / 2.0);
@@ -113,7 +110,8 @@ mod tests {
             .map(|point| ("generated f32 ×8".to_owned(), *point))
             .collect();
         let frame = Area([0.0, 0.0, 600.0, 400.0]);
-        let placed = place(&texts, &points, frame);
+        let drawn: Vec<Area> = points.iter().map(|p| Area::around(*p, 4.0, 4.0)).collect();
+        let placed = place(&texts, &drawn, frame);
         for (index, area) in placed.iter().enumerate() {
             assert!(frame.holds(area));
             assert!(placed[..index].iter().all(|other| !area.meets(other)));

@@ -3,9 +3,11 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::figure::{Figure, Mark, SIZE};
+use super::latency_page;
 use super::method::Outputs;
-use super::rows::{Rival, Row};
+use super::rows::Rival;
 use super::style::{LEGEND, Style, legend};
+use super::survey::Survey;
 use crate::number::rounded;
 
 /// All that the chart shows.
@@ -14,24 +16,24 @@ pub struct Findings {
     /// What moves, and when.
     pub motion: String,
     /// Our methods.
-    pub rows: Vec<Row>,
+    pub survey: Survey,
+    /// The median reading of the clock with nothing to time, ns.
+    pub clock: u64,
     /// Rivals.
     pub rivals: Vec<Rival>,
-    /// What is missing, and why.
-    pub missing: Vec<String>,
 }
 
 impl Findings {
     /// The time steps, shortest first.
     pub fn steps(&self) -> Vec<f64> {
-        let mut steps: Vec<f64> = self.rows.iter().map(|row| row.step_s).collect();
+        let mut steps: Vec<f64> = self.survey.rows.iter().map(|row| row.step_s).collect();
         steps.sort_unstable_by(f64::total_cmp);
         steps.dedup();
         steps
     }
 
     fn figure(&self, outputs: Outputs, step: f64) -> Figure {
-        let ours = self.rows.iter().filter_map(|row| {
+        let ours = self.survey.rows.iter().filter_map(|row| {
             let wanted = row.outputs == outputs.name() && row.step_s == step;
             let error = row.error().filter(|_| wanted)?;
             Some(Mark {
@@ -72,6 +74,22 @@ impl Findings {
         document(SIZE.0, height, &content).into_string()
     }
 
+    fn latency_figure(&self) -> Option<Markup> {
+        let Survey {
+            latencies,
+            latency_step,
+            ..
+        } = &self.survey;
+        let title = format!("Time of single steps of {}", milliseconds(*latency_step));
+        let drawn = || document(SIZE.0, SIZE.1, &latency_page::draw(&title, latencies));
+        (!latencies.is_empty()).then(drawn)
+    }
+
+    /// The part of single steps that take longer, over time, as an SVG document.
+    pub fn latency_svg(&self) -> Option<String> {
+        self.latency_figure().map(Markup::into_string)
+    }
+
     /// Everything, as an HTML document without links to others.
     pub fn html(&self) -> String {
         let page = html! {
@@ -97,9 +115,14 @@ impl Findings {
                         (self.table(step))
                     }
                     (self.rivals_table())
-                    @if !self.missing.is_empty() {
+                    @if let Some(figure) = self.latency_figure() {
+                        h2 { "Single steps" }
+                        (figure)
+                        (latency_page::table(&self.survey.latencies, self.clock))
+                    }
+                    @if !self.survey.missing.is_empty() {
                         h2 { "Not in the chart" }
-                        ul { @for line in &self.missing { li { (line) } } }
+                        ul { @for line in &self.survey.missing { li { (line) } } }
                     }
                 }
             }
@@ -108,7 +131,7 @@ impl Findings {
     }
 
     fn table(&self, step: f64) -> Markup {
-        let rows = self.rows.iter().filter(|row| row.step_s == step);
+        let rows = self.survey.rows.iter().filter(|row| row.step_s == step);
         html! {
             details {
                 summary { "Table" }

@@ -47,9 +47,14 @@ impl<const N: usize> Reference<N> {
         Ok(Self { instants })
     }
 
-    /// The motion at an instant of the course, by its index.
-    pub fn at(&self, index: usize) -> &Exact<N> {
-        &self.instants[index]
+    /// The motion at each instant.
+    pub fn instants(&self) -> &[Exact<N>] {
+        &self.instants
+    }
+
+    /// The coordinates at the first instant.
+    pub fn start(&self) -> SVector<f64, N> {
+        self.instants[0][0].map(DoubleDouble::nearest)
     }
 
     /// The largest distance of position, velocity and acceleration from the motion at an instant.

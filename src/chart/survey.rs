@@ -5,12 +5,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use suspension_core::Named;
 
 use super::course::Course;
+use super::latency::{Latencies, under_load};
 use super::method::Outputs;
 use super::methods::Methods;
 use super::reference::Reference;
 use super::rows::Row;
 use super::timing::{Batch, Measured};
 use super::trial::Label;
+use crate::number::number;
 use crate::output::progress::Progress;
 
 /// How much is measured.
@@ -52,57 +54,150 @@ struct Tried<'a> {
     batches: [(Box<dyn Batch + 'a>, Vec<f64>); 3],
 }
 
-/// Rows of all that was measured, and what there is no row of, and why.
-pub type Surveyed = (Vec<Row>, Vec<String>);
+/// What was measured.
+#[derive(Clone, Debug, Default)]
+pub struct Survey {
+    /// One row a method, number type, time step and what is computed.
+    pub rows: Vec<Row>,
+    /// What there is no row of, and why.
+    pub missing: Vec<String>,
+    /// Times of single steps.
+    pub latencies: Vec<Latencies>,
+    /// The length of those steps, s.
+    pub latency_step: f64,
+}
 
-/// Puts every method through the course at every time step. What was measured when the user
-/// interrupts is kept.
-pub fn survey<D: Named<f64>, const N: usize>(
-    methods: &Methods<'_, D, N>,
-    course: &Course<D>,
-    reference: &Reference<N>,
-    effort: &Effort,
-    interrupted: &AtomicBool,
-) -> Surveyed {
-    let stop = || interrupted.load(Ordering::Relaxed);
-    let mut progress = Progress::new((methods.rows.len() * effort.steps.len()) + effort.rounds);
-    let (mut tried, mut missing) = (Vec::new(), Vec::new());
-    for candidate in &methods.rows {
-        for step in &effort.steps {
-            if stop() {
-                break;
-            }
-            let Some(stride) = course.stride(*step) else {
-                continue;
-            };
-            let label = candidate.label().clone();
-            match candidate.try_at(course, stride, reference) {
-                Ok(trial) => tried.push(Tried {
-                    label,
-                    step: *step,
-                    errors: trial.errors,
-                    batches: trial.batches.map(|batch| (batch, Vec::new())),
-                }),
-                Err(index) => missing.push(format!(
-                    "{} in {}, steps of {} s: no configuration at t = {} s",
-                    label.method, label.scalar, step, course.times[index]
-                )),
-            }
-            progress.step();
+/// The methods whose steps are timed one by one, in `f64`.
+const ONE_BY_ONE: [&str; 2] = ["generated", "bounded_1"];
+
+/// Methods, the motion that they go through, and how much is measured.
+pub struct Plan<'a, D, const N: usize> {
+    /// The methods.
+    pub methods: Methods<'a, D, N>,
+    /// The motion.
+    pub course: &'a Course<D>,
+    /// The same, exactly.
+    pub reference: &'a Reference<N>,
+    /// How much.
+    pub effort: &'a Effort,
+    /// Set where the user wants no more: what was measured until then is kept.
+    pub interrupted: &'a AtomicBool,
+}
+
+impl<'a, D: Named<f64>, const N: usize> Plan<'a, D, N> {
+    /// Puts every method through the motion at every time step, then times all of them.
+    pub fn survey(&self) -> Survey {
+        let steps = self.effort.steps.len();
+        let each = 1 + Outputs::ALL.len() * self.effort.rounds;
+        let mut progress = Progress::new(self.methods.rows.len() * steps * each, "measurements");
+        let (mut tried, missing) = self.try_all(&mut progress);
+        self.time_all(&mut tried, &mut progress);
+        drop(progress);
+        let (latency_step, latencies) = self.latencies();
+        Survey {
+            rows: tried.into_iter().flat_map(rows).collect(),
+            missing,
+            latencies,
+            latency_step,
         }
     }
-    // In rounds, so that what else the machine does is shared out evenly.
-    for _ in 0..effort.rounds {
-        for (batch, times) in tried.iter_mut().flat_map(|tried| &mut tried.batches) {
-            if stop() {
-                break;
-            }
-            let nanoseconds = batch.run().as_secs_f64() * 1e9;
-            times.push(nanoseconds / batch.steps() as f64);
-        }
-        progress.step();
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupted.load(Ordering::Relaxed)
     }
-    (tried.into_iter().flat_map(rows).collect(), missing)
+
+    fn try_all(&self, progress: &mut Progress) -> (Vec<Tried<'a>>, Vec<String>) {
+        let (mut tried, mut missing) = (Vec::new(), Vec::new());
+        for candidate in &self.methods.rows {
+            for step in &self.effort.steps {
+                let stride = self.course.stride(*step);
+                let Some(stride) = stride.filter(|_| !self.is_interrupted()) else {
+                    continue;
+                };
+                let label = candidate.label().clone();
+                match candidate.try_at(self.course, stride, self.reference) {
+                    Ok(trial) => tried.push(Tried {
+                        label,
+                        step: *step,
+                        errors: trial.errors,
+                        batches: trial.batches.map(|batch| (batch, Vec::new())),
+                    }),
+                    Err(index) => missing.push(format!(
+                        "{} in {}, steps of {step} s: no configuration at t = {} s",
+                        label.method,
+                        label.scalar,
+                        number(self.course.times[index])
+                    )),
+                }
+                progress.step();
+            }
+        }
+        (tried, missing)
+    }
+
+    /// In rounds, so that what else the machine does is shared out evenly.
+    fn time_all(&self, tried: &mut [Tried<'_>], progress: &mut Progress) {
+        for _ in 0..self.effort.rounds {
+            for (batch, times) in tried.iter_mut().flat_map(|tried| &mut tried.batches) {
+                if self.is_interrupted() {
+                    return;
+                }
+                let nanoseconds = batch.run().as_secs_f64() * 1e9;
+                times.push(nanoseconds / batch.steps() as f64);
+                progress.step();
+            }
+        }
+    }
+
+    /// With the time step that is nearest to a millisecond.
+    fn latencies(&self) -> (f64, Vec<Latencies>) {
+        let step = nearest_to(MILLISECOND, self.effort.steps.iter().copied());
+        let Some((step, stride)) = step.and_then(|step| Some((step, self.course.stride(step)?)))
+        else {
+            return (MILLISECOND, Vec::new());
+        };
+        let all = || {
+            let rows = self.methods.rows.iter();
+            let chosen = rows.filter(|row| {
+                let Label {
+                    method,
+                    scalar,
+                    lanes,
+                } = row.label();
+                ONE_BY_ONE.contains(&method.as_str()) && (*scalar, *lanes) == ("f64", 1)
+            });
+            let (count, stop) = (self.effort.latencies, self.interrupted);
+            let times = chosen.filter_map(|row| {
+                let times = row.latencies(self.course, stride, self.reference, count, stop)?;
+                Some((row.label().method.clone(), times))
+            });
+            times
+                .filter(|(_, times)| !times.is_empty())
+                .collect::<Vec<_>>()
+        };
+        let (alone, (threads, loaded)) = (all(), under_load(all));
+        let with = |load: usize| {
+            move |(method, times)| Latencies {
+                method,
+                load,
+                times,
+            }
+        };
+        let alone = alone.into_iter().map(with(0));
+        (
+            step,
+            alone.chain(loaded.into_iter().map(with(threads))).collect(),
+        )
+    }
+}
+
+/// The time step that single figures are drawn for, s.
+pub const MILLISECOND: f64 = 1e-3;
+
+/// The time step nearest to another by their ratio.
+pub fn nearest_to(wanted: f64, steps: impl Iterator<Item = f64>) -> Option<f64> {
+    let off = |step: &f64| (step / wanted).ln().abs();
+    steps.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
 /// The rows of a method at a time step, as far as they were timed.

@@ -1,10 +1,13 @@
 //! A method put to the test: the worst error of a whole motion, and steps to be timed.
 
 use std::marker::PhantomData;
+use std::sync::atomic::AtomicBool;
 
+use hdrhistogram::Histogram;
 use suspension_core::Named;
 
 use super::course::Course;
+use super::latency::latencies;
 use super::method::{Method, Outputs};
 use super::reference::Reference;
 use super::timing::{Batch, Start, Steps, Timed};
@@ -48,6 +51,17 @@ pub trait Candidate<'a, D, const N: usize> {
         stride: usize,
         reference: &Reference<N>,
     ) -> Result<Trial<'a>, usize>;
+
+    /// Times each of `count` steps to position, velocity and acceleration by itself; `None` where
+    /// a step fails.
+    fn latencies(
+        &self,
+        course: &Course<D>,
+        stride: usize,
+        reference: &Reference<N>,
+        count: u64,
+        interrupted: &AtomicBool,
+    ) -> Option<Histogram<u64>>;
 }
 
 /// A method and its label.
@@ -94,7 +108,6 @@ where
         reference: &Reference<N>,
     ) -> Result<Trial<'a>, usize> {
         let method = self.method;
-        let begin = reference.at(0)[0].map(|x| x.nearest());
         let mut errors = [0.0_f64; 3];
         let mut starts = Vec::new();
         let instants: Vec<usize> = (0..course.times.len()).step_by(stride).collect();
@@ -105,7 +118,7 @@ where
                 .step(Outputs::Acceleration, input, dt, from)
                 .ok_or(index)
         };
-        let mut state = step(&method.rest(&begin), &at_first, 0.0, 0)?;
+        let mut state = step(&method.rest(&reference.start()), &at_first, 0.0, 0)?;
         for (step_number, pair) in instants.windows(2).enumerate() {
             let [last, next] = [pair[0], pair[1]];
             let input = method.input(&course.drives[next]);
@@ -135,5 +148,17 @@ where
             }))
         });
         Ok(Trial { errors, batches })
+    }
+
+    fn latencies(
+        &self,
+        course: &Course<D>,
+        stride: usize,
+        reference: &Reference<N>,
+        count: u64,
+        interrupted: &AtomicBool,
+    ) -> Option<Histogram<u64>> {
+        let rest = self.method.rest(&reference.start());
+        latencies(&self.method, &rest, course, stride, count, interrupted)
     }
 }

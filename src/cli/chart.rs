@@ -23,6 +23,9 @@ pub struct Arguments {
     /// Two time steps and few repetitions: some seconds, for a look.
     #[arg(long)]
     quick: bool,
+    /// Measure each time ROUNDS times.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
+    rounds: Option<u32>,
 }
 
 impl Arguments {
@@ -37,12 +40,16 @@ impl Arguments {
             csv,
             folder,
             quick,
+            rounds,
         } = self;
-        let effort = if quick {
+        let mut effort = if quick {
             Effort::quick()
         } else {
             Effort::full()
         };
+        if let Some(rounds) = rounds {
+            effort.rounds = rounds as usize;
+        }
         let wanted = Wanted {
             file,
             csv,
