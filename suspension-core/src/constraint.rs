@@ -12,8 +12,13 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::generated::gather_vectors;
 use crate::scalar::{Real, Scalar};
 use crate::signal::Signal;
+use crate::trigonometry::sine_cosine;
+use crate::vector::{
+    cross, difference, dot, minus_multiple, multiple, opposite, plus_cross, plus_multiple,
+};
 
 /// A constant length `L` between two points, with `d` the vector from one to the other:
 /// `F = (|d|^2 - L^2) / (2 L)`. Attia 2003, eq. (1.1) to (1.14), divided by `2 L`.
@@ -42,19 +47,32 @@ impl<T: Scalar> Distance<T> {
     /// `F(d)`: to first order the amount by which `d` is too long.
     #[inline(always)]
     pub fn residual(&self, d: Vector3<T>) -> T {
-        (d.dot(&d) - self.length * self.length) * self.inverse * T::constant(0.5)
+        let excess = dot(d, d).minus_product(self.length, self.length);
+        excess * self.inverse * T::constant(0.5)
     }
 
     /// `dF/dd = d / L`.
     #[inline(always)]
     pub fn gradient(&self, d: Vector3<T>) -> Vector3<T> {
-        d * self.inverse
+        multiple(d, self.inverse)
     }
 
     /// `C(v, w) = v . w / L`, with `v` and `w` changes of `d`.
     #[inline(always)]
     pub fn curvature(&self, v: Vector3<T>, w: Vector3<T>) -> T {
-        v.dot(&w) * self.inverse
+        dot(v, w) * self.inverse
+    }
+
+    /// The same of other numbers.
+    #[inline(always)]
+    pub fn gather<S: Scalar, const K: usize>(
+        distances: [Distance<S>; K],
+        gather: &impl Fn([S; K]) -> T,
+    ) -> Self {
+        Self {
+            length: gather(distances.map(|distance| distance.length)),
+            inverse: gather(distances.map(|distance| distance.inverse)),
+        }
     }
 }
 
@@ -77,8 +95,21 @@ impl<T: Scalar> Frame<T> {
     pub fn new(origin: Vector3<T>, second: Vector3<T>, third: Vector3<T>) -> Self {
         Self {
             origin,
-            u: second - origin,
-            v: third - origin,
+            u: difference(second, origin),
+            v: difference(third, origin),
+        }
+    }
+
+    /// The same of other numbers.
+    #[inline(always)]
+    pub fn gather<S: Scalar, const K: usize>(
+        frames: [Frame<S>; K],
+        gather: &impl Fn([S; K]) -> T,
+    ) -> Self {
+        Self {
+            origin: gather_vectors(frames.map(|frame| frame.origin), gather),
+            u: gather_vectors(frames.map(|frame| frame.u), gather),
+            v: gather_vectors(frames.map(|frame| frame.v), gather),
         }
     }
 
@@ -138,53 +169,77 @@ pub struct CarriedGradient<T> {
 }
 
 impl<T: Scalar> Carried<T> {
+    /// `origin + a u + b v + c normal`.
     #[inline(always)]
-    fn combine(&self, u: Vector3<T>, v: Vector3<T>, normal: Vector3<T>) -> Vector3<T> {
-        u * self.a + v * self.b + normal * self.c
+    fn combine(&self, frame: &Frame<T>, normal: Vector3<T>) -> Vector3<T> {
+        let in_plane = plus_multiple(
+            plus_multiple(frame.origin, frame.u, self.a),
+            frame.v,
+            self.b,
+        );
+        plus_multiple(in_plane, normal, self.c)
     }
 
     /// Where the frame carries the point.
     #[inline(always)]
     pub fn position(&self, frame: &Frame<T>) -> Vector3<T> {
-        frame.origin + self.combine(frame.u, frame.v, frame.u.cross(&frame.v))
+        self.combine(frame, cross(frame.u, frame.v))
     }
 
     /// The point's velocity, from the frame and its rates.
     #[inline(always)]
     pub fn velocity(&self, frame: &Frame<T>, rate: &Frame<T>) -> Vector3<T> {
-        let normal_rate = rate.u.cross(&frame.v) + frame.u.cross(&rate.v);
-        rate.origin + self.combine(rate.u, rate.v, normal_rate)
+        let normal_rate = plus_cross(cross(rate.u, frame.v), frame.u, rate.v);
+        self.combine(rate, normal_rate)
     }
 
     /// The point's acceleration, from the frame, its rates and second rates.
     #[inline(always)]
     pub fn acceleration(&self, frame: &Frame<T>, rate: &Frame<T>, second: &Frame<T>) -> Vector3<T> {
-        self.velocity(frame, second) - self.curvature(rate, rate)
+        difference(self.velocity(frame, second), self.curvature(rate, rate))
     }
 
     /// `F(p)`, the distance vector from where the frame carries the point to `p`.
     #[inline(always)]
     pub fn residual(&self, point: Vector3<T>, frame: &Frame<T>) -> Vector3<T> {
-        (point - frame.origin) - self.combine(frame.u, frame.v, frame.u.cross(&frame.v))
+        let from_origin = difference(point, frame.origin);
+        let in_plane = minus_multiple(
+            minus_multiple(from_origin, frame.u, self.a),
+            frame.v,
+            self.b,
+        );
+        minus_multiple(in_plane, cross(frame.u, frame.v), self.c)
     }
 
     /// `dF/d` of the frame's points; `dF/dp` is the identity.
     #[inline(always)]
     pub fn gradient(&self, frame: &Frame<T>) -> CarriedGradient<T> {
-        let second = skew_minus(frame.v * self.c, self.a);
-        let third = skew_minus(frame.u * -self.c, self.b);
-        let origin = -(Matrix3::identity() + second + third);
+        let (of_second, of_third) = (multiple(frame.v, self.c), multiple(frame.u, self.c));
+        // The blocks of all four points add up to zero: a translation changes nothing.
         CarriedGradient {
-            origin,
-            second,
-            third,
+            origin: skew_minus(difference(of_third, of_second), T::one() - self.a - self.b),
+            second: skew_minus(of_second, self.a),
+            third: skew_minus(opposite(of_third), self.b),
         }
     }
 
     /// `C(v, w)`, with `v` and `w` frames of rates. The point itself enters linearly.
     #[inline(always)]
     pub fn curvature(&self, v: &Frame<T>, w: &Frame<T>) -> Vector3<T> {
-        (v.u.cross(&w.v) + w.u.cross(&v.v)) * -self.c
+        multiple(plus_cross(cross(v.u, w.v), w.u, v.v), -self.c)
+    }
+
+    /// The same of other numbers.
+    #[inline(always)]
+    pub fn gather<S: Scalar, const K: usize>(
+        carried: [Carried<S>; K],
+        gather: &impl Fn([S; K]) -> T,
+    ) -> Self {
+        Self {
+            a: gather(carried.map(|carried| carried.a)),
+            b: gather(carried.map(|carried| carried.b)),
+            c: gather(carried.map(|carried| carried.c)),
+        }
     }
 }
 
@@ -260,9 +315,9 @@ fn skew_minus<T: Scalar>(w: Vector3<T>, k: T) -> Matrix3<T> {
 
 /// The coordinate that a driving angle prescribes: `h = L cos(theta)` and its rates by the
 /// chain rule. The angle stays outside the algebra (Attia 2003, eq. 1.15).
-#[inline]
+#[inline(always)]
 pub fn angle_to_coordinate<T: Scalar>(length: T, angle: Signal<T>) -> Signal<T> {
-    let (sine, cosine) = angle.value.sine_cosine();
+    let (sine, cosine) = sine_cosine(angle.value);
     Signal {
         value: length * cosine,
         rate: -length * sine * angle.rate,

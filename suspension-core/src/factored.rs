@@ -8,7 +8,7 @@ use crate::linkage::{Elimination, Factors, Linkage};
 use crate::lu::Lu;
 use crate::scalar::Real;
 
-/// The [growth](Elimination::growth) up to which the fixed order is used: what rounding may cost
+/// The [growth](Elimination::growth_squared) up to which the fixed order is used: what rounding may cost
 /// at most, as a multiple of what it costs with partial pivoting. At the instants of the published
 /// motion it is 33 or less.
 const GROWTH_LIMIT: f64 = 1e3;
@@ -22,8 +22,10 @@ pub(crate) fn smallest_pivot<T: Real>() -> T {
     T::EPSILON.sqrt() * T::constant(SMALLEST_PIVOT)
 }
 
-fn is_healthy<T: Real>(growth: T) -> bool {
-    growth <= T::constant(GROWTH_LIMIT) && growth * smallest_pivot() < T::one()
+/// Whether pivots with this [growth](Elimination::growth_squared) will do.
+pub(crate) fn is_healthy<T: Real>(growth_squared: T) -> bool {
+    let limit = T::constant(GROWTH_LIMIT).min(T::one() / smallest_pivot());
+    growth_squared < limit * limit
 }
 
 /// Gives `work` the factors of a linkage's Jacobian, whose pivots must exceed `threshold`.
@@ -43,9 +45,8 @@ where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    // Only its non-zeros are ever computed: the matrix does not outlive this line.
-    let factors = L::Factors::factor(&linkage.jacobian(q, fixed));
-    if is_healthy(factors.growth()) {
+    let factors = linkage.factor(q, fixed);
+    if is_healthy(factors.growth_squared()) {
         Ok(work(&factors))
     } else {
         Ok(work(&with_pivoting(linkage, q, fixed, threshold)?))
@@ -96,8 +97,8 @@ impl<T: Real, F: Elimination<T, N>, const N: usize> Factored<F, T, N> {
     where
         L: Linkage<N, Scalar = T, Factors = F>,
     {
-        let factors = F::factor(&linkage.jacobian(q, fixed));
-        if is_healthy(factors.growth()) {
+        let factors = linkage.factor(q, fixed);
+        if is_healthy(factors.growth_squared()) {
             Ok(Self::InFixedOrder(factors))
         } else {
             with_pivoting(linkage, q, fixed, smallest_pivot()).map(Self::WithPivoting)

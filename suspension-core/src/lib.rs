@@ -38,6 +38,8 @@ pub mod parts;
 pub mod scalar;
 pub mod signal;
 pub mod tracker;
+pub mod trigonometry;
+mod vector;
 pub mod wheel;
 
 pub use nalgebra;
@@ -46,7 +48,7 @@ pub use suspension_macros::linkage;
 pub use assemble::assemble;
 pub use chassis::RigidMotion;
 pub use error::{GeometryError, SolveError};
-pub use linkage::{Build, DriveKind, HasKingpin, HasWheel, Linkage, Named};
+pub use linkage::{Build, DriveKind, HasKingpin, HasWheel, Linkage, Listing, Named};
 pub use motion::{Motion, Tangent};
 pub use newton::{Converged, Newton};
 pub use scalar::{Real, Scalar};

@@ -42,6 +42,12 @@ pub trait Factors<T, const N: usize> {
     /// Solves `J x = right`.
     fn solve(&self, right: &SVector<T, N>) -> SVector<T, N>;
 
+    /// Solves `J x = right`, where only the rows that [`Linkage::drive_rate`] fills are not zero.
+    fn solve_drives(&self, right: &SVector<T, N>) -> SVector<T, N>;
+
+    /// Solves `J^T y = right`: how much of each equation's change each unknown's takes.
+    fn solve_transposed(&self, right: &SVector<T, N>) -> SVector<T, N>;
+
     /// A number with the sign of the Jacobian's determinant. It changes only where the Jacobian
     /// is singular, so that it tells assemblies apart.
     fn determinant_sign(&self) -> T;
@@ -49,12 +55,34 @@ pub trait Factors<T, const N: usize> {
 
 /// An LU factorisation in a fixed order of pivots: straight-line code over the non-zero entries.
 pub trait Elimination<T, const N: usize>: Factors<T, N> + Copy {
-    /// Eliminates a Jacobian with the linkage's pattern of non-zeros.
-    fn factor(jacobian: &SMatrix<T, N, N>) -> Self;
+    /// The health of the pivots: the sum of the squares of their inverses. Rounding errors grow
+    /// with its root, at most. Entries of the Jacobian are of the size of 1.
+    fn growth_squared(&self) -> T;
+}
 
-    /// The health of the pivots: the largest inverse of a pivot in magnitude. Rounding errors
-    /// grow with it. Entries of the Jacobian are of the size of 1.
-    fn growth(&self) -> T;
+/// A `linkage!` listing: its types over any number.
+pub trait Listing<const N: usize>: Copy {
+    /// The geometry.
+    type Model<T: Scalar>: Linkage<
+            N,
+            Scalar = T,
+            Fixed = Self::Fixed<T>,
+            Drives = Self::Drives<T>,
+            Points = Self::Points<T>,
+            Listing = Self,
+        >;
+    /// Chassis points, named.
+    type Fixed<T: Scalar>: Named<Vector3<T>> + Default;
+    /// Drives, named.
+    type Drives<T: Scalar>: Named<T> + Default;
+    /// Chassis points, free points and markers, named.
+    type Points<T: Scalar>: Named<Vector3<T>> + Default;
+
+    /// One model of many: each of its numbers is made of the same number of each of `models`.
+    fn gather<S: Scalar, T: Scalar, const K: usize>(
+        models: [&Self::Model<S>; K],
+        gather: impl Fn([S; K]) -> T,
+    ) -> Self::Model<T>;
 }
 
 /// A linkage of `N` equations in `N` unknowns: the free points' coordinates `q`.
@@ -66,6 +94,8 @@ pub trait Elimination<T, const N: usize>: Factors<T, N> + Copy {
 pub trait Linkage<const N: usize> {
     /// The number type.
     type Scalar: Scalar;
+    /// The listing whose model it is.
+    type Listing: Listing<N>;
     /// Chassis points, named.
     type Fixed: Named<Vector3<Self::Scalar>> + Default;
     /// Drives, named.
@@ -107,6 +137,9 @@ pub trait Linkage<const N: usize> {
         q: &SVector<Self::Scalar, N>,
         fixed: &Self::Fixed,
     ) -> SMatrix<Self::Scalar, N, N>;
+
+    /// The factors of `J`, computed from its non-zero entries alone.
+    fn factor(&self, q: &SVector<Self::Scalar, N>, fixed: &Self::Fixed) -> Self::Factors;
 
     /// `C(v, w)`: the constant second derivative of `F` applied to two rates of all points,
     /// the chassis points' included. Attia 2003, eq. (8) is `C(qdot, qdot)`.

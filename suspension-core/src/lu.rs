@@ -1,5 +1,7 @@
 //! Dense LU factorisation with partial pivoting: `P A = L U`.
 
+use core::ops::Range;
+
 use nalgebra::{SMatrix, SVector};
 
 use crate::error::SolveError;
@@ -117,6 +119,27 @@ impl<T: Real, const N: usize> Lu<T, N> {
         }
         SVector::from(x)
     }
+
+    /// Solves `A^T y = b`.
+    pub fn solve_transposed(&self, b: &SVector<T, N>) -> SVector<T, N> {
+        let [mut y] = b.data.0;
+        for (k, column) in self.columns.iter().enumerate() {
+            let known = sum_of_products(&y, column, 0..k);
+            if let (Some(value), Some(pivot)) = (y.get_mut(k), column.get(k)) {
+                *value = (*value - known) / *pivot;
+            }
+        }
+        for (k, column) in self.columns.iter().enumerate().rev() {
+            let known = sum_of_products(&y, column, k + 1..N);
+            if let Some(value) = y.get_mut(k) {
+                *value -= known;
+            }
+        }
+        for (k, row) in self.swaps.iter().enumerate().rev() {
+            swap(&mut y, k, *row);
+        }
+        SVector::from(y)
+    }
 }
 
 impl<T: Real, const N: usize> Factors<T, N> for Lu<T, N> {
@@ -124,9 +147,24 @@ impl<T: Real, const N: usize> Factors<T, N> for Lu<T, N> {
         Lu::solve(self, right)
     }
 
+    fn solve_drives(&self, right: &SVector<T, N>) -> SVector<T, N> {
+        Lu::solve(self, right)
+    }
+
+    fn solve_transposed(&self, right: &SVector<T, N>) -> SVector<T, N> {
+        Lu::solve_transposed(self, right)
+    }
+
     fn determinant_sign(&self) -> T {
         if self.positive { T::one() } else { -T::one() }
     }
+}
+
+/// The scalar product of two arrays within a range.
+fn sum_of_products<T: Real, const N: usize>(a: &[T; N], b: &[T; N], range: Range<usize>) -> T {
+    let (a, b) = (a.get(range.clone()), b.get(range));
+    let pairs = a.into_iter().flatten().zip(b.into_iter().flatten());
+    pairs.fold(T::zero(), |sum, (a, b)| sum + *a * *b)
 }
 
 fn swap<T: Copy, const N: usize>(array: &mut [T; N], i: usize, j: usize) {

@@ -6,7 +6,7 @@ use crate::scalar::{Real, Scalar};
 
 /// The largest magnitude; zero where there are none. Four chains of comparisons run side by side.
 #[inline(always)]
-pub fn largest<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
+pub(crate) fn largest<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
     let mut largest = [T::zero(); 4];
     for (index, number) in numbers.into_iter().enumerate() {
         if let Some(chain) = largest.get_mut(index % 4) {
@@ -16,6 +16,19 @@ pub fn largest<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
     let [a, b, c, d] = largest;
     a.larger_magnitude(b)
         .larger_magnitude(c.larger_magnitude(d))
+}
+
+/// The sum of the squares, in four chains side by side. A NaN is passed on.
+#[inline(always)]
+pub fn sum_of_squares<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
+    let mut sums = [T::zero(); 4];
+    for (index, number) in numbers.into_iter().enumerate() {
+        if let Some(chain) = sums.get_mut(index % 4) {
+            *chain = chain.plus_product(number, number);
+        }
+    }
+    let [a, b, c, d] = sums;
+    (a + b) + (c + d)
 }
 
 /// The largest magnitude of the entries; the index of the first that is not finite as the error.

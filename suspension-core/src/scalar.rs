@@ -24,8 +24,21 @@ pub trait Scalar:
     /// The larger of two magnitudes.
     fn larger_magnitude(self, other: Self) -> Self;
 
-    /// Sine and cosine of an angle in radians, the same bits on every target.
-    fn sine_cosine(self) -> (Self, Self);
+    /// The nearest whole number, for magnitudes that leave room for a fraction.
+    fn nearest_integer(self) -> Self;
+
+    /// `self + a b`. Numbers that fuse round once; `f32` and `f64` round the product too, so that
+    /// they give the same bits on every target.
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
+
+    /// `self - a b`, rounded as [`plus_product`](Self::plus_product).
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
 }
 
 /// A single number that can be compared, and that owns the accuracy which can be asked of it.
@@ -35,6 +48,7 @@ pub trait Real: Scalar + RealField {
 }
 
 impl Scalar for f32 {
+    #[inline(always)]
     fn constant(value: f64) -> Self {
         value as f32
     }
@@ -44,8 +58,11 @@ impl Scalar for f32 {
         f32::max(f32::abs(self), f32::abs(other))
     }
 
-    fn sine_cosine(self) -> (Self, Self) {
-        libm::sincosf(self)
+    #[inline(always)]
+    fn nearest_integer(self) -> Self {
+        // Beside a number this large there is no room for a fraction.
+        const LARGE: f32 = 1.5 / f32::EPSILON;
+        (self + LARGE) - LARGE
     }
 }
 
@@ -54,6 +71,7 @@ impl Real for f32 {
 }
 
 impl Scalar for f64 {
+    #[inline(always)]
     fn constant(value: f64) -> Self {
         value
     }
@@ -63,8 +81,11 @@ impl Scalar for f64 {
         f64::max(f64::abs(self), f64::abs(other))
     }
 
-    fn sine_cosine(self) -> (Self, Self) {
-        libm::sincos(self)
+    #[inline(always)]
+    fn nearest_integer(self) -> Self {
+        // Beside a number this large there is no room for a fraction.
+        const LARGE: f64 = 1.5 / f64::EPSILON;
+        (self + LARGE) - LARGE
     }
 }
 

@@ -101,11 +101,36 @@ impl Order {
         odd
     }
 
-    /// What it takes, in half operations. The operations of a chain cannot overlap and count by
-    /// half once more; growth, which the positions around the design add to, decides between
-    /// orders that are close.
+    /// What a step takes, one factorisation and three solutions: operations, and once more those
+    /// of the longest chain, which cannot overlap. Growth, which the positions around the design
+    /// add to, decides between orders that are close.
     fn cost(&self) -> f64 {
-        (2 * self.operations + self.chain) as f64 + self.growth
+        let operations = self.operations + 3 * self.substitutions();
+        let chain = self.chain + 3 * self.substitution_chain();
+        (operations + chain) as f64 + self.growth
+    }
+
+    /// Multiplications of one solution.
+    fn substitutions(&self) -> usize {
+        let of_step = |step: &Step| step.below.len() + step.right.len() + usize::from(!step.unit);
+        self.steps.iter().map(of_step).sum()
+    }
+
+    /// The longest chain of one solution.
+    pub(crate) fn substitution_chain(&self) -> usize {
+        let n = self.steps.len();
+        let (mut row_ready, mut unknown_ready) = (vec![0; n], vec![0; n]);
+        for step in &self.steps {
+            for &row in &step.below {
+                row_ready[row] = row_ready[row].max(row_ready[step.row]) + 1;
+            }
+        }
+        for step in self.steps.iter().rev() {
+            let divided = row_ready[step.row] + usize::from(!step.unit);
+            let ready = |ready: usize, &column: &usize| ready.max(unknown_ready[column]) + 1;
+            unknown_ready[step.column] = step.right.iter().fold(divided, ready);
+        }
+        unknown_ready.into_iter().max().unwrap_or_default()
     }
 
     fn grow(&mut self, by: Option<f64>) {

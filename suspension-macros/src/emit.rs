@@ -5,12 +5,14 @@ mod docs;
 mod elimination;
 mod equations;
 mod fields;
+mod gather;
 mod indices;
 mod jacobian;
 mod lengths;
 mod rates;
 mod readout;
 mod stub;
+mod substitution;
 mod terms;
 mod types;
 
@@ -30,8 +32,9 @@ pub(crate) fn module(system: &System, order: &Order) -> TokenStream {
     let header = docs::header(system, order);
     let types = types::all(system);
     let indices = indices::modules(system);
-    let linkage = equations::linkage_impl(system);
-    let elimination = elimination::elimination(system, order);
+    let linkage = equations::linkage_impl(system, order);
+    let factors = elimination::factors(system, order);
+    let listing = gather::listing(system);
     let build = build::build_impl(system);
     let roles = readout::roles(system);
     quote! {
@@ -45,7 +48,8 @@ pub(crate) fn module(system: &System, order: &Order) -> TokenStream {
             #types
             #indices
             #linkage
-            #elimination
+            #factors
+            #listing
             #build
             #roles
         }

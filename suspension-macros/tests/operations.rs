@@ -5,7 +5,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use nalgebra::{SVector, Vector3};
 use num_traits::{One, Zero};
-use suspension_core::linkage::{Elimination, Factors as _};
+use suspension_core::linkage::Factors as _;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Linkage, Named, Scalar};
 
@@ -76,8 +76,8 @@ impl Scalar for Counting {
     fn larger_magnitude(self, other: Self) -> Self {
         Self(self.0.abs().max(other.0.abs()))
     }
-    fn sine_cosine(self) -> (Self, Self) {
-        (Self(self.0.sin()), Self(self.0.cos()))
+    fn nearest_integer(self) -> Self {
+        Self(self.0.round())
     }
 }
 
@@ -96,13 +96,12 @@ where
     let q = SVector::<Counting, N>::repeat(Counting(0.5));
     let fixed = L::Fixed::from_fn(|_| Vector3::repeat(Counting(0.25)));
     let drives = L::Drives::from_fn(|_| Counting(0.1));
-    let jacobian = model.jacobian(&q, &fixed);
-    let factors = L::Factors::factor(&jacobian);
+    let factors = model.factor(&q, &fixed);
     [
         count(|| model.residual(&q, &fixed, &drives)),
         count(|| model.jacobian(&q, &fixed)),
         count(|| model.curvature(&q, &fixed, &q, &fixed)),
-        count(|| L::Factors::factor(&jacobian)),
+        count(|| model.factor(&q, &fixed)),
         count(|| factors.solve(&q)),
     ]
 }

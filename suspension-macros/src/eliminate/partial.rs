@@ -107,7 +107,8 @@ impl Partial {
         let below = self.close_column(row, column);
         let scaled = usize::from(!pivot.unit);
         let inverse_ready = pivot.ready + scaled * DIVISION;
-        self.order.operations += scaled * (1 + below.len()) + below.len() * right.len();
+        let divided = scaled * (below.len() + right.len());
+        self.order.operations += scaled + divided + below.len() * right.len();
         self.order.chain = self.order.chain.max(inverse_ready);
         self.order.grow(pivot.value.map(f64::recip));
         for &other in &below {

@@ -36,7 +36,7 @@ fn evaluations(system: &System) -> [Operations; 3] {
             }
             Equation::Carried { .. } => {
                 add(&mut residual, 15, 15);
-                add(&mut jacobian, 6, 18);
+                add(&mut jacobian, 6, 5);
                 add(&mut curvature, 15, 9);
             }
             Equation::Coordinate { minus, .. } => {
@@ -47,20 +47,23 @@ fn evaluations(system: &System) -> [Operations; 3] {
     [residual, jacobian, curvature]
 }
 
-/// Operations of factorisation and solution.
-fn eliminations(order: &Order) -> [Operations; 2] {
-    let [mut factor, mut solve] = [Operations::default(); 2];
+/// Operations of the factorisation, of which those of the Jacobian are part, and of a solution.
+fn eliminations(order: &Order, jacobian: Operations) -> [Operations; 2] {
+    let (mut factor, mut solve) = (jacobian, Operations::default());
     for step in &order.steps {
         let (right, below) = (step.right.len(), step.below.len());
         let scaled = usize::from(!step.unit);
         factor.divisions += scaled;
-        add(&mut factor, below * (right + scaled), below * right);
+        let divided = scaled * (below + right);
+        add(&mut factor, below * right + divided, below * right);
         add(&mut solve, below + right + scaled, below + right);
     }
     // An entry that fills in starts from nothing.
     factor.additions -= order.fill.len();
-    // The product of the pivots, whose sign is the determinant's, in four chains.
-    factor.multiplications += factor.divisions + 3;
+    // The product of the pivots, whose sign is the determinant's, and the sum of their squares, in
+    // four chains each.
+    let pivots = factor.divisions;
+    add(&mut factor, 2 * pivots + 3, pivots + 3);
     [factor, solve]
 }
 
@@ -70,7 +73,7 @@ pub(super) fn header(system: &System, order: &Order) -> TokenStream {
     let unknowns = list(system.free.iter().map(|point| &point.name));
     let equations = list(system.rows().iter());
     let [residual, jacobian, curvature] = evaluations(system);
-    let [factor, solve] = eliminations(order);
+    let [factor, solve] = eliminations(order, jacobian);
     let counts = [
         ("residual", residual),
         ("Jacobian", jacobian),
@@ -94,11 +97,13 @@ pub(super) fn header(system: &System, order: &Order) -> TokenStream {
         String::new(),
         format!(
             " Jacobian: {n} x {n}, {non_zeros} non-zeros of {}; its factors have {}. The longest \
-             chain of operations in the factorisation is {}, a division counted as {}.",
+             chain of operations in the factorisation is {}, a division counted as {}; in a \
+             solution it is {}.",
             n * n,
             non_zeros + order.fill.len(),
             order.chain,
             eliminate::DIVISION,
+            order.substitution_chain(),
         ),
         String::new(),
         " | no branch | multiplications | additions | divisions |".to_owned(),

@@ -1,55 +1,55 @@
-//! The unrolled factorisation and solution in a fixed order of pivots: `impl Elimination`.
+//! The unrolled factorisation in a fixed order of pivots: struct `Factors` and how it is made.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::Ident;
 
-use super::indices;
+use super::jacobian::{entries, parameters, with_points};
+use super::{indices, substitution};
 use crate::eliminate::{Order, Step};
-use crate::system::{AXES, System};
+use crate::system::System;
 
 /// Rows, columns and order of an elimination under their names.
-struct Unrolled<'a> {
-    order: &'a Order,
+pub(super) struct Unrolled<'a> {
+    pub(super) order: &'a Order,
     rows: Vec<Ident>,
     columns: Vec<Ident>,
 }
 
-pub(super) fn elimination(system: &System, order: &Order) -> TokenStream {
-    let points = system.free.iter();
-    let unrolled = Unrolled {
-        order,
-        rows: system.rows(),
-        columns: points
-            .flat_map(|point| AXES.map(|axis| format_ident!("{}_{axis}", point.name)))
-            .collect(),
-    };
+/// The struct and its solutions.
+pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
+    let unrolled = Unrolled::new(system, order);
     let fields = unrolled.fields();
-    let factor = unrolled.factor(&n);
-    let solve = unrolled.solve(&n);
+    let solve = substitution::solve(&unrolled, &n);
+    let solve_drives = substitution::solve_drives(&unrolled, &n, system);
+    let solve_transposed = substitution::solve_transposed(&unrolled, &n);
     quote! {
-        /// The Jacobian eliminated in a fixed order: multipliers below each pivot, what is left
-        /// of its row to the right, and in its own place the pivot's inverse. Pivots that are 1
-        /// in every position are left out.
+        /// The Jacobian eliminated in a fixed order, `L D U`: multipliers below each pivot, what is
+        /// left of its row, divided by the pivot, to the right, and in its own place the pivot's
+        /// inverse. Pivots that are 1 in every position are left out.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Factors<T> {
-            growth: T,
+            growth_squared: T,
             determinant_sign: T,
             #(#fields: T,)*
         }
 
         impl<T: Scalar> Elimination<T, #n> for Factors<T> {
-            #factor
-
-            fn growth(&self) -> T {
-                self.growth
+            #[inline(always)]
+            fn growth_squared(&self) -> T {
+                self.growth_squared
             }
         }
 
         impl<T: Scalar> JacobianFactors<T, #n> for Factors<T> {
             #solve
 
+            #solve_drives
+
+            #solve_transposed
+
+            #[inline(always)]
             fn determinant_sign(&self) -> T {
                 self.determinant_sign
             }
@@ -57,79 +57,100 @@ pub(super) fn elimination(system: &System, order: &Order) -> TokenStream {
     }
 }
 
-impl Unrolled<'_> {
-    /// An entry of the eliminated matrix: `row_by_column`.
-    fn entry(&self, row: usize, column: usize) -> Ident {
-        format_ident!("{}_by_{}", self.rows[row], self.columns[column])
+/// `Linkage::factor`.
+pub(super) fn factor(system: &System, order: &Order) -> TokenStream {
+    let unrolled = Unrolled::new(system, order);
+    let fields = unrolled.fields();
+    let entries = entries(system, &|row, column, value| {
+        let entry = entry(row, column);
+        // Pivots that are 1 in every position are no fields.
+        if fields.contains(&entry) {
+            quote!(let #entry = #value;)
+        } else {
+            TokenStream::new()
+        }
+    });
+    let mut filled = Vec::new();
+    let steps = order.steps.iter();
+    let steps: Vec<TokenStream> = steps
+        .map(|step| unrolled.eliminate(step, &mut filled))
+        .collect();
+    let pivots: Vec<Ident> = order
+        .steps
+        .iter()
+        .filter_map(|step| unrolled.inverse(step))
+        .collect();
+    let sign = order.is_odd().then(|| quote!(-));
+    let body = with_points(
+        system,
+        quote! {
+            #entries
+            #(#steps)*
+            Factors {
+                growth_squared: sum_of_squares([#(#pivots),*]),
+                determinant_sign: #sign product([#(#pivots),*]),
+                #(#fields,)*
+            }
+        },
+    );
+    let [q, fixed] = parameters(system, &body);
+    quote! {
+        #[inline(always)]
+        fn factor(&self, #q, #fixed) -> Factors<T> {
+            #body
+        }
+    }
+}
+
+/// An entry of the Jacobian, later of its factors: `row_by_column`.
+fn entry(row: &Ident, column: &Ident) -> Ident {
+    format_ident!("{row}_by_{column}")
+}
+
+impl<'a> Unrolled<'a> {
+    fn new(system: &System, order: &'a Order) -> Self {
+        let points = system.free.iter();
+        Self {
+            order,
+            rows: system.rows(),
+            columns: points
+                .flat_map(|point| indices::unknown_names(&point.name))
+                .collect(),
+        }
     }
 
-    fn row(&self, row: usize) -> TokenStream {
+    pub(super) fn entry(&self, row: usize, column: usize) -> Ident {
+        entry(&self.rows[row], &self.columns[column])
+    }
+
+    /// `equation::ROW`.
+    pub(super) fn row(&self, row: usize) -> TokenStream {
         indices::equation(&self.rows[row])
     }
 
-    fn column(&self, column: usize) -> TokenStream {
+    /// `unknown::COLUMN`.
+    pub(super) fn column(&self, column: usize) -> TokenStream {
         indices::unknown(&self.columns[column])
     }
 
     /// The inverse of a step's pivot; `None` where that is 1.
-    fn inverse(&self, step: &Step) -> Option<Ident> {
+    pub(super) fn inverse(&self, step: &Step) -> Option<Ident> {
         (!step.unit).then(|| self.entry(step.row, step.column))
     }
 
     /// Entries in the order of elimination, each once.
-    fn entries(&self) -> Vec<(usize, usize)> {
-        let mut entries = Vec::new();
-        for step in &self.order.steps {
-            if !step.unit {
-                entries.push((step.row, step.column));
-            }
-            entries.extend(step.right.iter().map(|&column| (step.row, column)));
-            entries.extend(step.below.iter().map(|&row| (row, step.column)));
-        }
-        entries
-    }
-
     fn fields(&self) -> Vec<Ident> {
-        self.entries()
-            .into_iter()
-            .map(|(row, column)| self.entry(row, column))
-            .collect()
-    }
-
-    fn factor(&self, n: &Literal) -> TokenStream {
-        let initial = self.entries().into_iter().map(|(row, column)| {
-            let entry = self.entry(row, column);
-            if self.order.fill.contains(&(row, column)) {
-                return quote!(#entry: T::zero());
-            }
-            let (row, column) = (self.row(row), self.column(column));
-            quote!(#entry: columns[#column][#row])
-        });
-        let mut filled = Vec::new();
-        let steps: Vec<TokenStream> = self
-            .order
-            .steps
-            .iter()
-            .map(|step| self.eliminate(step, &mut filled))
-            .collect();
-        let pivots: Vec<Ident> = self
-            .order
-            .steps
-            .iter()
-            .filter_map(|step| self.inverse(step))
-            .collect();
-        let sign = self.order.is_odd().then(|| quote!(-));
-        quote! {
-            #[inline(always)]
-            fn factor(jacobian: &SMatrix<T, #n, #n>) -> Self {
-                let columns = &jacobian.data.0;
-                let mut lu = Self { growth: T::zero(), determinant_sign: T::zero(), #(#initial),* };
-                #(#steps)*
-                lu.growth = largest([#(lu.#pivots),*]);
-                lu.determinant_sign = #sign product([#(lu.#pivots),*]);
-                lu
-            }
+        let mut fields = Vec::new();
+        for step in &self.order.steps {
+            fields.extend(self.inverse(step));
+            fields.extend(
+                step.right
+                    .iter()
+                    .map(|&column| self.entry(step.row, column)),
+            );
+            fields.extend(step.below.iter().map(|&row| self.entry(row, step.column)));
         }
+        fields
     }
 
     /// One step: the pivot's inverse, the multipliers, and what they take from each row below.
@@ -137,14 +158,14 @@ impl Unrolled<'_> {
         let inverse = self.inverse(step);
         let invert = inverse
             .iter()
-            .map(|pivot| quote!(lu.#pivot = T::one() / lu.#pivot;));
+            .map(|pivot| quote!(let #pivot = T::one() / #pivot;));
         let mut statements: Vec<TokenStream> = invert.collect();
         for &row in &step.below {
             let multiplier = self.entry(row, step.column);
             statements.extend(
                 inverse
                     .iter()
-                    .map(|pivot| quote!(lu.#multiplier *= lu.#pivot;)),
+                    .map(|pivot| quote!(let #multiplier = #multiplier * #pivot;)),
             );
             for &column in &step.right {
                 let (entry, of_pivot) = (self.entry(row, column), self.entry(step.row, column));
@@ -152,47 +173,18 @@ impl Unrolled<'_> {
                     self.order.fill.contains(&(row, column)) && !filled.contains(&(row, column));
                 statements.push(if is_new {
                     filled.push((row, column));
-                    quote!(lu.#entry = -(lu.#multiplier * lu.#of_pivot);)
+                    quote!(let #entry = -(#multiplier * #of_pivot);)
                 } else {
-                    quote!(lu.#entry -= lu.#multiplier * lu.#of_pivot;)
+                    quote!(let #entry = #entry.minus_product(#multiplier, #of_pivot);)
                 });
             }
         }
-        quote!(#(#statements)*)
-    }
-
-    fn solve(&self, n: &Literal) -> TokenStream {
-        let down = self.order.steps.iter().flat_map(|step| {
-            let pivot = self.row(step.row);
-            step.below.iter().map(move |&row| {
-                let (multiplier, row) = (self.entry(row, step.column), self.row(row));
-                quote!(rows[#row] -= self.#multiplier * rows[#pivot];)
+        statements.extend(inverse.iter().flat_map(|pivot| {
+            step.right.iter().map(move |&column| {
+                let entry = self.entry(step.row, column);
+                quote!(let #entry = #entry * #pivot;)
             })
-        });
-        let up = self.order.steps.iter().rev().map(|step| {
-            let (row, unknown) = (self.row(step.row), self.column(step.column));
-            let terms = step.right.iter().map(|&column| {
-                let (entry, column) = (self.entry(step.row, column), self.column(column));
-                quote!(- self.#entry * unknowns[#column])
-            });
-            let sum = quote!(rows[#row] #(#terms)*);
-            match self.inverse(step) {
-                None => quote!(unknowns[#unknown] = #sum;),
-                Some(inverse) if step.right.is_empty() => {
-                    quote!(unknowns[#unknown] = #sum * self.#inverse;)
-                }
-                Some(inverse) => quote!(unknowns[#unknown] = (#sum) * self.#inverse;),
-            }
-        });
-        quote! {
-            #[inline(always)]
-            fn solve(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
-                let [mut rows] = right.data.0;
-                let mut unknowns = [T::zero(); #n];
-                #(#down)*
-                #(#up)*
-                SVector::from(unknowns)
-            }
-        }
+        }));
+        quote!(#(#statements)*)
     }
 }

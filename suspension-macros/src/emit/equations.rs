@@ -7,10 +7,11 @@ use syn::ext::IdentExt;
 use super::terms::{
     Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, vector,
 };
-use super::{jacobian, rates, readout};
+use super::{elimination, jacobian, rates, readout};
+use crate::eliminate::Order;
 use crate::system::{AXES, Equation, System, carried_name, frame_name};
 
-pub(super) fn linkage_impl(system: &System) -> TokenStream {
+pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let tables = tables(system);
     let methods = [
@@ -18,6 +19,7 @@ pub(super) fn linkage_impl(system: &System) -> TokenStream {
         drive_anchors(system),
         residual(system),
         jacobian::jacobian(system),
+        elimination::factor(system, order),
         curvature(system),
         rates::drive_rate(system),
         rates::chassis_rate(system),
@@ -26,6 +28,7 @@ pub(super) fn linkage_impl(system: &System) -> TokenStream {
     quote! {
         impl<T: Scalar> Linkage<#n> for Model<T> {
             type Scalar = T;
+            type Listing = Listing;
             type Fixed = Fixed<T>;
             type Drives = Drives<T>;
             type Points = Points<T>;

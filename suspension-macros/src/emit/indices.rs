@@ -30,7 +30,8 @@ pub(super) fn modules(system: &System) -> TokenStream {
     }
 }
 
-fn unknown_names(point: &Ident) -> [Ident; 3] {
+/// Names of the three coordinates of a point.
+pub(super) fn unknown_names(point: &Ident) -> [Ident; 3] {
     AXES.map(|axis| format_ident!("{}_{axis}", point))
 }
 
@@ -61,9 +62,4 @@ pub(super) fn equation(row: &Ident) -> TokenStream {
 pub(super) fn unknown(column: &Ident) -> TokenStream {
     let name = upper(column);
     quote!(unknown::#name)
-}
-
-/// `unknown::POINT_X`, ... for the three coordinates of a point.
-pub(super) fn unknowns(point: &Ident) -> [TokenStream; 3] {
-    unknown_names(point).map(|name| unknown(&name))
 }

@@ -1,5 +1,7 @@
 //! What the inputs' rates contribute to velocity and acceleration: `-dF/du udot`.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::Ident;
@@ -23,6 +25,22 @@ pub(super) fn drive_rate(system: &System) -> TokenStream {
             #body
         }
     }
+}
+
+/// The rows that `drive_rate` fills.
+pub(super) fn driven_rows(system: &System) -> BTreeSet<usize> {
+    let is_driven = |site: &Site| site.motion == SiteMotion::DrivenAnchor;
+    let of_equation = |equation: &Equation| {
+        let driven = match equation {
+            Equation::Distance { from, .. } => is_driven(from),
+            Equation::Carried { frame, .. } => frame.iter().any(is_driven),
+            Equation::Coordinate { .. } => true,
+        };
+        vec![driven; equation.rows().len()]
+    };
+    let rows = system.equations.iter().flat_map(of_equation).enumerate();
+    rows.filter_map(|(row, driven)| driven.then_some(row))
+        .collect()
 }
 
 /// Of the chassis points that no drive moves.
@@ -91,7 +109,7 @@ fn distance(name: &Ident, from: &Site, to: &Site) -> TokenStream {
     );
     assign(
         name,
-        &quote!(self.#name.gradient(#vector).dot(&fixed_rate.#from)),
+        &quote!(dot(self.#name.gradient(#vector), fixed_rate.#from)),
     )
 }
 

@@ -8,8 +8,8 @@ use quote::quote;
 use syn::Ident;
 
 use super::fields::{self, Field};
-use super::indices;
 use super::types;
+use super::{gather, indices};
 use crate::ast::Listing;
 use crate::system::System;
 
@@ -22,6 +22,7 @@ pub(crate) fn stub(listing: &Listing, system: &System, error: &syn::Error) -> To
     let types = all(listing, system);
     let indices = indices::modules(system);
     let linkage = linkage_impl(system);
+    let listing = gather::listing_of(system, &quote!(loop {}));
     let build = build_impl(system);
     let roles = roles();
     quote! {
@@ -34,6 +35,7 @@ pub(crate) fn stub(listing: &Listing, system: &System, error: &syn::Error) -> To
             #types
             #indices
             #linkage
+            #listing
             #build
             #roles
         }
@@ -85,17 +87,19 @@ fn linkage_impl(system: &System) -> TokenStream {
         pub struct Factors<T>(T);
 
         impl<T: Scalar> Elimination<T, #n> for Factors<T> {
-            fn factor(_: &SMatrix<T, #n, #n>) -> Self { loop {} }
-            fn growth(&self) -> T { loop {} }
+            fn growth_squared(&self) -> T { loop {} }
         }
 
         impl<T: Scalar> JacobianFactors<T, #n> for Factors<T> {
             fn solve(&self, _: &SVector<T, #n>) -> SVector<T, #n> { loop {} }
+            fn solve_drives(&self, _: &SVector<T, #n>) -> SVector<T, #n> { loop {} }
+            fn solve_transposed(&self, _: &SVector<T, #n>) -> SVector<T, #n> { loop {} }
             fn determinant_sign(&self) -> T { loop {} }
         }
 
         impl<T: Scalar> Linkage<#n> for Model<T> {
             type Scalar = T;
+            type Listing = Listing;
             type Fixed = Fixed<T>;
             type Drives = Drives<T>;
             type Points = Points<T>;
@@ -110,6 +114,7 @@ fn linkage_impl(system: &System) -> TokenStream {
             fn drive_anchors(_: Fixed<T>, _: &Drives<T>) -> Fixed<T> { loop {} }
             fn residual(&self, _: &SVector<T, #n>, _: &Fixed<T>, _: &Drives<T>) -> SVector<T, #n> { loop {} }
             fn jacobian(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> SMatrix<T, #n, #n> { loop {} }
+            fn factor(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> Factors<T> { loop {} }
             fn curvature(
                 &self,
                 _: &SVector<T, #n>,

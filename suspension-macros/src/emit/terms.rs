@@ -26,7 +26,7 @@ impl Site {
 /// `to - from`.
 pub(super) fn vector(from: &Site, to: &Site, free: &Ident, fixed: &Ident) -> TokenStream {
     let (from, to) = (from.of(free, fixed), to.of(free, fixed));
-    quote!(#to - #from)
+    quote!(difference(#to, #from))
 }
 
 /// `name = value`, to become a `let` where something reads it.

@@ -6,7 +6,8 @@ use syn::Ident;
 use syn::ext::IdentExt;
 
 use super::fields::{Field, drive_fields, fixed_fields, length_fields, point_fields};
-use crate::system::{AXES, Equation, System, carried_name, frame_name};
+use super::lengths::distances;
+use crate::system::{AXES, System, carried_name, frame_name};
 
 pub(super) fn all(system: &System) -> TokenStream {
     let points = named(
@@ -66,16 +67,19 @@ pub(super) fn named(name: &str, doc: &str, value: &TokenStream, fields: &[Field]
         impl<T: Scalar> Named<#value> for #name<T> {
             const NAMES: &'static [&'static str] = &[#(#strings),*];
 
+            #[inline(always)]
             fn from_fn(#from: impl FnMut(&'static str) -> #value) -> Self {
                 Self { #(#names: value(#strings),)* #no_value }
             }
 
+            #[inline(always)]
             fn values(&self) -> impl Iterator<Item = #value> {
                 [#(self.#names),*].into_iter()
             }
         }
 
         impl<T: Scalar> Default for #name<T> {
+            #[inline(always)]
             fn default() -> Self {
                 Self::from_fn(|_| Default::default())
             }
@@ -117,37 +121,33 @@ fn free(system: &System) -> TokenStream {
     }
 }
 
-/// Names and types of the model's constants: one for each length and each carried point.
 fn model(system: &System) -> TokenStream {
-    let links = system
-        .equations
-        .iter()
-        .filter_map(|equation| match equation {
-            Equation::Distance { named, .. } => Some(&named.name),
-            _ => None,
-        });
-    let frames: Vec<Ident> = system
-        .bodies
-        .iter()
-        .map(|body| frame_name(&body.name))
-        .collect();
-    let bodies = system.bodies.iter();
-    let carried = bodies.flat_map(|b| {
-        b.carried
-            .iter()
-            .map(|point| carried_name(&b.name, &point.name))
-    });
-    let markers = system.markers.iter().map(|marker| &marker.named.name);
+    let (names, kinds): (Vec<Ident>, Vec<TokenStream>) = constants(system).unzip();
     quote! {
         /// The geometry: chassis points at rest and the constants of every equation.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Model<T> {
             fixed: Fixed<T>,
             size: T,
-            #(#links: Distance<T>,)*
-            #(#frames: Frame<T>,)*
-            #(#carried: Carried<T>,)*
-            #(#markers: Carried<T>,)*
+            #(#names: #kinds<T>,)*
         }
     }
+}
+
+/// Names and types of the model's constants: one for each length and each carried point.
+pub(super) fn constants(system: &System) -> impl Iterator<Item = (Ident, TokenStream)> {
+    let lengths = distances(system).into_iter().map(|(name, _)| name);
+    let frames = system.bodies.iter().map(|body| frame_name(&body.name));
+    let carried = system.bodies.iter().flat_map(|body| {
+        let points = body.carried.iter();
+        points.map(|point| carried_name(&body.name, &point.name))
+    });
+    let markers = system
+        .markers
+        .iter()
+        .map(|marker| marker.named.name.clone());
+    let lengths = lengths.map(|name| (name, quote!(Distance)));
+    let frames = frames.map(|name| (name, quote!(Frame)));
+    let carried = carried.chain(markers).map(|name| (name, quote!(Carried)));
+    lengths.chain(frames).chain(carried)
 }

@@ -12,14 +12,14 @@
 ///
 /// 15 equations `F(q) = 0`: `d6_1`, `d7_2`, `d8_3`, `d9_4`, `d10_5`, `d7_6`, `d8_6`, `d9_6`, `d10_6`, `d8_7`, `d9_7`, `d10_7`, `d9_8`, `d10_8`, `theta`.
 ///
-/// Jacobian: 15 x 15, 70 non-zeros of 225; its factors have 77. The longest chain of operations in the factorisation is 33, a division counted as 4.
+/// Jacobian: 15 x 15, 70 non-zeros of 225; its factors have 77. The longest chain of operations in the factorisation is 33, a division counted as 4; in a solution it is 13.
 ///
 /// | no branch | multiplications | additions | divisions |
 /// |---|---|---|---|
 /// | residual | 84 | 86 | 0 |
 /// | Jacobian | 42 | 42 | 0 |
 /// | curvature | 56 | 112 | 0 |
-/// | factor | 111 | 54 | 14 |
+/// | factor | 191 | 113 | 14 |
 /// | solve | 76 | 62 | 0 |
 #[allow(dead_code, unreachable_pub)]
 pub mod attia2003 {
@@ -65,6 +65,7 @@ pub mod attia2003 {
             "p10",
             "p11",
         ];
+        #[inline(always)]
         fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
             Self {
                 p1: value("p1"),
@@ -81,6 +82,7 @@ pub mod attia2003 {
             }
         }
 
+        #[inline(always)]
         fn values(&self) -> impl Iterator<Item = Vector3<T>> {
             [
                 self.p1,
@@ -100,6 +102,7 @@ pub mod attia2003 {
     }
 
     impl<T: Scalar> Default for Points<T> {
+        #[inline(always)]
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
@@ -122,6 +125,7 @@ pub mod attia2003 {
 
     impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
         const NAMES: &'static [&'static str] = &["p1", "p2", "p3", "p4", "p5"];
+        #[inline(always)]
         fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
             Self {
                 p1: value("p1"),
@@ -132,12 +136,14 @@ pub mod attia2003 {
             }
         }
 
+        #[inline(always)]
         fn values(&self) -> impl Iterator<Item = Vector3<T>> {
             [self.p1, self.p2, self.p3, self.p4, self.p5].into_iter()
         }
     }
 
     impl<T: Scalar> Default for Fixed<T> {
+        #[inline(always)]
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
@@ -152,16 +158,19 @@ pub mod attia2003 {
 
     impl<T: Scalar> Named<T> for Drives<T> {
         const NAMES: &'static [&'static str] = &["theta"];
+        #[inline(always)]
         fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
             Self { theta: value("theta") }
         }
 
+        #[inline(always)]
         fn values(&self) -> impl Iterator<Item = T> {
             [self.theta].into_iter()
         }
     }
 
     impl<T: Scalar> Default for Drives<T> {
+        #[inline(always)]
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
@@ -217,6 +226,7 @@ pub mod attia2003 {
             "d9_8",
             "d10_8",
         ];
+        #[inline(always)]
         fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
             Self {
                 d6_1: value("d6_1"),
@@ -236,6 +246,7 @@ pub mod attia2003 {
             }
         }
 
+        #[inline(always)]
         fn values(&self) -> impl Iterator<Item = T> {
             [
                 self.d6_1,
@@ -258,6 +269,7 @@ pub mod attia2003 {
     }
 
     impl<T: Scalar> Default for Lengths<T> {
+        #[inline(always)]
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
@@ -374,6 +386,7 @@ pub mod attia2003 {
 
     impl<T: Scalar> Linkage<15> for Model<T> {
         type Scalar = T;
+        type Listing = Listing;
         type Fixed = Fixed<T>;
         type Drives = Drives<T>;
         type Points = Points<T>;
@@ -452,20 +465,20 @@ pub mod attia2003 {
         ) -> SVector<T, 15> {
             let free = Free::of(q);
             let mut rows = [T::zero(); 15];
-            rows[equation::D6_1] = self.d6_1.residual(free.p6 - fixed.p1);
-            rows[equation::D7_2] = self.d7_2.residual(free.p7 - fixed.p2);
-            rows[equation::D8_3] = self.d8_3.residual(free.p8 - fixed.p3);
-            rows[equation::D9_4] = self.d9_4.residual(free.p9 - fixed.p4);
-            rows[equation::D10_5] = self.d10_5.residual(free.p10 - fixed.p5);
-            rows[equation::D7_6] = self.d7_6.residual(free.p7 - free.p6);
-            rows[equation::D8_6] = self.d8_6.residual(free.p8 - free.p6);
-            rows[equation::D9_6] = self.d9_6.residual(free.p9 - free.p6);
-            rows[equation::D10_6] = self.d10_6.residual(free.p10 - free.p6);
-            rows[equation::D8_7] = self.d8_7.residual(free.p8 - free.p7);
-            rows[equation::D9_7] = self.d9_7.residual(free.p9 - free.p7);
-            rows[equation::D10_7] = self.d10_7.residual(free.p10 - free.p7);
-            rows[equation::D9_8] = self.d9_8.residual(free.p9 - free.p8);
-            rows[equation::D10_8] = self.d10_8.residual(free.p10 - free.p8);
+            rows[equation::D6_1] = self.d6_1.residual(difference(free.p6, fixed.p1));
+            rows[equation::D7_2] = self.d7_2.residual(difference(free.p7, fixed.p2));
+            rows[equation::D8_3] = self.d8_3.residual(difference(free.p8, fixed.p3));
+            rows[equation::D9_4] = self.d9_4.residual(difference(free.p9, fixed.p4));
+            rows[equation::D10_5] = self.d10_5.residual(difference(free.p10, fixed.p5));
+            rows[equation::D7_6] = self.d7_6.residual(difference(free.p7, free.p6));
+            rows[equation::D8_6] = self.d8_6.residual(difference(free.p8, free.p6));
+            rows[equation::D9_6] = self.d9_6.residual(difference(free.p9, free.p6));
+            rows[equation::D10_6] = self.d10_6.residual(difference(free.p10, free.p6));
+            rows[equation::D8_7] = self.d8_7.residual(difference(free.p8, free.p7));
+            rows[equation::D9_7] = self.d9_7.residual(difference(free.p9, free.p7));
+            rows[equation::D10_7] = self.d10_7.residual(difference(free.p10, free.p7));
+            rows[equation::D9_8] = self.d9_8.residual(difference(free.p9, free.p8));
+            rows[equation::D10_8] = self.d10_8.residual(difference(free.p10, free.p8));
             rows[equation::THETA] = free.p6.z - fixed.p1.z - drives.theta;
             SVector::from(rows)
         }
@@ -474,83 +487,83 @@ pub mod attia2003 {
         fn jacobian(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SMatrix<T, 15, 15> {
             let free = Free::of(q);
             let mut columns = [[T::zero(); 15]; 15];
-            let gradient = self.d6_1.gradient(free.p6 - fixed.p1);
+            let gradient = self.d6_1.gradient(difference(free.p6, fixed.p1));
             columns[unknown::P6_X][equation::D6_1] = gradient.x;
             columns[unknown::P6_Y][equation::D6_1] = gradient.y;
             columns[unknown::P6_Z][equation::D6_1] = gradient.z;
-            let gradient = self.d7_2.gradient(free.p7 - fixed.p2);
+            let gradient = self.d7_2.gradient(difference(free.p7, fixed.p2));
             columns[unknown::P7_X][equation::D7_2] = gradient.x;
             columns[unknown::P7_Y][equation::D7_2] = gradient.y;
             columns[unknown::P7_Z][equation::D7_2] = gradient.z;
-            let gradient = self.d8_3.gradient(free.p8 - fixed.p3);
+            let gradient = self.d8_3.gradient(difference(free.p8, fixed.p3));
             columns[unknown::P8_X][equation::D8_3] = gradient.x;
             columns[unknown::P8_Y][equation::D8_3] = gradient.y;
             columns[unknown::P8_Z][equation::D8_3] = gradient.z;
-            let gradient = self.d9_4.gradient(free.p9 - fixed.p4);
+            let gradient = self.d9_4.gradient(difference(free.p9, fixed.p4));
             columns[unknown::P9_X][equation::D9_4] = gradient.x;
             columns[unknown::P9_Y][equation::D9_4] = gradient.y;
             columns[unknown::P9_Z][equation::D9_4] = gradient.z;
-            let gradient = self.d10_5.gradient(free.p10 - fixed.p5);
+            let gradient = self.d10_5.gradient(difference(free.p10, fixed.p5));
             columns[unknown::P10_X][equation::D10_5] = gradient.x;
             columns[unknown::P10_Y][equation::D10_5] = gradient.y;
             columns[unknown::P10_Z][equation::D10_5] = gradient.z;
-            let gradient = self.d7_6.gradient(free.p7 - free.p6);
+            let gradient = self.d7_6.gradient(difference(free.p7, free.p6));
             columns[unknown::P7_X][equation::D7_6] = gradient.x;
             columns[unknown::P7_Y][equation::D7_6] = gradient.y;
             columns[unknown::P7_Z][equation::D7_6] = gradient.z;
             columns[unknown::P6_X][equation::D7_6] = -gradient.x;
             columns[unknown::P6_Y][equation::D7_6] = -gradient.y;
             columns[unknown::P6_Z][equation::D7_6] = -gradient.z;
-            let gradient = self.d8_6.gradient(free.p8 - free.p6);
+            let gradient = self.d8_6.gradient(difference(free.p8, free.p6));
             columns[unknown::P8_X][equation::D8_6] = gradient.x;
             columns[unknown::P8_Y][equation::D8_6] = gradient.y;
             columns[unknown::P8_Z][equation::D8_6] = gradient.z;
             columns[unknown::P6_X][equation::D8_6] = -gradient.x;
             columns[unknown::P6_Y][equation::D8_6] = -gradient.y;
             columns[unknown::P6_Z][equation::D8_6] = -gradient.z;
-            let gradient = self.d9_6.gradient(free.p9 - free.p6);
+            let gradient = self.d9_6.gradient(difference(free.p9, free.p6));
             columns[unknown::P9_X][equation::D9_6] = gradient.x;
             columns[unknown::P9_Y][equation::D9_6] = gradient.y;
             columns[unknown::P9_Z][equation::D9_6] = gradient.z;
             columns[unknown::P6_X][equation::D9_6] = -gradient.x;
             columns[unknown::P6_Y][equation::D9_6] = -gradient.y;
             columns[unknown::P6_Z][equation::D9_6] = -gradient.z;
-            let gradient = self.d10_6.gradient(free.p10 - free.p6);
+            let gradient = self.d10_6.gradient(difference(free.p10, free.p6));
             columns[unknown::P10_X][equation::D10_6] = gradient.x;
             columns[unknown::P10_Y][equation::D10_6] = gradient.y;
             columns[unknown::P10_Z][equation::D10_6] = gradient.z;
             columns[unknown::P6_X][equation::D10_6] = -gradient.x;
             columns[unknown::P6_Y][equation::D10_6] = -gradient.y;
             columns[unknown::P6_Z][equation::D10_6] = -gradient.z;
-            let gradient = self.d8_7.gradient(free.p8 - free.p7);
+            let gradient = self.d8_7.gradient(difference(free.p8, free.p7));
             columns[unknown::P8_X][equation::D8_7] = gradient.x;
             columns[unknown::P8_Y][equation::D8_7] = gradient.y;
             columns[unknown::P8_Z][equation::D8_7] = gradient.z;
             columns[unknown::P7_X][equation::D8_7] = -gradient.x;
             columns[unknown::P7_Y][equation::D8_7] = -gradient.y;
             columns[unknown::P7_Z][equation::D8_7] = -gradient.z;
-            let gradient = self.d9_7.gradient(free.p9 - free.p7);
+            let gradient = self.d9_7.gradient(difference(free.p9, free.p7));
             columns[unknown::P9_X][equation::D9_7] = gradient.x;
             columns[unknown::P9_Y][equation::D9_7] = gradient.y;
             columns[unknown::P9_Z][equation::D9_7] = gradient.z;
             columns[unknown::P7_X][equation::D9_7] = -gradient.x;
             columns[unknown::P7_Y][equation::D9_7] = -gradient.y;
             columns[unknown::P7_Z][equation::D9_7] = -gradient.z;
-            let gradient = self.d10_7.gradient(free.p10 - free.p7);
+            let gradient = self.d10_7.gradient(difference(free.p10, free.p7));
             columns[unknown::P10_X][equation::D10_7] = gradient.x;
             columns[unknown::P10_Y][equation::D10_7] = gradient.y;
             columns[unknown::P10_Z][equation::D10_7] = gradient.z;
             columns[unknown::P7_X][equation::D10_7] = -gradient.x;
             columns[unknown::P7_Y][equation::D10_7] = -gradient.y;
             columns[unknown::P7_Z][equation::D10_7] = -gradient.z;
-            let gradient = self.d9_8.gradient(free.p9 - free.p8);
+            let gradient = self.d9_8.gradient(difference(free.p9, free.p8));
             columns[unknown::P9_X][equation::D9_8] = gradient.x;
             columns[unknown::P9_Y][equation::D9_8] = gradient.y;
             columns[unknown::P9_Z][equation::D9_8] = gradient.z;
             columns[unknown::P8_X][equation::D9_8] = -gradient.x;
             columns[unknown::P8_Y][equation::D9_8] = -gradient.y;
             columns[unknown::P8_Z][equation::D9_8] = -gradient.z;
-            let gradient = self.d10_8.gradient(free.p10 - free.p8);
+            let gradient = self.d10_8.gradient(difference(free.p10, free.p8));
             columns[unknown::P10_X][equation::D10_8] = gradient.x;
             columns[unknown::P10_Y][equation::D10_8] = gradient.y;
             columns[unknown::P10_Z][equation::D10_8] = gradient.z;
@@ -559,6 +572,345 @@ pub mod attia2003 {
             columns[unknown::P8_Z][equation::D10_8] = -gradient.z;
             columns[unknown::P6_Z][equation::THETA] = T::one();
             from_columns(columns)
+        }
+
+        #[inline(always)]
+        fn factor(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Factors<T> {
+            let free = Free::of(q);
+            let gradient = self.d6_1.gradient(difference(free.p6, fixed.p1));
+            let d6_1_by_p6_x = gradient.x;
+            let d6_1_by_p6_y = gradient.y;
+            let d6_1_by_p6_z = gradient.z;
+            let gradient = self.d7_2.gradient(difference(free.p7, fixed.p2));
+            let d7_2_by_p7_x = gradient.x;
+            let d7_2_by_p7_y = gradient.y;
+            let d7_2_by_p7_z = gradient.z;
+            let gradient = self.d8_3.gradient(difference(free.p8, fixed.p3));
+            let d8_3_by_p8_x = gradient.x;
+            let d8_3_by_p8_y = gradient.y;
+            let d8_3_by_p8_z = gradient.z;
+            let gradient = self.d9_4.gradient(difference(free.p9, fixed.p4));
+            let d9_4_by_p9_x = gradient.x;
+            let d9_4_by_p9_y = gradient.y;
+            let d9_4_by_p9_z = gradient.z;
+            let gradient = self.d10_5.gradient(difference(free.p10, fixed.p5));
+            let d10_5_by_p10_x = gradient.x;
+            let d10_5_by_p10_y = gradient.y;
+            let d10_5_by_p10_z = gradient.z;
+            let gradient = self.d7_6.gradient(difference(free.p7, free.p6));
+            let d7_6_by_p7_x = gradient.x;
+            let d7_6_by_p7_y = gradient.y;
+            let d7_6_by_p7_z = gradient.z;
+            let d7_6_by_p6_x = -gradient.x;
+            let d7_6_by_p6_y = -gradient.y;
+            let d7_6_by_p6_z = -gradient.z;
+            let gradient = self.d8_6.gradient(difference(free.p8, free.p6));
+            let d8_6_by_p8_x = gradient.x;
+            let d8_6_by_p8_y = gradient.y;
+            let d8_6_by_p8_z = gradient.z;
+            let d8_6_by_p6_x = -gradient.x;
+            let d8_6_by_p6_y = -gradient.y;
+            let d8_6_by_p6_z = -gradient.z;
+            let gradient = self.d9_6.gradient(difference(free.p9, free.p6));
+            let d9_6_by_p9_x = gradient.x;
+            let d9_6_by_p9_y = gradient.y;
+            let d9_6_by_p9_z = gradient.z;
+            let d9_6_by_p6_x = -gradient.x;
+            let d9_6_by_p6_y = -gradient.y;
+            let d9_6_by_p6_z = -gradient.z;
+            let gradient = self.d10_6.gradient(difference(free.p10, free.p6));
+            let d10_6_by_p10_x = gradient.x;
+            let d10_6_by_p10_y = gradient.y;
+            let d10_6_by_p10_z = gradient.z;
+            let d10_6_by_p6_x = -gradient.x;
+            let d10_6_by_p6_y = -gradient.y;
+            let d10_6_by_p6_z = -gradient.z;
+            let gradient = self.d8_7.gradient(difference(free.p8, free.p7));
+            let d8_7_by_p8_x = gradient.x;
+            let d8_7_by_p8_y = gradient.y;
+            let d8_7_by_p8_z = gradient.z;
+            let d8_7_by_p7_x = -gradient.x;
+            let d8_7_by_p7_y = -gradient.y;
+            let d8_7_by_p7_z = -gradient.z;
+            let gradient = self.d9_7.gradient(difference(free.p9, free.p7));
+            let d9_7_by_p9_x = gradient.x;
+            let d9_7_by_p9_y = gradient.y;
+            let d9_7_by_p9_z = gradient.z;
+            let d9_7_by_p7_x = -gradient.x;
+            let d9_7_by_p7_y = -gradient.y;
+            let d9_7_by_p7_z = -gradient.z;
+            let gradient = self.d10_7.gradient(difference(free.p10, free.p7));
+            let d10_7_by_p10_x = gradient.x;
+            let d10_7_by_p10_y = gradient.y;
+            let d10_7_by_p10_z = gradient.z;
+            let d10_7_by_p7_x = -gradient.x;
+            let d10_7_by_p7_y = -gradient.y;
+            let d10_7_by_p7_z = -gradient.z;
+            let gradient = self.d9_8.gradient(difference(free.p9, free.p8));
+            let d9_8_by_p9_x = gradient.x;
+            let d9_8_by_p9_y = gradient.y;
+            let d9_8_by_p9_z = gradient.z;
+            let d9_8_by_p8_x = -gradient.x;
+            let d9_8_by_p8_y = -gradient.y;
+            let d9_8_by_p8_z = -gradient.z;
+            let gradient = self.d10_8.gradient(difference(free.p10, free.p8));
+            let d10_8_by_p10_x = gradient.x;
+            let d10_8_by_p10_y = gradient.y;
+            let d10_8_by_p10_z = gradient.z;
+            let d10_8_by_p8_x = -gradient.x;
+            let d10_8_by_p8_y = -gradient.y;
+            let d10_8_by_p8_z = -gradient.z;
+            let d7_2_by_p7_y = T::one() / d7_2_by_p7_y;
+            let d7_6_by_p7_y = d7_6_by_p7_y * d7_2_by_p7_y;
+            let d7_6_by_p7_x = d7_6_by_p7_x.minus_product(d7_6_by_p7_y, d7_2_by_p7_x);
+            let d7_6_by_p7_z = d7_6_by_p7_z.minus_product(d7_6_by_p7_y, d7_2_by_p7_z);
+            let d8_7_by_p7_y = d8_7_by_p7_y * d7_2_by_p7_y;
+            let d8_7_by_p7_x = d8_7_by_p7_x.minus_product(d8_7_by_p7_y, d7_2_by_p7_x);
+            let d8_7_by_p7_z = d8_7_by_p7_z.minus_product(d8_7_by_p7_y, d7_2_by_p7_z);
+            let d9_7_by_p7_y = d9_7_by_p7_y * d7_2_by_p7_y;
+            let d9_7_by_p7_x = d9_7_by_p7_x.minus_product(d9_7_by_p7_y, d7_2_by_p7_x);
+            let d9_7_by_p7_z = d9_7_by_p7_z.minus_product(d9_7_by_p7_y, d7_2_by_p7_z);
+            let d10_7_by_p7_y = d10_7_by_p7_y * d7_2_by_p7_y;
+            let d10_7_by_p7_x = d10_7_by_p7_x.minus_product(d10_7_by_p7_y, d7_2_by_p7_x);
+            let d10_7_by_p7_z = d10_7_by_p7_z.minus_product(d10_7_by_p7_y, d7_2_by_p7_z);
+            let d7_2_by_p7_x = d7_2_by_p7_x * d7_2_by_p7_y;
+            let d7_2_by_p7_z = d7_2_by_p7_z * d7_2_by_p7_y;
+            let d6_1_by_p6_x = T::one() / d6_1_by_p6_x;
+            let d7_6_by_p6_x = d7_6_by_p6_x * d6_1_by_p6_x;
+            let d7_6_by_p6_y = d7_6_by_p6_y.minus_product(d7_6_by_p6_x, d6_1_by_p6_y);
+            let d8_6_by_p6_x = d8_6_by_p6_x * d6_1_by_p6_x;
+            let d8_6_by_p6_y = d8_6_by_p6_y.minus_product(d8_6_by_p6_x, d6_1_by_p6_y);
+            let d9_6_by_p6_x = d9_6_by_p6_x * d6_1_by_p6_x;
+            let d9_6_by_p6_y = d9_6_by_p6_y.minus_product(d9_6_by_p6_x, d6_1_by_p6_y);
+            let d10_6_by_p6_x = d10_6_by_p6_x * d6_1_by_p6_x;
+            let d10_6_by_p6_y = d10_6_by_p6_y.minus_product(d10_6_by_p6_x, d6_1_by_p6_y);
+            let d6_1_by_p6_y = d6_1_by_p6_y * d6_1_by_p6_x;
+            let d10_5_by_p10_z = T::one() / d10_5_by_p10_z;
+            let d10_6_by_p10_z = d10_6_by_p10_z * d10_5_by_p10_z;
+            let d10_6_by_p10_x = d10_6_by_p10_x
+                .minus_product(d10_6_by_p10_z, d10_5_by_p10_x);
+            let d10_6_by_p10_y = d10_6_by_p10_y
+                .minus_product(d10_6_by_p10_z, d10_5_by_p10_y);
+            let d10_7_by_p10_z = d10_7_by_p10_z * d10_5_by_p10_z;
+            let d10_7_by_p10_x = d10_7_by_p10_x
+                .minus_product(d10_7_by_p10_z, d10_5_by_p10_x);
+            let d10_7_by_p10_y = d10_7_by_p10_y
+                .minus_product(d10_7_by_p10_z, d10_5_by_p10_y);
+            let d10_8_by_p10_z = d10_8_by_p10_z * d10_5_by_p10_z;
+            let d10_8_by_p10_x = d10_8_by_p10_x
+                .minus_product(d10_8_by_p10_z, d10_5_by_p10_x);
+            let d10_8_by_p10_y = d10_8_by_p10_y
+                .minus_product(d10_8_by_p10_z, d10_5_by_p10_y);
+            let d10_5_by_p10_x = d10_5_by_p10_x * d10_5_by_p10_z;
+            let d10_5_by_p10_y = d10_5_by_p10_y * d10_5_by_p10_z;
+            let d9_4_by_p9_x = T::one() / d9_4_by_p9_x;
+            let d9_6_by_p9_x = d9_6_by_p9_x * d9_4_by_p9_x;
+            let d9_6_by_p9_y = d9_6_by_p9_y.minus_product(d9_6_by_p9_x, d9_4_by_p9_y);
+            let d9_6_by_p9_z = d9_6_by_p9_z.minus_product(d9_6_by_p9_x, d9_4_by_p9_z);
+            let d9_7_by_p9_x = d9_7_by_p9_x * d9_4_by_p9_x;
+            let d9_7_by_p9_y = d9_7_by_p9_y.minus_product(d9_7_by_p9_x, d9_4_by_p9_y);
+            let d9_7_by_p9_z = d9_7_by_p9_z.minus_product(d9_7_by_p9_x, d9_4_by_p9_z);
+            let d9_8_by_p9_x = d9_8_by_p9_x * d9_4_by_p9_x;
+            let d9_8_by_p9_y = d9_8_by_p9_y.minus_product(d9_8_by_p9_x, d9_4_by_p9_y);
+            let d9_8_by_p9_z = d9_8_by_p9_z.minus_product(d9_8_by_p9_x, d9_4_by_p9_z);
+            let d9_4_by_p9_y = d9_4_by_p9_y * d9_4_by_p9_x;
+            let d9_4_by_p9_z = d9_4_by_p9_z * d9_4_by_p9_x;
+            let d8_3_by_p8_y = T::one() / d8_3_by_p8_y;
+            let d8_6_by_p8_y = d8_6_by_p8_y * d8_3_by_p8_y;
+            let d8_6_by_p8_z = d8_6_by_p8_z.minus_product(d8_6_by_p8_y, d8_3_by_p8_z);
+            let d8_6_by_p8_x = d8_6_by_p8_x.minus_product(d8_6_by_p8_y, d8_3_by_p8_x);
+            let d8_7_by_p8_y = d8_7_by_p8_y * d8_3_by_p8_y;
+            let d8_7_by_p8_z = d8_7_by_p8_z.minus_product(d8_7_by_p8_y, d8_3_by_p8_z);
+            let d8_7_by_p8_x = d8_7_by_p8_x.minus_product(d8_7_by_p8_y, d8_3_by_p8_x);
+            let d9_8_by_p8_y = d9_8_by_p8_y * d8_3_by_p8_y;
+            let d9_8_by_p8_z = d9_8_by_p8_z.minus_product(d9_8_by_p8_y, d8_3_by_p8_z);
+            let d9_8_by_p8_x = d9_8_by_p8_x.minus_product(d9_8_by_p8_y, d8_3_by_p8_x);
+            let d10_8_by_p8_y = d10_8_by_p8_y * d8_3_by_p8_y;
+            let d10_8_by_p8_z = d10_8_by_p8_z.minus_product(d10_8_by_p8_y, d8_3_by_p8_z);
+            let d10_8_by_p8_x = d10_8_by_p8_x.minus_product(d10_8_by_p8_y, d8_3_by_p8_x);
+            let d8_3_by_p8_z = d8_3_by_p8_z * d8_3_by_p8_y;
+            let d8_3_by_p8_x = d8_3_by_p8_x * d8_3_by_p8_y;
+            let d10_6_by_p10_y = T::one() / d10_6_by_p10_y;
+            let d10_7_by_p10_y = d10_7_by_p10_y * d10_6_by_p10_y;
+            let d10_7_by_p6_y = -(d10_7_by_p10_y * d10_6_by_p6_y);
+            let d10_7_by_p10_x = d10_7_by_p10_x
+                .minus_product(d10_7_by_p10_y, d10_6_by_p10_x);
+            let d10_8_by_p10_y = d10_8_by_p10_y * d10_6_by_p10_y;
+            let d10_8_by_p6_y = -(d10_8_by_p10_y * d10_6_by_p6_y);
+            let d10_8_by_p10_x = d10_8_by_p10_x
+                .minus_product(d10_8_by_p10_y, d10_6_by_p10_x);
+            let d10_6_by_p6_y = d10_6_by_p6_y * d10_6_by_p10_y;
+            let d10_6_by_p10_x = d10_6_by_p10_x * d10_6_by_p10_y;
+            let d9_6_by_p9_z = T::one() / d9_6_by_p9_z;
+            let d9_7_by_p9_z = d9_7_by_p9_z * d9_6_by_p9_z;
+            let d9_7_by_p6_y = -(d9_7_by_p9_z * d9_6_by_p6_y);
+            let d9_7_by_p9_y = d9_7_by_p9_y.minus_product(d9_7_by_p9_z, d9_6_by_p9_y);
+            let d9_8_by_p9_z = d9_8_by_p9_z * d9_6_by_p9_z;
+            let d9_8_by_p6_y = -(d9_8_by_p9_z * d9_6_by_p6_y);
+            let d9_8_by_p9_y = d9_8_by_p9_y.minus_product(d9_8_by_p9_z, d9_6_by_p9_y);
+            let d9_6_by_p6_y = d9_6_by_p6_y * d9_6_by_p9_z;
+            let d9_6_by_p9_y = d9_6_by_p9_y * d9_6_by_p9_z;
+            let d8_6_by_p8_x = T::one() / d8_6_by_p8_x;
+            let d8_7_by_p8_x = d8_7_by_p8_x * d8_6_by_p8_x;
+            let d8_7_by_p6_y = -(d8_7_by_p8_x * d8_6_by_p6_y);
+            let d8_7_by_p8_z = d8_7_by_p8_z.minus_product(d8_7_by_p8_x, d8_6_by_p8_z);
+            let d9_8_by_p8_x = d9_8_by_p8_x * d8_6_by_p8_x;
+            let d9_8_by_p6_y = d9_8_by_p6_y.minus_product(d9_8_by_p8_x, d8_6_by_p6_y);
+            let d9_8_by_p8_z = d9_8_by_p8_z.minus_product(d9_8_by_p8_x, d8_6_by_p8_z);
+            let d10_8_by_p8_x = d10_8_by_p8_x * d8_6_by_p8_x;
+            let d10_8_by_p6_y = d10_8_by_p6_y.minus_product(d10_8_by_p8_x, d8_6_by_p6_y);
+            let d10_8_by_p8_z = d10_8_by_p8_z.minus_product(d10_8_by_p8_x, d8_6_by_p8_z);
+            let d8_6_by_p6_y = d8_6_by_p6_y * d8_6_by_p8_x;
+            let d8_6_by_p8_z = d8_6_by_p8_z * d8_6_by_p8_x;
+            let d7_6_by_p7_z = T::one() / d7_6_by_p7_z;
+            let d8_7_by_p7_z = d8_7_by_p7_z * d7_6_by_p7_z;
+            let d8_7_by_p6_y = d8_7_by_p6_y.minus_product(d8_7_by_p7_z, d7_6_by_p6_y);
+            let d8_7_by_p7_x = d8_7_by_p7_x.minus_product(d8_7_by_p7_z, d7_6_by_p7_x);
+            let d9_7_by_p7_z = d9_7_by_p7_z * d7_6_by_p7_z;
+            let d9_7_by_p6_y = d9_7_by_p6_y.minus_product(d9_7_by_p7_z, d7_6_by_p6_y);
+            let d9_7_by_p7_x = d9_7_by_p7_x.minus_product(d9_7_by_p7_z, d7_6_by_p7_x);
+            let d10_7_by_p7_z = d10_7_by_p7_z * d7_6_by_p7_z;
+            let d10_7_by_p6_y = d10_7_by_p6_y.minus_product(d10_7_by_p7_z, d7_6_by_p6_y);
+            let d10_7_by_p7_x = d10_7_by_p7_x.minus_product(d10_7_by_p7_z, d7_6_by_p7_x);
+            let d7_6_by_p6_y = d7_6_by_p6_y * d7_6_by_p7_z;
+            let d7_6_by_p7_x = d7_6_by_p7_x * d7_6_by_p7_z;
+            let d10_7_by_p10_x = T::one() / d10_7_by_p10_x;
+            let d10_8_by_p10_x = d10_8_by_p10_x * d10_7_by_p10_x;
+            let d10_8_by_p6_y = d10_8_by_p6_y
+                .minus_product(d10_8_by_p10_x, d10_7_by_p6_y);
+            let d10_8_by_p7_x = -(d10_8_by_p10_x * d10_7_by_p7_x);
+            let d10_7_by_p6_y = d10_7_by_p6_y * d10_7_by_p10_x;
+            let d10_7_by_p7_x = d10_7_by_p7_x * d10_7_by_p10_x;
+            let d9_7_by_p9_y = T::one() / d9_7_by_p9_y;
+            let d9_8_by_p9_y = d9_8_by_p9_y * d9_7_by_p9_y;
+            let d9_8_by_p6_y = d9_8_by_p6_y.minus_product(d9_8_by_p9_y, d9_7_by_p6_y);
+            let d9_8_by_p7_x = -(d9_8_by_p9_y * d9_7_by_p7_x);
+            let d9_7_by_p6_y = d9_7_by_p6_y * d9_7_by_p9_y;
+            let d9_7_by_p7_x = d9_7_by_p7_x * d9_7_by_p9_y;
+            let d9_8_by_p8_z = T::one() / d9_8_by_p8_z;
+            let d8_7_by_p8_z = d8_7_by_p8_z * d9_8_by_p8_z;
+            let d8_7_by_p6_y = d8_7_by_p6_y.minus_product(d8_7_by_p8_z, d9_8_by_p6_y);
+            let d8_7_by_p7_x = d8_7_by_p7_x.minus_product(d8_7_by_p8_z, d9_8_by_p7_x);
+            let d10_8_by_p8_z = d10_8_by_p8_z * d9_8_by_p8_z;
+            let d10_8_by_p6_y = d10_8_by_p6_y.minus_product(d10_8_by_p8_z, d9_8_by_p6_y);
+            let d10_8_by_p7_x = d10_8_by_p7_x.minus_product(d10_8_by_p8_z, d9_8_by_p7_x);
+            let d9_8_by_p6_y = d9_8_by_p6_y * d9_8_by_p8_z;
+            let d9_8_by_p7_x = d9_8_by_p7_x * d9_8_by_p8_z;
+            let d10_8_by_p7_x = T::one() / d10_8_by_p7_x;
+            let d8_7_by_p7_x = d8_7_by_p7_x * d10_8_by_p7_x;
+            let d8_7_by_p6_y = d8_7_by_p6_y.minus_product(d8_7_by_p7_x, d10_8_by_p6_y);
+            let d10_8_by_p6_y = d10_8_by_p6_y * d10_8_by_p7_x;
+            let d8_7_by_p6_y = T::one() / d8_7_by_p6_y;
+            Factors {
+                growth_squared: sum_of_squares([
+                    d7_2_by_p7_y,
+                    d6_1_by_p6_x,
+                    d10_5_by_p10_z,
+                    d9_4_by_p9_x,
+                    d8_3_by_p8_y,
+                    d10_6_by_p10_y,
+                    d9_6_by_p9_z,
+                    d8_6_by_p8_x,
+                    d7_6_by_p7_z,
+                    d10_7_by_p10_x,
+                    d9_7_by_p9_y,
+                    d9_8_by_p8_z,
+                    d10_8_by_p7_x,
+                    d8_7_by_p6_y,
+                ]),
+                determinant_sign: product([
+                    d7_2_by_p7_y,
+                    d6_1_by_p6_x,
+                    d10_5_by_p10_z,
+                    d9_4_by_p9_x,
+                    d8_3_by_p8_y,
+                    d10_6_by_p10_y,
+                    d9_6_by_p9_z,
+                    d8_6_by_p8_x,
+                    d7_6_by_p7_z,
+                    d10_7_by_p10_x,
+                    d9_7_by_p9_y,
+                    d9_8_by_p8_z,
+                    d10_8_by_p7_x,
+                    d8_7_by_p6_y,
+                ]),
+                d6_1_by_p6_z,
+                d7_6_by_p6_z,
+                d8_6_by_p6_z,
+                d9_6_by_p6_z,
+                d10_6_by_p6_z,
+                d7_2_by_p7_y,
+                d7_2_by_p7_x,
+                d7_2_by_p7_z,
+                d7_6_by_p7_y,
+                d8_7_by_p7_y,
+                d9_7_by_p7_y,
+                d10_7_by_p7_y,
+                d6_1_by_p6_x,
+                d6_1_by_p6_y,
+                d7_6_by_p6_x,
+                d8_6_by_p6_x,
+                d9_6_by_p6_x,
+                d10_6_by_p6_x,
+                d10_5_by_p10_z,
+                d10_5_by_p10_x,
+                d10_5_by_p10_y,
+                d10_6_by_p10_z,
+                d10_7_by_p10_z,
+                d10_8_by_p10_z,
+                d9_4_by_p9_x,
+                d9_4_by_p9_y,
+                d9_4_by_p9_z,
+                d9_6_by_p9_x,
+                d9_7_by_p9_x,
+                d9_8_by_p9_x,
+                d8_3_by_p8_y,
+                d8_3_by_p8_z,
+                d8_3_by_p8_x,
+                d8_6_by_p8_y,
+                d8_7_by_p8_y,
+                d9_8_by_p8_y,
+                d10_8_by_p8_y,
+                d10_6_by_p10_y,
+                d10_6_by_p6_y,
+                d10_6_by_p10_x,
+                d10_7_by_p10_y,
+                d10_8_by_p10_y,
+                d9_6_by_p9_z,
+                d9_6_by_p6_y,
+                d9_6_by_p9_y,
+                d9_7_by_p9_z,
+                d9_8_by_p9_z,
+                d8_6_by_p8_x,
+                d8_6_by_p6_y,
+                d8_6_by_p8_z,
+                d8_7_by_p8_x,
+                d9_8_by_p8_x,
+                d10_8_by_p8_x,
+                d7_6_by_p7_z,
+                d7_6_by_p6_y,
+                d7_6_by_p7_x,
+                d8_7_by_p7_z,
+                d9_7_by_p7_z,
+                d10_7_by_p7_z,
+                d10_7_by_p10_x,
+                d10_7_by_p6_y,
+                d10_7_by_p7_x,
+                d10_8_by_p10_x,
+                d9_7_by_p9_y,
+                d9_7_by_p6_y,
+                d9_7_by_p7_x,
+                d9_8_by_p9_y,
+                d9_8_by_p8_z,
+                d9_8_by_p6_y,
+                d9_8_by_p7_x,
+                d8_7_by_p8_z,
+                d10_8_by_p8_z,
+                d10_8_by_p7_x,
+                d10_8_by_p6_y,
+                d8_7_by_p7_x,
+                d8_7_by_p6_y,
+            }
         }
 
         #[inline(always)]
@@ -574,28 +926,46 @@ pub mod attia2003 {
             let mut rows = [T::zero(); 15];
             rows[equation::D6_1] = self
                 .d6_1
-                .curvature(v.p6 - v_fixed.p1, w.p6 - w_fixed.p1);
+                .curvature(difference(v.p6, v_fixed.p1), difference(w.p6, w_fixed.p1));
             rows[equation::D7_2] = self
                 .d7_2
-                .curvature(v.p7 - v_fixed.p2, w.p7 - w_fixed.p2);
+                .curvature(difference(v.p7, v_fixed.p2), difference(w.p7, w_fixed.p2));
             rows[equation::D8_3] = self
                 .d8_3
-                .curvature(v.p8 - v_fixed.p3, w.p8 - w_fixed.p3);
+                .curvature(difference(v.p8, v_fixed.p3), difference(w.p8, w_fixed.p3));
             rows[equation::D9_4] = self
                 .d9_4
-                .curvature(v.p9 - v_fixed.p4, w.p9 - w_fixed.p4);
+                .curvature(difference(v.p9, v_fixed.p4), difference(w.p9, w_fixed.p4));
             rows[equation::D10_5] = self
                 .d10_5
-                .curvature(v.p10 - v_fixed.p5, w.p10 - w_fixed.p5);
-            rows[equation::D7_6] = self.d7_6.curvature(v.p7 - v.p6, w.p7 - w.p6);
-            rows[equation::D8_6] = self.d8_6.curvature(v.p8 - v.p6, w.p8 - w.p6);
-            rows[equation::D9_6] = self.d9_6.curvature(v.p9 - v.p6, w.p9 - w.p6);
-            rows[equation::D10_6] = self.d10_6.curvature(v.p10 - v.p6, w.p10 - w.p6);
-            rows[equation::D8_7] = self.d8_7.curvature(v.p8 - v.p7, w.p8 - w.p7);
-            rows[equation::D9_7] = self.d9_7.curvature(v.p9 - v.p7, w.p9 - w.p7);
-            rows[equation::D10_7] = self.d10_7.curvature(v.p10 - v.p7, w.p10 - w.p7);
-            rows[equation::D9_8] = self.d9_8.curvature(v.p9 - v.p8, w.p9 - w.p8);
-            rows[equation::D10_8] = self.d10_8.curvature(v.p10 - v.p8, w.p10 - w.p8);
+                .curvature(difference(v.p10, v_fixed.p5), difference(w.p10, w_fixed.p5));
+            rows[equation::D7_6] = self
+                .d7_6
+                .curvature(difference(v.p7, v.p6), difference(w.p7, w.p6));
+            rows[equation::D8_6] = self
+                .d8_6
+                .curvature(difference(v.p8, v.p6), difference(w.p8, w.p6));
+            rows[equation::D9_6] = self
+                .d9_6
+                .curvature(difference(v.p9, v.p6), difference(w.p9, w.p6));
+            rows[equation::D10_6] = self
+                .d10_6
+                .curvature(difference(v.p10, v.p6), difference(w.p10, w.p6));
+            rows[equation::D8_7] = self
+                .d8_7
+                .curvature(difference(v.p8, v.p7), difference(w.p8, w.p7));
+            rows[equation::D9_7] = self
+                .d9_7
+                .curvature(difference(v.p9, v.p7), difference(w.p9, w.p7));
+            rows[equation::D10_7] = self
+                .d10_7
+                .curvature(difference(v.p10, v.p7), difference(w.p10, w.p7));
+            rows[equation::D9_8] = self
+                .d9_8
+                .curvature(difference(v.p9, v.p8), difference(w.p9, w.p8));
+            rows[equation::D10_8] = self
+                .d10_8
+                .curvature(difference(v.p10, v.p8), difference(w.p10, w.p8));
             SVector::from(rows)
         }
 
@@ -621,26 +991,26 @@ pub mod attia2003 {
         ) -> SVector<T, 15> {
             let free = Free::of(q);
             let mut rows = [T::zero(); 15];
-            rows[equation::D6_1] = self
-                .d6_1
-                .gradient(free.p6 - fixed.p1)
-                .dot(&fixed_rate.p1);
-            rows[equation::D7_2] = self
-                .d7_2
-                .gradient(free.p7 - fixed.p2)
-                .dot(&fixed_rate.p2);
-            rows[equation::D8_3] = self
-                .d8_3
-                .gradient(free.p8 - fixed.p3)
-                .dot(&fixed_rate.p3);
-            rows[equation::D9_4] = self
-                .d9_4
-                .gradient(free.p9 - fixed.p4)
-                .dot(&fixed_rate.p4);
-            rows[equation::D10_5] = self
-                .d10_5
-                .gradient(free.p10 - fixed.p5)
-                .dot(&fixed_rate.p5);
+            rows[equation::D6_1] = dot(
+                self.d6_1.gradient(difference(free.p6, fixed.p1)),
+                fixed_rate.p1,
+            );
+            rows[equation::D7_2] = dot(
+                self.d7_2.gradient(difference(free.p7, fixed.p2)),
+                fixed_rate.p2,
+            );
+            rows[equation::D8_3] = dot(
+                self.d8_3.gradient(difference(free.p8, fixed.p3)),
+                fixed_rate.p3,
+            );
+            rows[equation::D9_4] = dot(
+                self.d9_4.gradient(difference(free.p9, fixed.p4)),
+                fixed_rate.p4,
+            );
+            rows[equation::D10_5] = dot(
+                self.d10_5.gradient(difference(free.p10, fixed.p5)),
+                fixed_rate.p5,
+            );
             rows[equation::THETA] = fixed_rate.p1.z;
             SVector::from(rows)
         }
@@ -730,30 +1100,18 @@ pub mod attia2003 {
         }
     }
 
-    /// The Jacobian eliminated in a fixed order: multipliers below each pivot, what is left
-    /// of its row to the right, and in its own place the pivot's inverse. Pivots that are 1
-    /// in every position are left out.
+    /// The Jacobian eliminated in a fixed order, `L D U`: multipliers below each pivot, what is
+    /// left of its row, divided by the pivot, to the right, and in its own place the pivot's
+    /// inverse. Pivots that are 1 in every position are left out.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Factors<T> {
-        growth: T,
+        growth_squared: T,
         determinant_sign: T,
         d6_1_by_p6_z: T,
         d7_6_by_p6_z: T,
         d8_6_by_p6_z: T,
         d9_6_by_p6_z: T,
         d10_6_by_p6_z: T,
-        d6_1_by_p6_y: T,
-        d6_1_by_p6_x: T,
-        d7_6_by_p6_y: T,
-        d8_6_by_p6_y: T,
-        d9_6_by_p6_y: T,
-        d10_6_by_p6_y: T,
-        d9_4_by_p9_x: T,
-        d9_4_by_p9_z: T,
-        d9_4_by_p9_y: T,
-        d9_6_by_p9_x: T,
-        d9_7_by_p9_x: T,
-        d9_8_by_p9_x: T,
         d7_2_by_p7_y: T,
         d7_2_by_p7_x: T,
         d7_2_by_p7_z: T,
@@ -761,289 +1119,76 @@ pub mod attia2003 {
         d8_7_by_p7_y: T,
         d9_7_by_p7_y: T,
         d10_7_by_p7_y: T,
+        d6_1_by_p6_x: T,
+        d6_1_by_p6_y: T,
+        d7_6_by_p6_x: T,
+        d8_6_by_p6_x: T,
+        d9_6_by_p6_x: T,
+        d10_6_by_p6_x: T,
         d10_5_by_p10_z: T,
-        d10_5_by_p10_y: T,
         d10_5_by_p10_x: T,
+        d10_5_by_p10_y: T,
         d10_6_by_p10_z: T,
         d10_7_by_p10_z: T,
         d10_8_by_p10_z: T,
-        d8_3_by_p8_x: T,
-        d8_3_by_p8_z: T,
+        d9_4_by_p9_x: T,
+        d9_4_by_p9_y: T,
+        d9_4_by_p9_z: T,
+        d9_6_by_p9_x: T,
+        d9_7_by_p9_x: T,
+        d9_8_by_p9_x: T,
         d8_3_by_p8_y: T,
-        d8_6_by_p8_x: T,
-        d8_7_by_p8_x: T,
-        d9_8_by_p8_x: T,
-        d10_8_by_p8_x: T,
-        d10_6_by_p10_x: T,
-        d10_6_by_p6_x: T,
-        d10_6_by_p10_y: T,
-        d10_7_by_p10_x: T,
-        d10_8_by_p10_x: T,
-        d9_6_by_p9_y: T,
-        d9_6_by_p6_x: T,
-        d9_6_by_p9_z: T,
-        d9_7_by_p9_y: T,
-        d9_8_by_p9_y: T,
+        d8_3_by_p8_z: T,
+        d8_3_by_p8_x: T,
         d8_6_by_p8_y: T,
-        d8_6_by_p6_x: T,
-        d8_6_by_p8_z: T,
         d8_7_by_p8_y: T,
         d9_8_by_p8_y: T,
         d10_8_by_p8_y: T,
+        d10_6_by_p10_y: T,
+        d10_6_by_p6_y: T,
+        d10_6_by_p10_x: T,
+        d10_7_by_p10_y: T,
+        d10_8_by_p10_y: T,
+        d9_6_by_p9_z: T,
+        d9_6_by_p6_y: T,
+        d9_6_by_p9_y: T,
+        d9_7_by_p9_z: T,
+        d9_8_by_p9_z: T,
+        d8_6_by_p8_x: T,
+        d8_6_by_p6_y: T,
+        d8_6_by_p8_z: T,
+        d8_7_by_p8_x: T,
+        d9_8_by_p8_x: T,
+        d10_8_by_p8_x: T,
         d7_6_by_p7_z: T,
-        d7_6_by_p6_x: T,
+        d7_6_by_p6_y: T,
         d7_6_by_p7_x: T,
         d8_7_by_p7_z: T,
         d9_7_by_p7_z: T,
         d10_7_by_p7_z: T,
-        d9_7_by_p9_z: T,
-        d9_7_by_p6_x: T,
+        d10_7_by_p10_x: T,
+        d10_7_by_p6_y: T,
+        d10_7_by_p7_x: T,
+        d10_8_by_p10_x: T,
+        d9_7_by_p9_y: T,
+        d9_7_by_p6_y: T,
         d9_7_by_p7_x: T,
-        d9_8_by_p9_z: T,
-        d10_8_by_p10_y: T,
-        d10_8_by_p6_x: T,
-        d10_8_by_p8_z: T,
-        d10_7_by_p10_y: T,
+        d9_8_by_p9_y: T,
         d9_8_by_p8_z: T,
-        d9_8_by_p6_x: T,
+        d9_8_by_p6_y: T,
         d9_8_by_p7_x: T,
         d8_7_by_p8_z: T,
-        d10_7_by_p8_z: T,
+        d10_8_by_p8_z: T,
+        d10_8_by_p7_x: T,
+        d10_8_by_p6_y: T,
         d8_7_by_p7_x: T,
-        d8_7_by_p6_x: T,
-        d10_7_by_p7_x: T,
-        d10_7_by_p6_x: T,
+        d8_7_by_p6_y: T,
     }
 
     impl<T: Scalar> Elimination<T, 15> for Factors<T> {
         #[inline(always)]
-        fn factor(jacobian: &SMatrix<T, 15, 15>) -> Self {
-            let columns = &jacobian.data.0;
-            let mut lu = Self {
-                growth: T::zero(),
-                determinant_sign: T::zero(),
-                d6_1_by_p6_z: columns[unknown::P6_Z][equation::D6_1],
-                d7_6_by_p6_z: columns[unknown::P6_Z][equation::D7_6],
-                d8_6_by_p6_z: columns[unknown::P6_Z][equation::D8_6],
-                d9_6_by_p6_z: columns[unknown::P6_Z][equation::D9_6],
-                d10_6_by_p6_z: columns[unknown::P6_Z][equation::D10_6],
-                d6_1_by_p6_y: columns[unknown::P6_Y][equation::D6_1],
-                d6_1_by_p6_x: columns[unknown::P6_X][equation::D6_1],
-                d7_6_by_p6_y: columns[unknown::P6_Y][equation::D7_6],
-                d8_6_by_p6_y: columns[unknown::P6_Y][equation::D8_6],
-                d9_6_by_p6_y: columns[unknown::P6_Y][equation::D9_6],
-                d10_6_by_p6_y: columns[unknown::P6_Y][equation::D10_6],
-                d9_4_by_p9_x: columns[unknown::P9_X][equation::D9_4],
-                d9_4_by_p9_z: columns[unknown::P9_Z][equation::D9_4],
-                d9_4_by_p9_y: columns[unknown::P9_Y][equation::D9_4],
-                d9_6_by_p9_x: columns[unknown::P9_X][equation::D9_6],
-                d9_7_by_p9_x: columns[unknown::P9_X][equation::D9_7],
-                d9_8_by_p9_x: columns[unknown::P9_X][equation::D9_8],
-                d7_2_by_p7_y: columns[unknown::P7_Y][equation::D7_2],
-                d7_2_by_p7_x: columns[unknown::P7_X][equation::D7_2],
-                d7_2_by_p7_z: columns[unknown::P7_Z][equation::D7_2],
-                d7_6_by_p7_y: columns[unknown::P7_Y][equation::D7_6],
-                d8_7_by_p7_y: columns[unknown::P7_Y][equation::D8_7],
-                d9_7_by_p7_y: columns[unknown::P7_Y][equation::D9_7],
-                d10_7_by_p7_y: columns[unknown::P7_Y][equation::D10_7],
-                d10_5_by_p10_z: columns[unknown::P10_Z][equation::D10_5],
-                d10_5_by_p10_y: columns[unknown::P10_Y][equation::D10_5],
-                d10_5_by_p10_x: columns[unknown::P10_X][equation::D10_5],
-                d10_6_by_p10_z: columns[unknown::P10_Z][equation::D10_6],
-                d10_7_by_p10_z: columns[unknown::P10_Z][equation::D10_7],
-                d10_8_by_p10_z: columns[unknown::P10_Z][equation::D10_8],
-                d8_3_by_p8_x: columns[unknown::P8_X][equation::D8_3],
-                d8_3_by_p8_z: columns[unknown::P8_Z][equation::D8_3],
-                d8_3_by_p8_y: columns[unknown::P8_Y][equation::D8_3],
-                d8_6_by_p8_x: columns[unknown::P8_X][equation::D8_6],
-                d8_7_by_p8_x: columns[unknown::P8_X][equation::D8_7],
-                d9_8_by_p8_x: columns[unknown::P8_X][equation::D9_8],
-                d10_8_by_p8_x: columns[unknown::P8_X][equation::D10_8],
-                d10_6_by_p10_x: columns[unknown::P10_X][equation::D10_6],
-                d10_6_by_p6_x: columns[unknown::P6_X][equation::D10_6],
-                d10_6_by_p10_y: columns[unknown::P10_Y][equation::D10_6],
-                d10_7_by_p10_x: columns[unknown::P10_X][equation::D10_7],
-                d10_8_by_p10_x: columns[unknown::P10_X][equation::D10_8],
-                d9_6_by_p9_y: columns[unknown::P9_Y][equation::D9_6],
-                d9_6_by_p6_x: columns[unknown::P6_X][equation::D9_6],
-                d9_6_by_p9_z: columns[unknown::P9_Z][equation::D9_6],
-                d9_7_by_p9_y: columns[unknown::P9_Y][equation::D9_7],
-                d9_8_by_p9_y: columns[unknown::P9_Y][equation::D9_8],
-                d8_6_by_p8_y: columns[unknown::P8_Y][equation::D8_6],
-                d8_6_by_p6_x: columns[unknown::P6_X][equation::D8_6],
-                d8_6_by_p8_z: columns[unknown::P8_Z][equation::D8_6],
-                d8_7_by_p8_y: columns[unknown::P8_Y][equation::D8_7],
-                d9_8_by_p8_y: columns[unknown::P8_Y][equation::D9_8],
-                d10_8_by_p8_y: columns[unknown::P8_Y][equation::D10_8],
-                d7_6_by_p7_z: columns[unknown::P7_Z][equation::D7_6],
-                d7_6_by_p6_x: columns[unknown::P6_X][equation::D7_6],
-                d7_6_by_p7_x: columns[unknown::P7_X][equation::D7_6],
-                d8_7_by_p7_z: columns[unknown::P7_Z][equation::D8_7],
-                d9_7_by_p7_z: columns[unknown::P7_Z][equation::D9_7],
-                d10_7_by_p7_z: columns[unknown::P7_Z][equation::D10_7],
-                d9_7_by_p9_z: columns[unknown::P9_Z][equation::D9_7],
-                d9_7_by_p6_x: T::zero(),
-                d9_7_by_p7_x: columns[unknown::P7_X][equation::D9_7],
-                d9_8_by_p9_z: columns[unknown::P9_Z][equation::D9_8],
-                d10_8_by_p10_y: columns[unknown::P10_Y][equation::D10_8],
-                d10_8_by_p6_x: T::zero(),
-                d10_8_by_p8_z: columns[unknown::P8_Z][equation::D10_8],
-                d10_7_by_p10_y: columns[unknown::P10_Y][equation::D10_7],
-                d9_8_by_p8_z: columns[unknown::P8_Z][equation::D9_8],
-                d9_8_by_p6_x: T::zero(),
-                d9_8_by_p7_x: T::zero(),
-                d8_7_by_p8_z: columns[unknown::P8_Z][equation::D8_7],
-                d10_7_by_p8_z: T::zero(),
-                d8_7_by_p7_x: columns[unknown::P7_X][equation::D8_7],
-                d8_7_by_p6_x: T::zero(),
-                d10_7_by_p7_x: columns[unknown::P7_X][equation::D10_7],
-                d10_7_by_p6_x: T::zero(),
-            };
-            lu.d6_1_by_p6_y = T::one() / lu.d6_1_by_p6_y;
-            lu.d7_6_by_p6_y *= lu.d6_1_by_p6_y;
-            lu.d7_6_by_p6_x -= lu.d7_6_by_p6_y * lu.d6_1_by_p6_x;
-            lu.d8_6_by_p6_y *= lu.d6_1_by_p6_y;
-            lu.d8_6_by_p6_x -= lu.d8_6_by_p6_y * lu.d6_1_by_p6_x;
-            lu.d9_6_by_p6_y *= lu.d6_1_by_p6_y;
-            lu.d9_6_by_p6_x -= lu.d9_6_by_p6_y * lu.d6_1_by_p6_x;
-            lu.d10_6_by_p6_y *= lu.d6_1_by_p6_y;
-            lu.d10_6_by_p6_x -= lu.d10_6_by_p6_y * lu.d6_1_by_p6_x;
-            lu.d9_4_by_p9_x = T::one() / lu.d9_4_by_p9_x;
-            lu.d9_6_by_p9_x *= lu.d9_4_by_p9_x;
-            lu.d9_6_by_p9_z -= lu.d9_6_by_p9_x * lu.d9_4_by_p9_z;
-            lu.d9_6_by_p9_y -= lu.d9_6_by_p9_x * lu.d9_4_by_p9_y;
-            lu.d9_7_by_p9_x *= lu.d9_4_by_p9_x;
-            lu.d9_7_by_p9_z -= lu.d9_7_by_p9_x * lu.d9_4_by_p9_z;
-            lu.d9_7_by_p9_y -= lu.d9_7_by_p9_x * lu.d9_4_by_p9_y;
-            lu.d9_8_by_p9_x *= lu.d9_4_by_p9_x;
-            lu.d9_8_by_p9_z -= lu.d9_8_by_p9_x * lu.d9_4_by_p9_z;
-            lu.d9_8_by_p9_y -= lu.d9_8_by_p9_x * lu.d9_4_by_p9_y;
-            lu.d7_2_by_p7_y = T::one() / lu.d7_2_by_p7_y;
-            lu.d7_6_by_p7_y *= lu.d7_2_by_p7_y;
-            lu.d7_6_by_p7_x -= lu.d7_6_by_p7_y * lu.d7_2_by_p7_x;
-            lu.d7_6_by_p7_z -= lu.d7_6_by_p7_y * lu.d7_2_by_p7_z;
-            lu.d8_7_by_p7_y *= lu.d7_2_by_p7_y;
-            lu.d8_7_by_p7_x -= lu.d8_7_by_p7_y * lu.d7_2_by_p7_x;
-            lu.d8_7_by_p7_z -= lu.d8_7_by_p7_y * lu.d7_2_by_p7_z;
-            lu.d9_7_by_p7_y *= lu.d7_2_by_p7_y;
-            lu.d9_7_by_p7_x -= lu.d9_7_by_p7_y * lu.d7_2_by_p7_x;
-            lu.d9_7_by_p7_z -= lu.d9_7_by_p7_y * lu.d7_2_by_p7_z;
-            lu.d10_7_by_p7_y *= lu.d7_2_by_p7_y;
-            lu.d10_7_by_p7_x -= lu.d10_7_by_p7_y * lu.d7_2_by_p7_x;
-            lu.d10_7_by_p7_z -= lu.d10_7_by_p7_y * lu.d7_2_by_p7_z;
-            lu.d10_5_by_p10_z = T::one() / lu.d10_5_by_p10_z;
-            lu.d10_6_by_p10_z *= lu.d10_5_by_p10_z;
-            lu.d10_6_by_p10_y -= lu.d10_6_by_p10_z * lu.d10_5_by_p10_y;
-            lu.d10_6_by_p10_x -= lu.d10_6_by_p10_z * lu.d10_5_by_p10_x;
-            lu.d10_7_by_p10_z *= lu.d10_5_by_p10_z;
-            lu.d10_7_by_p10_y -= lu.d10_7_by_p10_z * lu.d10_5_by_p10_y;
-            lu.d10_7_by_p10_x -= lu.d10_7_by_p10_z * lu.d10_5_by_p10_x;
-            lu.d10_8_by_p10_z *= lu.d10_5_by_p10_z;
-            lu.d10_8_by_p10_y -= lu.d10_8_by_p10_z * lu.d10_5_by_p10_y;
-            lu.d10_8_by_p10_x -= lu.d10_8_by_p10_z * lu.d10_5_by_p10_x;
-            lu.d8_3_by_p8_x = T::one() / lu.d8_3_by_p8_x;
-            lu.d8_6_by_p8_x *= lu.d8_3_by_p8_x;
-            lu.d8_6_by_p8_z -= lu.d8_6_by_p8_x * lu.d8_3_by_p8_z;
-            lu.d8_6_by_p8_y -= lu.d8_6_by_p8_x * lu.d8_3_by_p8_y;
-            lu.d8_7_by_p8_x *= lu.d8_3_by_p8_x;
-            lu.d8_7_by_p8_z -= lu.d8_7_by_p8_x * lu.d8_3_by_p8_z;
-            lu.d8_7_by_p8_y -= lu.d8_7_by_p8_x * lu.d8_3_by_p8_y;
-            lu.d9_8_by_p8_x *= lu.d8_3_by_p8_x;
-            lu.d9_8_by_p8_z -= lu.d9_8_by_p8_x * lu.d8_3_by_p8_z;
-            lu.d9_8_by_p8_y -= lu.d9_8_by_p8_x * lu.d8_3_by_p8_y;
-            lu.d10_8_by_p8_x *= lu.d8_3_by_p8_x;
-            lu.d10_8_by_p8_z -= lu.d10_8_by_p8_x * lu.d8_3_by_p8_z;
-            lu.d10_8_by_p8_y -= lu.d10_8_by_p8_x * lu.d8_3_by_p8_y;
-            lu.d10_6_by_p10_x = T::one() / lu.d10_6_by_p10_x;
-            lu.d10_7_by_p10_x *= lu.d10_6_by_p10_x;
-            lu.d10_7_by_p6_x = -(lu.d10_7_by_p10_x * lu.d10_6_by_p6_x);
-            lu.d10_7_by_p10_y -= lu.d10_7_by_p10_x * lu.d10_6_by_p10_y;
-            lu.d10_8_by_p10_x *= lu.d10_6_by_p10_x;
-            lu.d10_8_by_p6_x = -(lu.d10_8_by_p10_x * lu.d10_6_by_p6_x);
-            lu.d10_8_by_p10_y -= lu.d10_8_by_p10_x * lu.d10_6_by_p10_y;
-            lu.d9_6_by_p9_y = T::one() / lu.d9_6_by_p9_y;
-            lu.d9_7_by_p9_y *= lu.d9_6_by_p9_y;
-            lu.d9_7_by_p6_x = -(lu.d9_7_by_p9_y * lu.d9_6_by_p6_x);
-            lu.d9_7_by_p9_z -= lu.d9_7_by_p9_y * lu.d9_6_by_p9_z;
-            lu.d9_8_by_p9_y *= lu.d9_6_by_p9_y;
-            lu.d9_8_by_p6_x = -(lu.d9_8_by_p9_y * lu.d9_6_by_p6_x);
-            lu.d9_8_by_p9_z -= lu.d9_8_by_p9_y * lu.d9_6_by_p9_z;
-            lu.d8_6_by_p8_y = T::one() / lu.d8_6_by_p8_y;
-            lu.d8_7_by_p8_y *= lu.d8_6_by_p8_y;
-            lu.d8_7_by_p6_x = -(lu.d8_7_by_p8_y * lu.d8_6_by_p6_x);
-            lu.d8_7_by_p8_z -= lu.d8_7_by_p8_y * lu.d8_6_by_p8_z;
-            lu.d9_8_by_p8_y *= lu.d8_6_by_p8_y;
-            lu.d9_8_by_p6_x -= lu.d9_8_by_p8_y * lu.d8_6_by_p6_x;
-            lu.d9_8_by_p8_z -= lu.d9_8_by_p8_y * lu.d8_6_by_p8_z;
-            lu.d10_8_by_p8_y *= lu.d8_6_by_p8_y;
-            lu.d10_8_by_p6_x -= lu.d10_8_by_p8_y * lu.d8_6_by_p6_x;
-            lu.d10_8_by_p8_z -= lu.d10_8_by_p8_y * lu.d8_6_by_p8_z;
-            lu.d7_6_by_p7_z = T::one() / lu.d7_6_by_p7_z;
-            lu.d8_7_by_p7_z *= lu.d7_6_by_p7_z;
-            lu.d8_7_by_p6_x -= lu.d8_7_by_p7_z * lu.d7_6_by_p6_x;
-            lu.d8_7_by_p7_x -= lu.d8_7_by_p7_z * lu.d7_6_by_p7_x;
-            lu.d9_7_by_p7_z *= lu.d7_6_by_p7_z;
-            lu.d9_7_by_p6_x -= lu.d9_7_by_p7_z * lu.d7_6_by_p6_x;
-            lu.d9_7_by_p7_x -= lu.d9_7_by_p7_z * lu.d7_6_by_p7_x;
-            lu.d10_7_by_p7_z *= lu.d7_6_by_p7_z;
-            lu.d10_7_by_p6_x -= lu.d10_7_by_p7_z * lu.d7_6_by_p6_x;
-            lu.d10_7_by_p7_x -= lu.d10_7_by_p7_z * lu.d7_6_by_p7_x;
-            lu.d9_7_by_p9_z = T::one() / lu.d9_7_by_p9_z;
-            lu.d9_8_by_p9_z *= lu.d9_7_by_p9_z;
-            lu.d9_8_by_p6_x -= lu.d9_8_by_p9_z * lu.d9_7_by_p6_x;
-            lu.d9_8_by_p7_x = -(lu.d9_8_by_p9_z * lu.d9_7_by_p7_x);
-            lu.d10_8_by_p10_y = T::one() / lu.d10_8_by_p10_y;
-            lu.d10_7_by_p10_y *= lu.d10_8_by_p10_y;
-            lu.d10_7_by_p6_x -= lu.d10_7_by_p10_y * lu.d10_8_by_p6_x;
-            lu.d10_7_by_p8_z = -(lu.d10_7_by_p10_y * lu.d10_8_by_p8_z);
-            lu.d9_8_by_p8_z = T::one() / lu.d9_8_by_p8_z;
-            lu.d8_7_by_p8_z *= lu.d9_8_by_p8_z;
-            lu.d8_7_by_p6_x -= lu.d8_7_by_p8_z * lu.d9_8_by_p6_x;
-            lu.d8_7_by_p7_x -= lu.d8_7_by_p8_z * lu.d9_8_by_p7_x;
-            lu.d10_7_by_p8_z *= lu.d9_8_by_p8_z;
-            lu.d10_7_by_p6_x -= lu.d10_7_by_p8_z * lu.d9_8_by_p6_x;
-            lu.d10_7_by_p7_x -= lu.d10_7_by_p8_z * lu.d9_8_by_p7_x;
-            lu.d8_7_by_p7_x = T::one() / lu.d8_7_by_p7_x;
-            lu.d10_7_by_p7_x *= lu.d8_7_by_p7_x;
-            lu.d10_7_by_p6_x -= lu.d10_7_by_p7_x * lu.d8_7_by_p6_x;
-            lu.d10_7_by_p6_x = T::one() / lu.d10_7_by_p6_x;
-            lu.growth = largest([
-                lu.d6_1_by_p6_y,
-                lu.d9_4_by_p9_x,
-                lu.d7_2_by_p7_y,
-                lu.d10_5_by_p10_z,
-                lu.d8_3_by_p8_x,
-                lu.d10_6_by_p10_x,
-                lu.d9_6_by_p9_y,
-                lu.d8_6_by_p8_y,
-                lu.d7_6_by_p7_z,
-                lu.d9_7_by_p9_z,
-                lu.d10_8_by_p10_y,
-                lu.d9_8_by_p8_z,
-                lu.d8_7_by_p7_x,
-                lu.d10_7_by_p6_x,
-            ]);
-            lu.determinant_sign = product([
-                lu.d6_1_by_p6_y,
-                lu.d9_4_by_p9_x,
-                lu.d7_2_by_p7_y,
-                lu.d10_5_by_p10_z,
-                lu.d8_3_by_p8_x,
-                lu.d10_6_by_p10_x,
-                lu.d9_6_by_p9_y,
-                lu.d8_6_by_p8_y,
-                lu.d7_6_by_p7_z,
-                lu.d9_7_by_p9_z,
-                lu.d10_8_by_p10_y,
-                lu.d9_8_by_p8_z,
-                lu.d8_7_by_p7_x,
-                lu.d10_7_by_p6_x,
-            ]);
-            lu
-        }
-
-        fn growth(&self) -> T {
-            self.growth
+        fn growth_squared(&self) -> T {
+            self.growth_squared
         }
     }
 
@@ -1052,88 +1197,395 @@ pub mod attia2003 {
         fn solve(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); 15];
-            rows[equation::D6_1] -= self.d6_1_by_p6_z * rows[equation::THETA];
-            rows[equation::D7_6] -= self.d7_6_by_p6_z * rows[equation::THETA];
-            rows[equation::D8_6] -= self.d8_6_by_p6_z * rows[equation::THETA];
-            rows[equation::D9_6] -= self.d9_6_by_p6_z * rows[equation::THETA];
-            rows[equation::D10_6] -= self.d10_6_by_p6_z * rows[equation::THETA];
-            rows[equation::D7_6] -= self.d7_6_by_p6_y * rows[equation::D6_1];
-            rows[equation::D8_6] -= self.d8_6_by_p6_y * rows[equation::D6_1];
-            rows[equation::D9_6] -= self.d9_6_by_p6_y * rows[equation::D6_1];
-            rows[equation::D10_6] -= self.d10_6_by_p6_y * rows[equation::D6_1];
-            rows[equation::D9_6] -= self.d9_6_by_p9_x * rows[equation::D9_4];
-            rows[equation::D9_7] -= self.d9_7_by_p9_x * rows[equation::D9_4];
-            rows[equation::D9_8] -= self.d9_8_by_p9_x * rows[equation::D9_4];
-            rows[equation::D7_6] -= self.d7_6_by_p7_y * rows[equation::D7_2];
-            rows[equation::D8_7] -= self.d8_7_by_p7_y * rows[equation::D7_2];
-            rows[equation::D9_7] -= self.d9_7_by_p7_y * rows[equation::D7_2];
-            rows[equation::D10_7] -= self.d10_7_by_p7_y * rows[equation::D7_2];
-            rows[equation::D10_6] -= self.d10_6_by_p10_z * rows[equation::D10_5];
-            rows[equation::D10_7] -= self.d10_7_by_p10_z * rows[equation::D10_5];
-            rows[equation::D10_8] -= self.d10_8_by_p10_z * rows[equation::D10_5];
-            rows[equation::D8_6] -= self.d8_6_by_p8_x * rows[equation::D8_3];
-            rows[equation::D8_7] -= self.d8_7_by_p8_x * rows[equation::D8_3];
-            rows[equation::D9_8] -= self.d9_8_by_p8_x * rows[equation::D8_3];
-            rows[equation::D10_8] -= self.d10_8_by_p8_x * rows[equation::D8_3];
-            rows[equation::D10_7] -= self.d10_7_by_p10_x * rows[equation::D10_6];
-            rows[equation::D10_8] -= self.d10_8_by_p10_x * rows[equation::D10_6];
-            rows[equation::D9_7] -= self.d9_7_by_p9_y * rows[equation::D9_6];
-            rows[equation::D9_8] -= self.d9_8_by_p9_y * rows[equation::D9_6];
-            rows[equation::D8_7] -= self.d8_7_by_p8_y * rows[equation::D8_6];
-            rows[equation::D9_8] -= self.d9_8_by_p8_y * rows[equation::D8_6];
-            rows[equation::D10_8] -= self.d10_8_by_p8_y * rows[equation::D8_6];
-            rows[equation::D8_7] -= self.d8_7_by_p7_z * rows[equation::D7_6];
-            rows[equation::D9_7] -= self.d9_7_by_p7_z * rows[equation::D7_6];
-            rows[equation::D10_7] -= self.d10_7_by_p7_z * rows[equation::D7_6];
-            rows[equation::D9_8] -= self.d9_8_by_p9_z * rows[equation::D9_7];
-            rows[equation::D10_7] -= self.d10_7_by_p10_y * rows[equation::D10_8];
-            rows[equation::D8_7] -= self.d8_7_by_p8_z * rows[equation::D9_8];
-            rows[equation::D10_7] -= self.d10_7_by_p8_z * rows[equation::D9_8];
-            rows[equation::D10_7] -= self.d10_7_by_p7_x * rows[equation::D8_7];
-            unknowns[unknown::P6_X] = rows[equation::D10_7] * self.d10_7_by_p6_x;
-            unknowns[unknown::P7_X] = (rows[equation::D8_7]
-                - self.d8_7_by_p6_x * unknowns[unknown::P6_X]) * self.d8_7_by_p7_x;
-            unknowns[unknown::P8_Z] = (rows[equation::D9_8]
-                - self.d9_8_by_p6_x * unknowns[unknown::P6_X]
-                - self.d9_8_by_p7_x * unknowns[unknown::P7_X]) * self.d9_8_by_p8_z;
-            unknowns[unknown::P10_Y] = (rows[equation::D10_8]
-                - self.d10_8_by_p6_x * unknowns[unknown::P6_X]
-                - self.d10_8_by_p8_z * unknowns[unknown::P8_Z]) * self.d10_8_by_p10_y;
-            unknowns[unknown::P9_Z] = (rows[equation::D9_7]
-                - self.d9_7_by_p6_x * unknowns[unknown::P6_X]
-                - self.d9_7_by_p7_x * unknowns[unknown::P7_X]) * self.d9_7_by_p9_z;
-            unknowns[unknown::P7_Z] = (rows[equation::D7_6]
-                - self.d7_6_by_p6_x * unknowns[unknown::P6_X]
-                - self.d7_6_by_p7_x * unknowns[unknown::P7_X]) * self.d7_6_by_p7_z;
-            unknowns[unknown::P8_Y] = (rows[equation::D8_6]
-                - self.d8_6_by_p6_x * unknowns[unknown::P6_X]
-                - self.d8_6_by_p8_z * unknowns[unknown::P8_Z]) * self.d8_6_by_p8_y;
-            unknowns[unknown::P9_Y] = (rows[equation::D9_6]
-                - self.d9_6_by_p6_x * unknowns[unknown::P6_X]
-                - self.d9_6_by_p9_z * unknowns[unknown::P9_Z]) * self.d9_6_by_p9_y;
-            unknowns[unknown::P10_X] = (rows[equation::D10_6]
-                - self.d10_6_by_p6_x * unknowns[unknown::P6_X]
-                - self.d10_6_by_p10_y * unknowns[unknown::P10_Y]) * self.d10_6_by_p10_x;
-            unknowns[unknown::P8_X] = (rows[equation::D8_3]
-                - self.d8_3_by_p8_z * unknowns[unknown::P8_Z]
-                - self.d8_3_by_p8_y * unknowns[unknown::P8_Y]) * self.d8_3_by_p8_x;
-            unknowns[unknown::P10_Z] = (rows[equation::D10_5]
-                - self.d10_5_by_p10_y * unknowns[unknown::P10_Y]
-                - self.d10_5_by_p10_x * unknowns[unknown::P10_X]) * self.d10_5_by_p10_z;
-            unknowns[unknown::P7_Y] = (rows[equation::D7_2]
-                - self.d7_2_by_p7_x * unknowns[unknown::P7_X]
-                - self.d7_2_by_p7_z * unknowns[unknown::P7_Z]) * self.d7_2_by_p7_y;
-            unknowns[unknown::P9_X] = (rows[equation::D9_4]
-                - self.d9_4_by_p9_z * unknowns[unknown::P9_Z]
-                - self.d9_4_by_p9_y * unknowns[unknown::P9_Y]) * self.d9_4_by_p9_x;
-            unknowns[unknown::P6_Y] = (rows[equation::D6_1]
-                - self.d6_1_by_p6_x * unknowns[unknown::P6_X]) * self.d6_1_by_p6_y;
+            rows[equation::D6_1] = rows[equation::D6_1]
+                .minus_product(self.d6_1_by_p6_z, rows[equation::THETA]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d7_6_by_p6_z, rows[equation::THETA]);
+            rows[equation::D8_6] = rows[equation::D8_6]
+                .minus_product(self.d8_6_by_p6_z, rows[equation::THETA]);
+            rows[equation::D9_6] = rows[equation::D9_6]
+                .minus_product(self.d9_6_by_p6_z, rows[equation::THETA]);
+            rows[equation::D10_6] = rows[equation::D10_6]
+                .minus_product(self.d10_6_by_p6_z, rows[equation::THETA]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d7_6_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D9_7] = rows[equation::D9_7]
+                .minus_product(self.d9_7_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_7_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d7_6_by_p6_x, rows[equation::D6_1]);
+            rows[equation::D8_6] = rows[equation::D8_6]
+                .minus_product(self.d8_6_by_p6_x, rows[equation::D6_1]);
+            rows[equation::D9_6] = rows[equation::D9_6]
+                .minus_product(self.d9_6_by_p6_x, rows[equation::D6_1]);
+            rows[equation::D10_6] = rows[equation::D10_6]
+                .minus_product(self.d10_6_by_p6_x, rows[equation::D6_1]);
+            rows[equation::D10_6] = rows[equation::D10_6]
+                .minus_product(self.d10_6_by_p10_z, rows[equation::D10_5]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_7_by_p10_z, rows[equation::D10_5]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p10_z, rows[equation::D10_5]);
+            rows[equation::D9_6] = rows[equation::D9_6]
+                .minus_product(self.d9_6_by_p9_x, rows[equation::D9_4]);
+            rows[equation::D9_7] = rows[equation::D9_7]
+                .minus_product(self.d9_7_by_p9_x, rows[equation::D9_4]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p9_x, rows[equation::D9_4]);
+            rows[equation::D8_6] = rows[equation::D8_6]
+                .minus_product(self.d8_6_by_p8_y, rows[equation::D8_3]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p8_y, rows[equation::D8_3]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p8_y, rows[equation::D8_3]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p8_y, rows[equation::D8_3]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_7_by_p10_y, rows[equation::D10_6]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p10_y, rows[equation::D10_6]);
+            rows[equation::D9_7] = rows[equation::D9_7]
+                .minus_product(self.d9_7_by_p9_z, rows[equation::D9_6]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p9_z, rows[equation::D9_6]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p8_x, rows[equation::D8_6]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p8_x, rows[equation::D8_6]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p8_x, rows[equation::D8_6]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p7_z, rows[equation::D7_6]);
+            rows[equation::D9_7] = rows[equation::D9_7]
+                .minus_product(self.d9_7_by_p7_z, rows[equation::D7_6]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_7_by_p7_z, rows[equation::D7_6]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p10_x, rows[equation::D10_7]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_7]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p8_z, rows[equation::D9_8]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p8_z, rows[equation::D9_8]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p7_x, rows[equation::D10_8]);
+            unknowns[unknown::P6_Y] = rows[equation::D8_7] * self.d8_7_by_p6_y;
+            unknowns[unknown::P7_X] = (rows[equation::D10_8] * self.d10_8_by_p7_x)
+                .minus_product(self.d10_8_by_p6_y, unknowns[unknown::P6_Y]);
+            unknowns[unknown::P8_Z] = (rows[equation::D9_8] * self.d9_8_by_p8_z)
+                .minus_product(self.d9_8_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d9_8_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P9_Y] = (rows[equation::D9_7] * self.d9_7_by_p9_y)
+                .minus_product(self.d9_7_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d9_7_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P10_X] = (rows[equation::D10_7] * self.d10_7_by_p10_x)
+                .minus_product(self.d10_7_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d10_7_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P7_Z] = (rows[equation::D7_6] * self.d7_6_by_p7_z)
+                .minus_product(self.d7_6_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P8_X] = (rows[equation::D8_6] * self.d8_6_by_p8_x)
+                .minus_product(self.d8_6_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d8_6_by_p8_z, unknowns[unknown::P8_Z]);
+            unknowns[unknown::P9_Z] = (rows[equation::D9_6] * self.d9_6_by_p9_z)
+                .minus_product(self.d9_6_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d9_6_by_p9_y, unknowns[unknown::P9_Y]);
+            unknowns[unknown::P10_Y] = (rows[equation::D10_6] * self.d10_6_by_p10_y)
+                .minus_product(self.d10_6_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_X]);
+            unknowns[unknown::P8_Y] = (rows[equation::D8_3] * self.d8_3_by_p8_y)
+                .minus_product(self.d8_3_by_p8_z, unknowns[unknown::P8_Z])
+                .minus_product(self.d8_3_by_p8_x, unknowns[unknown::P8_X]);
+            unknowns[unknown::P9_X] = (rows[equation::D9_4] * self.d9_4_by_p9_x)
+                .minus_product(self.d9_4_by_p9_y, unknowns[unknown::P9_Y])
+                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_Z]);
+            unknowns[unknown::P10_Z] = (rows[equation::D10_5] * self.d10_5_by_p10_z)
+                .minus_product(self.d10_5_by_p10_x, unknowns[unknown::P10_X])
+                .minus_product(self.d10_5_by_p10_y, unknowns[unknown::P10_Y]);
+            unknowns[unknown::P6_X] = (rows[equation::D6_1] * self.d6_1_by_p6_x)
+                .minus_product(self.d6_1_by_p6_y, unknowns[unknown::P6_Y]);
+            unknowns[unknown::P7_Y] = (rows[equation::D7_2] * self.d7_2_by_p7_y)
+                .minus_product(self.d7_2_by_p7_x, unknowns[unknown::P7_X])
+                .minus_product(self.d7_2_by_p7_z, unknowns[unknown::P7_Z]);
             unknowns[unknown::P6_Z] = rows[equation::THETA];
             SVector::from(unknowns)
         }
 
+        #[inline(always)]
+        fn solve_drives(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
+            let [mut rows] = right.data.0;
+            let mut unknowns = [T::zero(); 15];
+            rows[equation::D6_1] = -(self.d6_1_by_p6_z * rows[equation::THETA]);
+            rows[equation::D7_6] = -(self.d7_6_by_p6_z * rows[equation::THETA]);
+            rows[equation::D8_6] = -(self.d8_6_by_p6_z * rows[equation::THETA]);
+            rows[equation::D9_6] = -(self.d9_6_by_p6_z * rows[equation::THETA]);
+            rows[equation::D10_6] = -(self.d10_6_by_p6_z * rows[equation::THETA]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d7_6_by_p6_x, rows[equation::D6_1]);
+            rows[equation::D8_6] = rows[equation::D8_6]
+                .minus_product(self.d8_6_by_p6_x, rows[equation::D6_1]);
+            rows[equation::D9_6] = rows[equation::D9_6]
+                .minus_product(self.d9_6_by_p6_x, rows[equation::D6_1]);
+            rows[equation::D10_6] = rows[equation::D10_6]
+                .minus_product(self.d10_6_by_p6_x, rows[equation::D6_1]);
+            rows[equation::D10_7] = -(self.d10_7_by_p10_y * rows[equation::D10_6]);
+            rows[equation::D10_8] = -(self.d10_8_by_p10_y * rows[equation::D10_6]);
+            rows[equation::D9_7] = -(self.d9_7_by_p9_z * rows[equation::D9_6]);
+            rows[equation::D9_8] = -(self.d9_8_by_p9_z * rows[equation::D9_6]);
+            rows[equation::D8_7] = -(self.d8_7_by_p8_x * rows[equation::D8_6]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p8_x, rows[equation::D8_6]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p8_x, rows[equation::D8_6]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p7_z, rows[equation::D7_6]);
+            rows[equation::D9_7] = rows[equation::D9_7]
+                .minus_product(self.d9_7_by_p7_z, rows[equation::D7_6]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_7_by_p7_z, rows[equation::D7_6]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p10_x, rows[equation::D10_7]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_7]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p8_z, rows[equation::D9_8]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p8_z, rows[equation::D9_8]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p7_x, rows[equation::D10_8]);
+            unknowns[unknown::P6_Y] = rows[equation::D8_7] * self.d8_7_by_p6_y;
+            unknowns[unknown::P7_X] = (rows[equation::D10_8] * self.d10_8_by_p7_x)
+                .minus_product(self.d10_8_by_p6_y, unknowns[unknown::P6_Y]);
+            unknowns[unknown::P8_Z] = (rows[equation::D9_8] * self.d9_8_by_p8_z)
+                .minus_product(self.d9_8_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d9_8_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P9_Y] = (rows[equation::D9_7] * self.d9_7_by_p9_y)
+                .minus_product(self.d9_7_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d9_7_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P10_X] = (rows[equation::D10_7] * self.d10_7_by_p10_x)
+                .minus_product(self.d10_7_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d10_7_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P7_Z] = (rows[equation::D7_6] * self.d7_6_by_p7_z)
+                .minus_product(self.d7_6_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P8_X] = (rows[equation::D8_6] * self.d8_6_by_p8_x)
+                .minus_product(self.d8_6_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d8_6_by_p8_z, unknowns[unknown::P8_Z]);
+            unknowns[unknown::P9_Z] = (rows[equation::D9_6] * self.d9_6_by_p9_z)
+                .minus_product(self.d9_6_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d9_6_by_p9_y, unknowns[unknown::P9_Y]);
+            unknowns[unknown::P10_Y] = (rows[equation::D10_6] * self.d10_6_by_p10_y)
+                .minus_product(self.d10_6_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_X]);
+            unknowns[unknown::P8_Y] = (-(self.d8_3_by_p8_z * unknowns[unknown::P8_Z]))
+                .minus_product(self.d8_3_by_p8_x, unknowns[unknown::P8_X]);
+            unknowns[unknown::P9_X] = (-(self.d9_4_by_p9_y * unknowns[unknown::P9_Y]))
+                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_Z]);
+            unknowns[unknown::P10_Z] = (-(self.d10_5_by_p10_x
+                * unknowns[unknown::P10_X]))
+                .minus_product(self.d10_5_by_p10_y, unknowns[unknown::P10_Y]);
+            unknowns[unknown::P6_X] = (rows[equation::D6_1] * self.d6_1_by_p6_x)
+                .minus_product(self.d6_1_by_p6_y, unknowns[unknown::P6_Y]);
+            unknowns[unknown::P7_Y] = (-(self.d7_2_by_p7_x * unknowns[unknown::P7_X]))
+                .minus_product(self.d7_2_by_p7_z, unknowns[unknown::P7_Z]);
+            unknowns[unknown::P6_Z] = rows[equation::THETA];
+            SVector::from(unknowns)
+        }
+
+        #[inline(always)]
+        fn solve_transposed(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
+            let [mut unknowns] = right.data.0;
+            let mut rows = [T::zero(); 15];
+            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
+                .minus_product(self.d7_2_by_p7_x, unknowns[unknown::P7_Y]);
+            unknowns[unknown::P7_Z] = unknowns[unknown::P7_Z]
+                .minus_product(self.d7_2_by_p7_z, unknowns[unknown::P7_Y]);
+            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
+                .minus_product(self.d6_1_by_p6_y, unknowns[unknown::P6_X]);
+            unknowns[unknown::P10_X] = unknowns[unknown::P10_X]
+                .minus_product(self.d10_5_by_p10_x, unknowns[unknown::P10_Z]);
+            unknowns[unknown::P10_Y] = unknowns[unknown::P10_Y]
+                .minus_product(self.d10_5_by_p10_y, unknowns[unknown::P10_Z]);
+            unknowns[unknown::P9_Y] = unknowns[unknown::P9_Y]
+                .minus_product(self.d9_4_by_p9_y, unknowns[unknown::P9_X]);
+            unknowns[unknown::P9_Z] = unknowns[unknown::P9_Z]
+                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_X]);
+            unknowns[unknown::P8_Z] = unknowns[unknown::P8_Z]
+                .minus_product(self.d8_3_by_p8_z, unknowns[unknown::P8_Y]);
+            unknowns[unknown::P8_X] = unknowns[unknown::P8_X]
+                .minus_product(self.d8_3_by_p8_x, unknowns[unknown::P8_Y]);
+            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
+                .minus_product(self.d10_6_by_p6_y, unknowns[unknown::P10_Y]);
+            unknowns[unknown::P10_X] = unknowns[unknown::P10_X]
+                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_Y]);
+            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
+                .minus_product(self.d9_6_by_p6_y, unknowns[unknown::P9_Z]);
+            unknowns[unknown::P9_Y] = unknowns[unknown::P9_Y]
+                .minus_product(self.d9_6_by_p9_y, unknowns[unknown::P9_Z]);
+            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
+                .minus_product(self.d8_6_by_p6_y, unknowns[unknown::P8_X]);
+            unknowns[unknown::P8_Z] = unknowns[unknown::P8_Z]
+                .minus_product(self.d8_6_by_p8_z, unknowns[unknown::P8_X]);
+            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
+                .minus_product(self.d7_6_by_p6_y, unknowns[unknown::P7_Z]);
+            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
+                .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_Z]);
+            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
+                .minus_product(self.d10_7_by_p6_y, unknowns[unknown::P10_X]);
+            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
+                .minus_product(self.d10_7_by_p7_x, unknowns[unknown::P10_X]);
+            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
+                .minus_product(self.d9_7_by_p6_y, unknowns[unknown::P9_Y]);
+            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
+                .minus_product(self.d9_7_by_p7_x, unknowns[unknown::P9_Y]);
+            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
+                .minus_product(self.d9_8_by_p6_y, unknowns[unknown::P8_Z]);
+            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
+                .minus_product(self.d9_8_by_p7_x, unknowns[unknown::P8_Z]);
+            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
+                .minus_product(self.d10_8_by_p6_y, unknowns[unknown::P7_X]);
+            rows[equation::THETA] = unknowns[unknown::P6_Z];
+            rows[equation::D7_2] = unknowns[unknown::P7_Y] * self.d7_2_by_p7_y;
+            rows[equation::D6_1] = unknowns[unknown::P6_X] * self.d6_1_by_p6_x;
+            rows[equation::D10_5] = unknowns[unknown::P10_Z] * self.d10_5_by_p10_z;
+            rows[equation::D9_4] = unknowns[unknown::P9_X] * self.d9_4_by_p9_x;
+            rows[equation::D8_3] = unknowns[unknown::P8_Y] * self.d8_3_by_p8_y;
+            rows[equation::D10_6] = unknowns[unknown::P10_Y] * self.d10_6_by_p10_y;
+            rows[equation::D9_6] = unknowns[unknown::P9_Z] * self.d9_6_by_p9_z;
+            rows[equation::D8_6] = unknowns[unknown::P8_X] * self.d8_6_by_p8_x;
+            rows[equation::D7_6] = unknowns[unknown::P7_Z] * self.d7_6_by_p7_z;
+            rows[equation::D10_7] = unknowns[unknown::P10_X] * self.d10_7_by_p10_x;
+            rows[equation::D9_7] = unknowns[unknown::P9_Y] * self.d9_7_by_p9_y;
+            rows[equation::D9_8] = unknowns[unknown::P8_Z] * self.d9_8_by_p8_z;
+            rows[equation::D10_8] = unknowns[unknown::P7_X] * self.d10_8_by_p7_x;
+            rows[equation::D8_7] = unknowns[unknown::P6_Y] * self.d8_7_by_p6_y;
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d8_7_by_p7_x, rows[equation::D8_7]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d8_7_by_p8_z, rows[equation::D8_7]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d10_8_by_p8_z, rows[equation::D10_8]);
+            rows[equation::D9_7] = rows[equation::D9_7]
+                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_8]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_8_by_p10_x, rows[equation::D10_8]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d8_7_by_p7_z, rows[equation::D8_7]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d9_7_by_p7_z, rows[equation::D9_7]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d10_7_by_p7_z, rows[equation::D10_7]);
+            rows[equation::D8_6] = rows[equation::D8_6]
+                .minus_product(self.d8_7_by_p8_x, rows[equation::D8_7]);
+            rows[equation::D8_6] = rows[equation::D8_6]
+                .minus_product(self.d9_8_by_p8_x, rows[equation::D9_8]);
+            rows[equation::D8_6] = rows[equation::D8_6]
+                .minus_product(self.d10_8_by_p8_x, rows[equation::D10_8]);
+            rows[equation::D9_6] = rows[equation::D9_6]
+                .minus_product(self.d9_7_by_p9_z, rows[equation::D9_7]);
+            rows[equation::D9_6] = rows[equation::D9_6]
+                .minus_product(self.d9_8_by_p9_z, rows[equation::D9_8]);
+            rows[equation::D10_6] = rows[equation::D10_6]
+                .minus_product(self.d10_7_by_p10_y, rows[equation::D10_7]);
+            rows[equation::D10_6] = rows[equation::D10_6]
+                .minus_product(self.d10_8_by_p10_y, rows[equation::D10_8]);
+            rows[equation::D8_3] = rows[equation::D8_3]
+                .minus_product(self.d8_6_by_p8_y, rows[equation::D8_6]);
+            rows[equation::D8_3] = rows[equation::D8_3]
+                .minus_product(self.d8_7_by_p8_y, rows[equation::D8_7]);
+            rows[equation::D8_3] = rows[equation::D8_3]
+                .minus_product(self.d9_8_by_p8_y, rows[equation::D9_8]);
+            rows[equation::D8_3] = rows[equation::D8_3]
+                .minus_product(self.d10_8_by_p8_y, rows[equation::D10_8]);
+            rows[equation::D9_4] = rows[equation::D9_4]
+                .minus_product(self.d9_6_by_p9_x, rows[equation::D9_6]);
+            rows[equation::D9_4] = rows[equation::D9_4]
+                .minus_product(self.d9_7_by_p9_x, rows[equation::D9_7]);
+            rows[equation::D9_4] = rows[equation::D9_4]
+                .minus_product(self.d9_8_by_p9_x, rows[equation::D9_8]);
+            rows[equation::D10_5] = rows[equation::D10_5]
+                .minus_product(self.d10_6_by_p10_z, rows[equation::D10_6]);
+            rows[equation::D10_5] = rows[equation::D10_5]
+                .minus_product(self.d10_7_by_p10_z, rows[equation::D10_7]);
+            rows[equation::D10_5] = rows[equation::D10_5]
+                .minus_product(self.d10_8_by_p10_z, rows[equation::D10_8]);
+            rows[equation::D6_1] = rows[equation::D6_1]
+                .minus_product(self.d7_6_by_p6_x, rows[equation::D7_6]);
+            rows[equation::D6_1] = rows[equation::D6_1]
+                .minus_product(self.d8_6_by_p6_x, rows[equation::D8_6]);
+            rows[equation::D6_1] = rows[equation::D6_1]
+                .minus_product(self.d9_6_by_p6_x, rows[equation::D9_6]);
+            rows[equation::D6_1] = rows[equation::D6_1]
+                .minus_product(self.d10_6_by_p6_x, rows[equation::D10_6]);
+            rows[equation::D7_2] = rows[equation::D7_2]
+                .minus_product(self.d7_6_by_p7_y, rows[equation::D7_6]);
+            rows[equation::D7_2] = rows[equation::D7_2]
+                .minus_product(self.d8_7_by_p7_y, rows[equation::D8_7]);
+            rows[equation::D7_2] = rows[equation::D7_2]
+                .minus_product(self.d9_7_by_p7_y, rows[equation::D9_7]);
+            rows[equation::D7_2] = rows[equation::D7_2]
+                .minus_product(self.d10_7_by_p7_y, rows[equation::D10_7]);
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(self.d6_1_by_p6_z, rows[equation::D6_1]);
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(self.d7_6_by_p6_z, rows[equation::D7_6]);
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(self.d8_6_by_p6_z, rows[equation::D8_6]);
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(self.d9_6_by_p6_z, rows[equation::D9_6]);
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(self.d10_6_by_p6_z, rows[equation::D10_6]);
+            SVector::from(rows)
+        }
+
+        #[inline(always)]
         fn determinant_sign(&self) -> T {
             self.determinant_sign
+        }
+    }
+
+    /// This listing, over any number.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub struct Listing;
+    impl AnyNumber<15> for Listing {
+        type Model<T: Scalar> = Model<T>;
+        type Fixed<T: Scalar> = Fixed<T>;
+        type Drives<T: Scalar> = Drives<T>;
+        type Points<T: Scalar> = Points<T>;
+        #[inline(always)]
+        fn gather<S: Scalar, T: Scalar, const K: usize>(
+            models: [&Model<S>; K],
+            gather: impl Fn([S; K]) -> T,
+        ) -> Model<T> {
+            Model {
+                fixed: Fixed {
+                    p1: gather_vectors(models.map(|model| model.fixed.p1), &gather),
+                    p2: gather_vectors(models.map(|model| model.fixed.p2), &gather),
+                    p3: gather_vectors(models.map(|model| model.fixed.p3), &gather),
+                    p4: gather_vectors(models.map(|model| model.fixed.p4), &gather),
+                    p5: gather_vectors(models.map(|model| model.fixed.p5), &gather),
+                },
+                size: gather(models.map(|model| model.size)),
+                d6_1: Distance::gather(models.map(|model| model.d6_1), &gather),
+                d7_2: Distance::gather(models.map(|model| model.d7_2), &gather),
+                d8_3: Distance::gather(models.map(|model| model.d8_3), &gather),
+                d9_4: Distance::gather(models.map(|model| model.d9_4), &gather),
+                d10_5: Distance::gather(models.map(|model| model.d10_5), &gather),
+                d7_6: Distance::gather(models.map(|model| model.d7_6), &gather),
+                d8_6: Distance::gather(models.map(|model| model.d8_6), &gather),
+                d9_6: Distance::gather(models.map(|model| model.d9_6), &gather),
+                d10_6: Distance::gather(models.map(|model| model.d10_6), &gather),
+                d8_7: Distance::gather(models.map(|model| model.d8_7), &gather),
+                d9_7: Distance::gather(models.map(|model| model.d9_7), &gather),
+                d10_7: Distance::gather(models.map(|model| model.d10_7), &gather),
+                d9_8: Distance::gather(models.map(|model| model.d9_8), &gather),
+                d10_8: Distance::gather(models.map(|model| model.d10_8), &gather),
+                p11: Carried::gather(models.map(|model| model.p11), &gather),
+            }
         }
     }
 

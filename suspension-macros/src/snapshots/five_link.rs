@@ -7,14 +7,14 @@
 ///
 /// 15 equations `F(q) = 0`: `lower_front`, `upper_front`, `upper_rear`, `lower_rear`, `track_rod`, `knuckle_lower_front_outer_upper_front_outer`, `knuckle_lower_front_outer_upper_rear_outer`, `knuckle_upper_front_outer_upper_rear_outer`, `knuckle_lower_rear_outer_x`, `knuckle_lower_rear_outer_y`, `knuckle_lower_rear_outer_z`, `knuckle_track_rod_outer_x`, `knuckle_track_rod_outer_y`, `knuckle_track_rod_outer_z`, `theta`.
 ///
-/// Jacobian: 15 x 15, 94 non-zeros of 225; its factors have 99. The longest chain of operations in the factorisation is 33, a division counted as 4.
+/// Jacobian: 15 x 15, 94 non-zeros of 225; its factors have 99. The longest chain of operations in the factorisation is 32, a division counted as 4; in a solution it is 21.
 ///
 /// | no branch | multiplications | additions | divisions |
 /// |---|---|---|---|
 /// | residual | 78 | 86 | 0 |
-/// | Jacobian | 36 | 66 | 0 |
+/// | Jacobian | 36 | 40 | 0 |
 /// | curvature | 62 | 94 | 0 |
-/// | factor | 109 | 68 | 10 |
+/// | factor | 173 | 121 | 10 |
 /// | solve | 94 | 84 | 0 |
 #[allow(dead_code, unreachable_pub)]
 pub mod five_link {
@@ -60,6 +60,7 @@ pub mod five_link {
             "track_rod_outer",
             "wheel_centre",
         ];
+        #[inline(always)]
         fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
             Self {
                 lower_front_inner: value("lower_front_inner"),
@@ -76,6 +77,7 @@ pub mod five_link {
             }
         }
 
+        #[inline(always)]
         fn values(&self) -> impl Iterator<Item = Vector3<T>> {
             [
                 self.lower_front_inner,
@@ -95,6 +97,7 @@ pub mod five_link {
     }
 
     impl<T: Scalar> Default for Points<T> {
+        #[inline(always)]
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
@@ -123,6 +126,7 @@ pub mod five_link {
             "lower_rear_inner",
             "track_rod_inner",
         ];
+        #[inline(always)]
         fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
             Self {
                 lower_front_inner: value("lower_front_inner"),
@@ -133,6 +137,7 @@ pub mod five_link {
             }
         }
 
+        #[inline(always)]
         fn values(&self) -> impl Iterator<Item = Vector3<T>> {
             [
                 self.lower_front_inner,
@@ -146,6 +151,7 @@ pub mod five_link {
     }
 
     impl<T: Scalar> Default for Fixed<T> {
+        #[inline(always)]
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
@@ -160,16 +166,19 @@ pub mod five_link {
 
     impl<T: Scalar> Named<T> for Drives<T> {
         const NAMES: &'static [&'static str] = &["theta"];
+        #[inline(always)]
         fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
             Self { theta: value("theta") }
         }
 
+        #[inline(always)]
         fn values(&self) -> impl Iterator<Item = T> {
             [self.theta].into_iter()
         }
     }
 
     impl<T: Scalar> Default for Drives<T> {
+        #[inline(always)]
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
@@ -225,6 +234,7 @@ pub mod five_link {
             "knuckle_track_rod_outer_upper_front_outer",
             "knuckle_track_rod_outer_upper_rear_outer",
         ];
+        #[inline(always)]
         fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
             Self {
                 lower_front: value("lower_front"),
@@ -262,6 +272,7 @@ pub mod five_link {
             }
         }
 
+        #[inline(always)]
         fn values(&self) -> impl Iterator<Item = T> {
             [
                 self.lower_front,
@@ -284,6 +295,7 @@ pub mod five_link {
     }
 
     impl<T: Scalar> Default for Lengths<T> {
+        #[inline(always)]
         fn default() -> Self {
             Self::from_fn(|_| Default::default())
         }
@@ -426,6 +438,7 @@ pub mod five_link {
 
     impl<T: Scalar> Linkage<15> for Model<T> {
         type Scalar = T;
+        type Listing = Listing;
         type Fixed = Fixed<T>;
         type Drives = Drives<T>;
         type Points = Points<T>;
@@ -517,28 +530,28 @@ pub mod five_link {
             let mut rows = [T::zero(); 15];
             rows[equation::LOWER_FRONT] = self
                 .lower_front
-                .residual(free.lower_front_outer - fixed.lower_front_inner);
+                .residual(difference(free.lower_front_outer, fixed.lower_front_inner));
             rows[equation::UPPER_FRONT] = self
                 .upper_front
-                .residual(free.upper_front_outer - fixed.upper_front_inner);
+                .residual(difference(free.upper_front_outer, fixed.upper_front_inner));
             rows[equation::UPPER_REAR] = self
                 .upper_rear
-                .residual(free.upper_rear_outer - fixed.upper_rear_inner);
+                .residual(difference(free.upper_rear_outer, fixed.upper_rear_inner));
             rows[equation::LOWER_REAR] = self
                 .lower_rear
-                .residual(free.lower_rear_outer - fixed.lower_rear_inner);
+                .residual(difference(free.lower_rear_outer, fixed.lower_rear_inner));
             rows[equation::TRACK_ROD] = self
                 .track_rod
-                .residual(free.track_rod_outer - fixed.track_rod_inner);
+                .residual(difference(free.track_rod_outer, fixed.track_rod_inner));
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = self
                 .knuckle_lower_front_outer_upper_front_outer
-                .residual(free.upper_front_outer - free.lower_front_outer);
+                .residual(difference(free.upper_front_outer, free.lower_front_outer));
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = self
                 .knuckle_lower_front_outer_upper_rear_outer
-                .residual(free.upper_rear_outer - free.lower_front_outer);
+                .residual(difference(free.upper_rear_outer, free.lower_front_outer));
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = self
                 .knuckle_upper_front_outer_upper_rear_outer
-                .residual(free.upper_rear_outer - free.upper_front_outer);
+                .residual(difference(free.upper_rear_outer, free.upper_front_outer));
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = knuckle_lower_rear_outer.x;
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = knuckle_lower_rear_outer.y;
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = knuckle_lower_rear_outer.z;
@@ -561,37 +574,37 @@ pub mod five_link {
             let mut columns = [[T::zero(); 15]; 15];
             let gradient = self
                 .lower_front
-                .gradient(free.lower_front_outer - fixed.lower_front_inner);
+                .gradient(difference(free.lower_front_outer, fixed.lower_front_inner));
             columns[unknown::LOWER_FRONT_OUTER_X][equation::LOWER_FRONT] = gradient.x;
             columns[unknown::LOWER_FRONT_OUTER_Y][equation::LOWER_FRONT] = gradient.y;
             columns[unknown::LOWER_FRONT_OUTER_Z][equation::LOWER_FRONT] = gradient.z;
             let gradient = self
                 .upper_front
-                .gradient(free.upper_front_outer - fixed.upper_front_inner);
+                .gradient(difference(free.upper_front_outer, fixed.upper_front_inner));
             columns[unknown::UPPER_FRONT_OUTER_X][equation::UPPER_FRONT] = gradient.x;
             columns[unknown::UPPER_FRONT_OUTER_Y][equation::UPPER_FRONT] = gradient.y;
             columns[unknown::UPPER_FRONT_OUTER_Z][equation::UPPER_FRONT] = gradient.z;
             let gradient = self
                 .upper_rear
-                .gradient(free.upper_rear_outer - fixed.upper_rear_inner);
+                .gradient(difference(free.upper_rear_outer, fixed.upper_rear_inner));
             columns[unknown::UPPER_REAR_OUTER_X][equation::UPPER_REAR] = gradient.x;
             columns[unknown::UPPER_REAR_OUTER_Y][equation::UPPER_REAR] = gradient.y;
             columns[unknown::UPPER_REAR_OUTER_Z][equation::UPPER_REAR] = gradient.z;
             let gradient = self
                 .lower_rear
-                .gradient(free.lower_rear_outer - fixed.lower_rear_inner);
+                .gradient(difference(free.lower_rear_outer, fixed.lower_rear_inner));
             columns[unknown::LOWER_REAR_OUTER_X][equation::LOWER_REAR] = gradient.x;
             columns[unknown::LOWER_REAR_OUTER_Y][equation::LOWER_REAR] = gradient.y;
             columns[unknown::LOWER_REAR_OUTER_Z][equation::LOWER_REAR] = gradient.z;
             let gradient = self
                 .track_rod
-                .gradient(free.track_rod_outer - fixed.track_rod_inner);
+                .gradient(difference(free.track_rod_outer, fixed.track_rod_inner));
             columns[unknown::TRACK_ROD_OUTER_X][equation::TRACK_ROD] = gradient.x;
             columns[unknown::TRACK_ROD_OUTER_Y][equation::TRACK_ROD] = gradient.y;
             columns[unknown::TRACK_ROD_OUTER_Z][equation::TRACK_ROD] = gradient.z;
             let gradient = self
                 .knuckle_lower_front_outer_upper_front_outer
-                .gradient(free.upper_front_outer - free.lower_front_outer);
+                .gradient(difference(free.upper_front_outer, free.lower_front_outer));
             columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = gradient
                 .x;
             columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = gradient
@@ -606,7 +619,7 @@ pub mod five_link {
                 .z;
             let gradient = self
                 .knuckle_lower_front_outer_upper_rear_outer
-                .gradient(free.upper_rear_outer - free.lower_front_outer);
+                .gradient(difference(free.upper_rear_outer, free.lower_front_outer));
             columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
                 .x;
             columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
@@ -621,7 +634,7 @@ pub mod five_link {
                 .z;
             let gradient = self
                 .knuckle_upper_front_outer_upper_rear_outer
-                .gradient(free.upper_rear_outer - free.upper_front_outer);
+                .gradient(difference(free.upper_rear_outer, free.upper_front_outer));
             columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
                 .x;
             columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
@@ -809,6 +822,721 @@ pub mod five_link {
         }
 
         #[inline(always)]
+        fn factor(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Factors<T> {
+            let free = Free::of(q);
+            let knuckle_frame = Frame::new(
+                free.lower_front_outer,
+                free.upper_front_outer,
+                free.upper_rear_outer,
+            );
+            let gradient = self
+                .lower_front
+                .gradient(difference(free.lower_front_outer, fixed.lower_front_inner));
+            let lower_front_by_lower_front_outer_x = gradient.x;
+            let lower_front_by_lower_front_outer_y = gradient.y;
+            let lower_front_by_lower_front_outer_z = gradient.z;
+            let gradient = self
+                .upper_front
+                .gradient(difference(free.upper_front_outer, fixed.upper_front_inner));
+            let upper_front_by_upper_front_outer_x = gradient.x;
+            let upper_front_by_upper_front_outer_y = gradient.y;
+            let upper_front_by_upper_front_outer_z = gradient.z;
+            let gradient = self
+                .upper_rear
+                .gradient(difference(free.upper_rear_outer, fixed.upper_rear_inner));
+            let upper_rear_by_upper_rear_outer_x = gradient.x;
+            let upper_rear_by_upper_rear_outer_y = gradient.y;
+            let upper_rear_by_upper_rear_outer_z = gradient.z;
+            let gradient = self
+                .lower_rear
+                .gradient(difference(free.lower_rear_outer, fixed.lower_rear_inner));
+            let lower_rear_by_lower_rear_outer_x = gradient.x;
+            let lower_rear_by_lower_rear_outer_y = gradient.y;
+            let lower_rear_by_lower_rear_outer_z = gradient.z;
+            let gradient = self
+                .track_rod
+                .gradient(difference(free.track_rod_outer, fixed.track_rod_inner));
+            let track_rod_by_track_rod_outer_x = gradient.x;
+            let track_rod_by_track_rod_outer_y = gradient.y;
+            let track_rod_by_track_rod_outer_z = gradient.z;
+            let gradient = self
+                .knuckle_lower_front_outer_upper_front_outer
+                .gradient(difference(free.upper_front_outer, free.lower_front_outer));
+            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x = gradient
+                .x;
+            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y = gradient
+                .y;
+            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = gradient
+                .z;
+            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = -gradient
+                .x;
+            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y = -gradient
+                .y;
+            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z = -gradient
+                .z;
+            let gradient = self
+                .knuckle_lower_front_outer_upper_rear_outer
+                .gradient(difference(free.upper_rear_outer, free.lower_front_outer));
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x = gradient
+                .x;
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = gradient
+                .y;
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = gradient
+                .z;
+            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = -gradient
+                .x;
+            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y = -gradient
+                .y;
+            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z = -gradient
+                .z;
+            let gradient = self
+                .knuckle_upper_front_outer_upper_rear_outer
+                .gradient(difference(free.upper_rear_outer, free.upper_front_outer));
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = gradient
+                .x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = gradient
+                .y;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = gradient
+                .z;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = -gradient
+                .x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y = -gradient
+                .y;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z = -gradient
+                .z;
+            let gradient = self.knuckle_lower_rear_outer.gradient(&knuckle_frame);
+            let knuckle_lower_rear_outer_x_by_lower_rear_outer_x = T::one();
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = gradient.origin.m11;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_y = gradient.origin.m12;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_z = gradient.origin.m13;
+            let knuckle_lower_rear_outer_y_by_lower_front_outer_x = gradient.origin.m21;
+            let knuckle_lower_rear_outer_y_by_lower_front_outer_y = gradient.origin.m22;
+            let knuckle_lower_rear_outer_y_by_lower_front_outer_z = gradient.origin.m23;
+            let knuckle_lower_rear_outer_z_by_lower_front_outer_x = gradient.origin.m31;
+            let knuckle_lower_rear_outer_z_by_lower_front_outer_y = gradient.origin.m32;
+            let knuckle_lower_rear_outer_z_by_lower_front_outer_z = gradient.origin.m33;
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = gradient.second.m11;
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = gradient.second.m12;
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = gradient.second.m13;
+            let knuckle_lower_rear_outer_y_by_upper_front_outer_x = gradient.second.m21;
+            let knuckle_lower_rear_outer_y_by_upper_front_outer_y = gradient.second.m22;
+            let knuckle_lower_rear_outer_y_by_upper_front_outer_z = gradient.second.m23;
+            let knuckle_lower_rear_outer_z_by_upper_front_outer_x = gradient.second.m31;
+            let knuckle_lower_rear_outer_z_by_upper_front_outer_y = gradient.second.m32;
+            let knuckle_lower_rear_outer_z_by_upper_front_outer_z = gradient.second.m33;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = gradient.third.m11;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = gradient.third.m12;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = gradient.third.m13;
+            let knuckle_lower_rear_outer_y_by_upper_rear_outer_x = gradient.third.m21;
+            let knuckle_lower_rear_outer_y_by_upper_rear_outer_y = gradient.third.m22;
+            let knuckle_lower_rear_outer_y_by_upper_rear_outer_z = gradient.third.m23;
+            let knuckle_lower_rear_outer_z_by_upper_rear_outer_x = gradient.third.m31;
+            let knuckle_lower_rear_outer_z_by_upper_rear_outer_y = gradient.third.m32;
+            let knuckle_lower_rear_outer_z_by_upper_rear_outer_z = gradient.third.m33;
+            let gradient = self.knuckle_track_rod_outer.gradient(&knuckle_frame);
+            let knuckle_track_rod_outer_y_by_track_rod_outer_y = T::one();
+            let knuckle_track_rod_outer_x_by_lower_front_outer_x = gradient.origin.m11;
+            let knuckle_track_rod_outer_x_by_lower_front_outer_y = gradient.origin.m12;
+            let knuckle_track_rod_outer_x_by_lower_front_outer_z = gradient.origin.m13;
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = gradient.origin.m21;
+            let knuckle_track_rod_outer_y_by_lower_front_outer_y = gradient.origin.m22;
+            let knuckle_track_rod_outer_y_by_lower_front_outer_z = gradient.origin.m23;
+            let knuckle_track_rod_outer_z_by_lower_front_outer_x = gradient.origin.m31;
+            let knuckle_track_rod_outer_z_by_lower_front_outer_y = gradient.origin.m32;
+            let knuckle_track_rod_outer_z_by_lower_front_outer_z = gradient.origin.m33;
+            let knuckle_track_rod_outer_x_by_upper_front_outer_x = gradient.second.m11;
+            let knuckle_track_rod_outer_x_by_upper_front_outer_y = gradient.second.m12;
+            let knuckle_track_rod_outer_x_by_upper_front_outer_z = gradient.second.m13;
+            let knuckle_track_rod_outer_y_by_upper_front_outer_x = gradient.second.m21;
+            let knuckle_track_rod_outer_y_by_upper_front_outer_y = gradient.second.m22;
+            let knuckle_track_rod_outer_y_by_upper_front_outer_z = gradient.second.m23;
+            let knuckle_track_rod_outer_z_by_upper_front_outer_x = gradient.second.m31;
+            let knuckle_track_rod_outer_z_by_upper_front_outer_y = gradient.second.m32;
+            let knuckle_track_rod_outer_z_by_upper_front_outer_z = gradient.second.m33;
+            let knuckle_track_rod_outer_x_by_upper_rear_outer_x = gradient.third.m11;
+            let knuckle_track_rod_outer_x_by_upper_rear_outer_y = gradient.third.m12;
+            let knuckle_track_rod_outer_x_by_upper_rear_outer_z = gradient.third.m13;
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = gradient.third.m21;
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = gradient.third.m22;
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = gradient.third.m23;
+            let knuckle_track_rod_outer_z_by_upper_rear_outer_x = gradient.third.m31;
+            let knuckle_track_rod_outer_z_by_upper_rear_outer_y = gradient.third.m32;
+            let knuckle_track_rod_outer_z_by_upper_rear_outer_z = gradient.third.m33;
+            let track_rod_by_track_rod_outer_y = T::one()
+                / track_rod_by_track_rod_outer_y;
+            let knuckle_track_rod_outer_y_by_track_rod_outer_y = knuckle_track_rod_outer_y_by_track_rod_outer_y
+                * track_rod_by_track_rod_outer_y;
+            let knuckle_track_rod_outer_y_by_track_rod_outer_x = -(knuckle_track_rod_outer_y_by_track_rod_outer_y
+                * track_rod_by_track_rod_outer_x);
+            let knuckle_track_rod_outer_y_by_track_rod_outer_z = -(knuckle_track_rod_outer_y_by_track_rod_outer_y
+                * track_rod_by_track_rod_outer_z);
+            let track_rod_by_track_rod_outer_x = track_rod_by_track_rod_outer_x
+                * track_rod_by_track_rod_outer_y;
+            let track_rod_by_track_rod_outer_z = track_rod_by_track_rod_outer_z
+                * track_rod_by_track_rod_outer_y;
+            let lower_rear_by_lower_rear_outer_x = T::one()
+                / lower_rear_by_lower_rear_outer_x;
+            let knuckle_lower_rear_outer_x_by_lower_rear_outer_x = knuckle_lower_rear_outer_x_by_lower_rear_outer_x
+                * lower_rear_by_lower_rear_outer_x;
+            let knuckle_lower_rear_outer_x_by_lower_rear_outer_z = -(knuckle_lower_rear_outer_x_by_lower_rear_outer_x
+                * lower_rear_by_lower_rear_outer_z);
+            let knuckle_lower_rear_outer_x_by_lower_rear_outer_y = -(knuckle_lower_rear_outer_x_by_lower_rear_outer_x
+                * lower_rear_by_lower_rear_outer_y);
+            let lower_rear_by_lower_rear_outer_z = lower_rear_by_lower_rear_outer_z
+                * lower_rear_by_lower_rear_outer_x;
+            let lower_rear_by_lower_rear_outer_y = lower_rear_by_lower_rear_outer_y
+                * lower_rear_by_lower_rear_outer_x;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_front_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_y = knuckle_lower_rear_outer_x_by_lower_front_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_lower_front_outer_y,
+                );
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_front_outer_z,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_y = knuckle_track_rod_outer_y_by_upper_front_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                );
+            let knuckle_track_rod_outer_y_by_lower_front_outer_y = knuckle_track_rod_outer_y_by_lower_front_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_lower_front_outer_y,
+                );
+            let lower_front_by_lower_front_outer_y = T::one()
+                / lower_front_by_lower_front_outer_y;
+            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
+            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_y = knuckle_lower_rear_outer_x_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_z_by_lower_front_outer_y = knuckle_lower_rear_outer_z_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_lower_rear_outer_z_by_lower_front_outer_x = knuckle_lower_rear_outer_z_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
+            let knuckle_track_rod_outer_x_by_lower_front_outer_y = knuckle_track_rod_outer_x_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_track_rod_outer_x_by_lower_front_outer_x = knuckle_track_rod_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_lower_front_outer_y = knuckle_track_rod_outer_y_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
+            let lower_front_by_lower_front_outer_x = lower_front_by_lower_front_outer_x
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                );
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_y = knuckle_track_rod_outer_y_by_upper_front_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                );
+            let upper_front_by_upper_front_outer_y = T::one()
+                / upper_front_by_upper_front_outer_y;
+            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
+                * upper_front_by_upper_front_outer_y;
+            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_x,
+                );
+            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_z,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y
+                * upper_front_by_upper_front_outer_y;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_x,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
+                * upper_front_by_upper_front_outer_y;
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_z,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_y = knuckle_track_rod_outer_y_by_upper_front_outer_y
+                * upper_front_by_upper_front_outer_y;
+            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_z,
+                );
+            let upper_front_by_upper_front_outer_x = upper_front_by_upper_front_outer_x
+                * upper_front_by_upper_front_outer_y;
+            let upper_front_by_upper_front_outer_z = upper_front_by_upper_front_outer_z
+                * upper_front_by_upper_front_outer_y;
+            let upper_rear_by_upper_rear_outer_z = T::one()
+                / upper_rear_by_upper_rear_outer_z;
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                * upper_rear_by_upper_rear_outer_z;
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    upper_rear_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    upper_rear_by_upper_rear_outer_x,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                * upper_rear_by_upper_rear_outer_z;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    upper_rear_by_upper_rear_outer_y,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    upper_rear_by_upper_rear_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                * upper_rear_by_upper_rear_outer_z;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                    upper_rear_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                    upper_rear_by_upper_rear_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                * upper_rear_by_upper_rear_outer_z;
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    upper_rear_by_upper_rear_outer_y,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    upper_rear_by_upper_rear_outer_x,
+                );
+            let upper_rear_by_upper_rear_outer_y = upper_rear_by_upper_rear_outer_y
+                * upper_rear_by_upper_rear_outer_z;
+            let upper_rear_by_upper_rear_outer_x = upper_rear_by_upper_rear_outer_x
+                * upper_rear_by_upper_rear_outer_z;
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x = T::one()
+                / knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x);
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = T::one()
+                / knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                );
+            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = T::one()
+                / knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
+                * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
+                * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
+            let knuckle_track_rod_outer_y_by_upper_front_outer_x = T::one()
+                / knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
+                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                    knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = T::one()
+                / knuckle_lower_rear_outer_x_by_lower_front_outer_x;
+            Factors {
+                growth_squared: sum_of_squares([
+                    track_rod_by_track_rod_outer_y,
+                    lower_rear_by_lower_rear_outer_x,
+                    lower_front_by_lower_front_outer_y,
+                    upper_front_by_upper_front_outer_y,
+                    upper_rear_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    knuckle_track_rod_outer_y_by_upper_front_outer_x,
+                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                ]),
+                determinant_sign: product([
+                    track_rod_by_track_rod_outer_y,
+                    lower_rear_by_lower_rear_outer_x,
+                    lower_front_by_lower_front_outer_y,
+                    upper_front_by_upper_front_outer_y,
+                    upper_rear_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    knuckle_track_rod_outer_y_by_upper_front_outer_x,
+                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                ]),
+                lower_front_by_lower_front_outer_z,
+                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z,
+                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z,
+                knuckle_lower_rear_outer_x_by_lower_front_outer_z,
+                knuckle_lower_rear_outer_y_by_lower_front_outer_z,
+                knuckle_lower_rear_outer_z_by_lower_front_outer_z,
+                knuckle_track_rod_outer_x_by_lower_front_outer_z,
+                knuckle_track_rod_outer_y_by_lower_front_outer_z,
+                knuckle_track_rod_outer_z_by_lower_front_outer_z,
+                track_rod_by_track_rod_outer_y,
+                track_rod_by_track_rod_outer_x,
+                track_rod_by_track_rod_outer_z,
+                knuckle_track_rod_outer_y_by_track_rod_outer_y,
+                lower_rear_by_lower_rear_outer_x,
+                lower_rear_by_lower_rear_outer_z,
+                lower_rear_by_lower_rear_outer_y,
+                knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
+                knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                knuckle_lower_rear_outer_y_by_upper_front_outer_y,
+                knuckle_lower_rear_outer_y_by_lower_front_outer_y,
+                knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                knuckle_track_rod_outer_z_by_upper_front_outer_x,
+                knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                knuckle_track_rod_outer_z_by_upper_front_outer_z,
+                knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                knuckle_track_rod_outer_z_by_lower_front_outer_y,
+                knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                lower_front_by_lower_front_outer_y,
+                lower_front_by_lower_front_outer_x,
+                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
+                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
+                knuckle_lower_rear_outer_x_by_lower_front_outer_y,
+                knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                knuckle_track_rod_outer_y_by_lower_front_outer_y,
+                knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                upper_front_by_upper_front_outer_y,
+                upper_front_by_upper_front_outer_x,
+                upper_front_by_upper_front_outer_z,
+                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
+                knuckle_lower_rear_outer_x_by_upper_front_outer_y,
+                knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                upper_rear_by_upper_rear_outer_z,
+                upper_rear_by_upper_rear_outer_y,
+                upper_rear_by_upper_rear_outer_x,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
+                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                knuckle_lower_rear_outer_x_by_upper_front_outer_z,
+                knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                knuckle_track_rod_outer_y_by_upper_front_outer_x,
+                knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+            }
+        }
+
+        #[inline(always)]
         fn curvature(
             &self,
             v: &SVector<T, 15>,
@@ -838,50 +1566,50 @@ pub mod five_link {
             rows[equation::LOWER_FRONT] = self
                 .lower_front
                 .curvature(
-                    v.lower_front_outer - v_fixed.lower_front_inner,
-                    w.lower_front_outer - w_fixed.lower_front_inner,
+                    difference(v.lower_front_outer, v_fixed.lower_front_inner),
+                    difference(w.lower_front_outer, w_fixed.lower_front_inner),
                 );
             rows[equation::UPPER_FRONT] = self
                 .upper_front
                 .curvature(
-                    v.upper_front_outer - v_fixed.upper_front_inner,
-                    w.upper_front_outer - w_fixed.upper_front_inner,
+                    difference(v.upper_front_outer, v_fixed.upper_front_inner),
+                    difference(w.upper_front_outer, w_fixed.upper_front_inner),
                 );
             rows[equation::UPPER_REAR] = self
                 .upper_rear
                 .curvature(
-                    v.upper_rear_outer - v_fixed.upper_rear_inner,
-                    w.upper_rear_outer - w_fixed.upper_rear_inner,
+                    difference(v.upper_rear_outer, v_fixed.upper_rear_inner),
+                    difference(w.upper_rear_outer, w_fixed.upper_rear_inner),
                 );
             rows[equation::LOWER_REAR] = self
                 .lower_rear
                 .curvature(
-                    v.lower_rear_outer - v_fixed.lower_rear_inner,
-                    w.lower_rear_outer - w_fixed.lower_rear_inner,
+                    difference(v.lower_rear_outer, v_fixed.lower_rear_inner),
+                    difference(w.lower_rear_outer, w_fixed.lower_rear_inner),
                 );
             rows[equation::TRACK_ROD] = self
                 .track_rod
                 .curvature(
-                    v.track_rod_outer - v_fixed.track_rod_inner,
-                    w.track_rod_outer - w_fixed.track_rod_inner,
+                    difference(v.track_rod_outer, v_fixed.track_rod_inner),
+                    difference(w.track_rod_outer, w_fixed.track_rod_inner),
                 );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = self
                 .knuckle_lower_front_outer_upper_front_outer
                 .curvature(
-                    v.upper_front_outer - v.lower_front_outer,
-                    w.upper_front_outer - w.lower_front_outer,
+                    difference(v.upper_front_outer, v.lower_front_outer),
+                    difference(w.upper_front_outer, w.lower_front_outer),
                 );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = self
                 .knuckle_lower_front_outer_upper_rear_outer
                 .curvature(
-                    v.upper_rear_outer - v.lower_front_outer,
-                    w.upper_rear_outer - w.lower_front_outer,
+                    difference(v.upper_rear_outer, v.lower_front_outer),
+                    difference(w.upper_rear_outer, w.lower_front_outer),
                 );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = self
                 .knuckle_upper_front_outer_upper_rear_outer
                 .curvature(
-                    v.upper_rear_outer - v.upper_front_outer,
-                    w.upper_rear_outer - w.upper_front_outer,
+                    difference(v.upper_rear_outer, v.upper_front_outer),
+                    difference(w.upper_rear_outer, w.upper_front_outer),
                 );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = knuckle_lower_rear_outer.x;
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = knuckle_lower_rear_outer.y;
@@ -914,26 +1642,40 @@ pub mod five_link {
         ) -> SVector<T, 15> {
             let free = Free::of(q);
             let mut rows = [T::zero(); 15];
-            rows[equation::LOWER_FRONT] = self
-                .lower_front
-                .gradient(free.lower_front_outer - fixed.lower_front_inner)
-                .dot(&fixed_rate.lower_front_inner);
-            rows[equation::UPPER_FRONT] = self
-                .upper_front
-                .gradient(free.upper_front_outer - fixed.upper_front_inner)
-                .dot(&fixed_rate.upper_front_inner);
-            rows[equation::UPPER_REAR] = self
-                .upper_rear
-                .gradient(free.upper_rear_outer - fixed.upper_rear_inner)
-                .dot(&fixed_rate.upper_rear_inner);
-            rows[equation::LOWER_REAR] = self
-                .lower_rear
-                .gradient(free.lower_rear_outer - fixed.lower_rear_inner)
-                .dot(&fixed_rate.lower_rear_inner);
-            rows[equation::TRACK_ROD] = self
-                .track_rod
-                .gradient(free.track_rod_outer - fixed.track_rod_inner)
-                .dot(&fixed_rate.track_rod_inner);
+            rows[equation::LOWER_FRONT] = dot(
+                self
+                    .lower_front
+                    .gradient(
+                        difference(free.lower_front_outer, fixed.lower_front_inner),
+                    ),
+                fixed_rate.lower_front_inner,
+            );
+            rows[equation::UPPER_FRONT] = dot(
+                self
+                    .upper_front
+                    .gradient(
+                        difference(free.upper_front_outer, fixed.upper_front_inner),
+                    ),
+                fixed_rate.upper_front_inner,
+            );
+            rows[equation::UPPER_REAR] = dot(
+                self
+                    .upper_rear
+                    .gradient(difference(free.upper_rear_outer, fixed.upper_rear_inner)),
+                fixed_rate.upper_rear_inner,
+            );
+            rows[equation::LOWER_REAR] = dot(
+                self
+                    .lower_rear
+                    .gradient(difference(free.lower_rear_outer, fixed.lower_rear_inner)),
+                fixed_rate.lower_rear_inner,
+            );
+            rows[equation::TRACK_ROD] = dot(
+                self
+                    .track_rod
+                    .gradient(difference(free.track_rod_outer, fixed.track_rod_inner)),
+                fixed_rate.track_rod_inner,
+            );
             rows[equation::THETA] = fixed_rate.lower_front_inner.z;
             SVector::from(rows)
         }
@@ -1051,12 +1793,12 @@ pub mod five_link {
         }
     }
 
-    /// The Jacobian eliminated in a fixed order: multipliers below each pivot, what is left
-    /// of its row to the right, and in its own place the pivot's inverse. Pivots that are 1
-    /// in every position are left out.
+    /// The Jacobian eliminated in a fixed order, `L D U`: multipliers below each pivot, what is
+    /// left of its row, divided by the pivot, to the right, and in its own place the pivot's
+    /// inverse. Pivots that are 1 in every position are left out.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Factors<T> {
-        growth: T,
+        growth_squared: T,
         determinant_sign: T,
         lower_front_by_lower_front_outer_z: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z: T,
@@ -1067,63 +1809,56 @@ pub mod five_link {
         knuckle_track_rod_outer_x_by_lower_front_outer_z: T,
         knuckle_track_rod_outer_y_by_lower_front_outer_z: T,
         knuckle_track_rod_outer_z_by_lower_front_outer_z: T,
+        track_rod_by_track_rod_outer_y: T,
+        track_rod_by_track_rod_outer_x: T,
+        track_rod_by_track_rod_outer_z: T,
+        knuckle_track_rod_outer_y_by_track_rod_outer_y: T,
         lower_rear_by_lower_rear_outer_x: T,
         lower_rear_by_lower_rear_outer_z: T,
         lower_rear_by_lower_rear_outer_y: T,
         knuckle_lower_rear_outer_x_by_lower_rear_outer_x: T,
-        track_rod_by_track_rod_outer_y: T,
-        track_rod_by_track_rod_outer_z: T,
-        track_rod_by_track_rod_outer_x: T,
-        knuckle_track_rod_outer_y_by_track_rod_outer_y: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_x: T,
         knuckle_lower_rear_outer_y_by_lower_front_outer_x: T,
         knuckle_lower_rear_outer_y_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_y_by_upper_rear_outer_y: T,
         knuckle_lower_rear_outer_y_by_upper_front_outer_z: T,
+        knuckle_lower_rear_outer_y_by_upper_rear_outer_x: T,
         knuckle_lower_rear_outer_y_by_upper_rear_outer_z: T,
         knuckle_lower_rear_outer_y_by_upper_front_outer_y: T,
         knuckle_lower_rear_outer_y_by_lower_front_outer_y: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_y: T,
         knuckle_lower_rear_outer_x_by_lower_rear_outer_y: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_x: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_y: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_y_by_track_rod_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_y: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_y: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_x: T,
         knuckle_track_rod_outer_z_by_lower_front_outer_x: T,
         knuckle_track_rod_outer_z_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_z_by_upper_rear_outer_y: T,
         knuckle_track_rod_outer_z_by_upper_front_outer_z: T,
+        knuckle_track_rod_outer_z_by_upper_rear_outer_x: T,
         knuckle_track_rod_outer_z_by_upper_rear_outer_z: T,
         knuckle_track_rod_outer_z_by_upper_front_outer_y: T,
         knuckle_track_rod_outer_z_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_y: T,
         knuckle_track_rod_outer_y_by_track_rod_outer_z: T,
-        upper_rear_by_upper_rear_outer_y: T,
-        upper_rear_by_upper_rear_outer_x: T,
-        upper_rear_by_upper_rear_outer_z: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_y: T,
         lower_front_by_lower_front_outer_y: T,
         lower_front_by_lower_front_outer_x: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y: T,
         knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y: T,
         knuckle_lower_rear_outer_x_by_lower_front_outer_y: T,
+        knuckle_lower_rear_outer_z_by_lower_front_outer_y: T,
+        knuckle_track_rod_outer_x_by_lower_front_outer_y: T,
         knuckle_track_rod_outer_y_by_lower_front_outer_y: T,
+        knuckle_lower_rear_outer_z_by_lower_front_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_y: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_z: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_z: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_y: T,
+        knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T,
+        knuckle_track_rod_outer_x_by_lower_front_outer_x: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_z: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_x: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_z: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_y: T,
+        knuckle_track_rod_outer_y_by_track_rod_outer_x: T,
         upper_front_by_upper_front_outer_y: T,
         upper_front_by_upper_front_outer_x: T,
         upper_front_by_upper_front_outer_z: T,
@@ -1131,456 +1866,40 @@ pub mod five_link {
         knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y: T,
         knuckle_lower_rear_outer_x_by_upper_front_outer_y: T,
         knuckle_track_rod_outer_y_by_upper_front_outer_y: T,
+        upper_rear_by_upper_rear_outer_z: T,
+        upper_rear_by_upper_rear_outer_y: T,
+        upper_rear_by_upper_rear_outer_x: T,
         knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
         knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
         knuckle_lower_rear_outer_x_by_upper_rear_outer_z: T,
         knuckle_track_rod_outer_y_by_upper_rear_outer_z: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
+        knuckle_lower_rear_outer_x_by_upper_rear_outer_x: T,
+        knuckle_track_rod_outer_y_by_upper_rear_outer_x: T,
         knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x: T,
         knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x: T,
         knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z: T,
         knuckle_lower_rear_outer_x_by_upper_front_outer_z: T,
         knuckle_track_rod_outer_y_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_x_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_x_by_lower_front_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
         knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_x_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_y_by_upper_rear_outer_y: T,
         knuckle_track_rod_outer_y_by_upper_front_outer_x: T,
         knuckle_track_rod_outer_y_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
+        knuckle_lower_rear_outer_x_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_x_by_lower_front_outer_x: T,
     }
 
     impl<T: Scalar> Elimination<T, 15> for Factors<T> {
         #[inline(always)]
-        fn factor(jacobian: &SMatrix<T, 15, 15>) -> Self {
-            let columns = &jacobian.data.0;
-            let mut lu = Self {
-                growth: T::zero(),
-                determinant_sign: T::zero(),
-                lower_front_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::LOWER_FRONT],
-                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_rear_outer_x_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_lower_rear_outer_y_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                knuckle_lower_rear_outer_z_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_track_rod_outer_x_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_y_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_track_rod_outer_z_by_lower_front_outer_z: columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                lower_rear_by_lower_rear_outer_x: columns[unknown::LOWER_REAR_OUTER_X][equation::LOWER_REAR],
-                lower_rear_by_lower_rear_outer_z: columns[unknown::LOWER_REAR_OUTER_Z][equation::LOWER_REAR],
-                lower_rear_by_lower_rear_outer_y: columns[unknown::LOWER_REAR_OUTER_Y][equation::LOWER_REAR],
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_x: columns[unknown::LOWER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                track_rod_by_track_rod_outer_y: columns[unknown::TRACK_ROD_OUTER_Y][equation::TRACK_ROD],
-                track_rod_by_track_rod_outer_z: columns[unknown::TRACK_ROD_OUTER_Z][equation::TRACK_ROD],
-                track_rod_by_track_rod_outer_x: columns[unknown::TRACK_ROD_OUTER_X][equation::TRACK_ROD],
-                knuckle_track_rod_outer_y_by_track_rod_outer_y: columns[unknown::TRACK_ROD_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                knuckle_lower_rear_outer_y_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                knuckle_lower_rear_outer_y_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                knuckle_lower_rear_outer_y_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                knuckle_lower_rear_outer_y_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                knuckle_lower_rear_outer_y_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_y: T::zero(),
-                knuckle_track_rod_outer_x_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_x_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                knuckle_track_rod_outer_y_by_track_rod_outer_x: T::zero(),
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T::zero(),
-                knuckle_track_rod_outer_z_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_z_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                knuckle_track_rod_outer_y_by_track_rod_outer_z: T::zero(),
-                upper_rear_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::UPPER_REAR],
-                upper_rear_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::UPPER_REAR],
-                upper_rear_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::UPPER_REAR],
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_track_rod_outer_y_by_upper_rear_outer_y: columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                lower_front_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::LOWER_FRONT],
-                lower_front_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::LOWER_FRONT],
-                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_rear_outer_x_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_track_rod_outer_y_by_lower_front_outer_y: columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                upper_front_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::UPPER_FRONT],
-                upper_front_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::UPPER_FRONT],
-                upper_front_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::UPPER_FRONT],
-                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_rear_outer_x_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_track_rod_outer_y_by_upper_front_outer_y: columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_track_rod_outer_y_by_upper_rear_outer_z: columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_lower_rear_outer_x_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_track_rod_outer_y_by_upper_front_outer_z: columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_lower_rear_outer_x_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_lower_rear_outer_x_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                knuckle_track_rod_outer_y_by_upper_front_outer_x: columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_track_rod_outer_y_by_lower_front_outer_x: columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_track_rod_outer_y_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T::zero(),
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-            };
-            lu.lower_rear_by_lower_rear_outer_x = T::one()
-                / lu.lower_rear_by_lower_rear_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_x
-                *= lu.lower_rear_by_lower_rear_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z = -(lu
-                .knuckle_lower_rear_outer_x_by_lower_rear_outer_x
-                * lu.lower_rear_by_lower_rear_outer_z);
-            lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y = -(lu
-                .knuckle_lower_rear_outer_x_by_lower_rear_outer_x
-                * lu.lower_rear_by_lower_rear_outer_y);
-            lu.track_rod_by_track_rod_outer_y = T::one()
-                / lu.track_rod_by_track_rod_outer_y;
-            lu.knuckle_track_rod_outer_y_by_track_rod_outer_y
-                *= lu.track_rod_by_track_rod_outer_y;
-            lu.knuckle_track_rod_outer_y_by_track_rod_outer_z = -(lu
-                .knuckle_track_rod_outer_y_by_track_rod_outer_y
-                * lu.track_rod_by_track_rod_outer_z);
-            lu.knuckle_track_rod_outer_y_by_track_rod_outer_x = -(lu
-                .knuckle_track_rod_outer_y_by_track_rod_outer_y
-                * lu.track_rod_by_track_rod_outer_x);
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_y_by_upper_rear_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_y_by_lower_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_y_by_upper_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_y_by_upper_front_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_y_by_upper_rear_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_y_by_upper_front_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_y_by_lower_front_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * lu.knuckle_lower_rear_outer_y_by_upper_rear_outer_y;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_rear_outer_x;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_front_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_rear_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_y
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_front_outer_y;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_y
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_lower_front_outer_y;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * lu.knuckle_track_rod_outer_x_by_upper_rear_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_rear_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_lower_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_front_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_rear_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_front_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_lower_front_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                -= lu.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * lu.knuckle_lower_rear_outer_z_by_upper_rear_outer_y;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_rear_outer_x;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_front_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_rear_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_y
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_front_outer_y;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_y
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_lower_front_outer_y;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                -= lu.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * lu.knuckle_track_rod_outer_z_by_upper_rear_outer_y;
-            lu.upper_rear_by_upper_rear_outer_y = T::one()
-                / lu.upper_rear_by_upper_rear_outer_y;
-            lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                *= lu.upper_rear_by_upper_rear_outer_y;
-            lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                -= lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                    * lu.upper_rear_by_upper_rear_outer_x;
-            lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                -= lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                    * lu.upper_rear_by_upper_rear_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                *= lu.upper_rear_by_upper_rear_outer_y;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                    * lu.upper_rear_by_upper_rear_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                    * lu.upper_rear_by_upper_rear_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                *= lu.upper_rear_by_upper_rear_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                    * lu.upper_rear_by_upper_rear_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                    * lu.upper_rear_by_upper_rear_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                *= lu.upper_rear_by_upper_rear_outer_y;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                    * lu.upper_rear_by_upper_rear_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                -= lu.knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                    * lu.upper_rear_by_upper_rear_outer_z;
-            lu.lower_front_by_lower_front_outer_y = T::one()
-                / lu.lower_front_by_lower_front_outer_y;
-            lu.knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y
-                *= lu.lower_front_by_lower_front_outer_y;
-            lu.knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
-                -= lu.knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y
-                    * lu.lower_front_by_lower_front_outer_x;
-            lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y
-                *= lu.lower_front_by_lower_front_outer_y;
-            lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
-                -= lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y
-                    * lu.lower_front_by_lower_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_y
-                *= lu.lower_front_by_lower_front_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_lower_front_outer_y
-                    * lu.lower_front_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_y
-                *= lu.lower_front_by_lower_front_outer_y;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_lower_front_outer_y
-                    * lu.lower_front_by_lower_front_outer_x;
-            lu.upper_front_by_upper_front_outer_y = T::one()
-                / lu.upper_front_by_upper_front_outer_y;
-            lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
-                *= lu.upper_front_by_upper_front_outer_y;
-            lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x
-                -= lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
-                    * lu.upper_front_by_upper_front_outer_x;
-            lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z
-                -= lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
-                    * lu.upper_front_by_upper_front_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y
-                *= lu.upper_front_by_upper_front_outer_y;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y
-                    * lu.upper_front_by_upper_front_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y
-                    * lu.upper_front_by_upper_front_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                *= lu.upper_front_by_upper_front_outer_y;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                    * lu.upper_front_by_upper_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                -= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                    * lu.upper_front_by_upper_front_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_y
-                *= lu.upper_front_by_upper_front_outer_y;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_upper_front_outer_y
-                    * lu.upper_front_by_upper_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
-                -= lu.knuckle_track_rod_outer_y_by_upper_front_outer_y
-                    * lu.upper_front_by_upper_front_outer_z;
-            lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = T::one()
-                / lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                *= lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(lu
-                .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                * lu.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x);
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                *= lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                *= lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = T::one()
-                / lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
-                *= lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                *= lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                -= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
-                *= lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_upper_front_outer_z
-                    * lu
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x;
-            lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x = T::one()
-                / lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                *= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                    * lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                    * lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
-                *= lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
-                    * lu.knuckle_lower_rear_outer_x_by_upper_rear_outer_x;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x
-                -= lu.knuckle_track_rod_outer_y_by_upper_front_outer_x
-                    * lu.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
-            lu.knuckle_track_rod_outer_y_by_lower_front_outer_x = T::one()
-                / lu.knuckle_track_rod_outer_y_by_lower_front_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                *= lu.knuckle_track_rod_outer_y_by_lower_front_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                -= lu.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                    * lu.knuckle_track_rod_outer_y_by_upper_rear_outer_x;
-            lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = T::one()
-                / lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            lu.growth = largest([
-                lu.lower_rear_by_lower_rear_outer_x,
-                lu.track_rod_by_track_rod_outer_y,
-                lu.upper_rear_by_upper_rear_outer_y,
-                lu.lower_front_by_lower_front_outer_y,
-                lu.upper_front_by_upper_front_outer_y,
-                lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                lu.knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-            ]);
-            lu.determinant_sign = -product([
-                lu.lower_rear_by_lower_rear_outer_x,
-                lu.track_rod_by_track_rod_outer_y,
-                lu.upper_rear_by_upper_rear_outer_y,
-                lu.lower_front_by_lower_front_outer_y,
-                lu.upper_front_by_upper_front_outer_y,
-                lu.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                lu.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                lu.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                lu.knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                lu.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-            ]);
-            lu
-        }
-
-        fn growth(&self) -> T {
-            self.growth
+        fn growth_squared(&self) -> T {
+            self.growth_squared
         }
     }
 
@@ -1589,243 +1908,1319 @@ pub mod five_link {
         fn solve(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); 15];
-            rows[equation::LOWER_FRONT]
-                -= self.lower_front_by_lower_front_outer_z * rows[equation::THETA];
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                -= self
-                    .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z
-                    * rows[equation::THETA];
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z
-                    * rows[equation::THETA];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_lower_front_outer_z
-                    * rows[equation::THETA];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                -= self.knuckle_lower_rear_outer_y_by_lower_front_outer_z
-                    * rows[equation::THETA];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                -= self.knuckle_lower_rear_outer_z_by_lower_front_outer_z
-                    * rows[equation::THETA];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                -= self.knuckle_track_rod_outer_x_by_lower_front_outer_z
-                    * rows[equation::THETA];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_lower_front_outer_z
-                    * rows[equation::THETA];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                -= self.knuckle_track_rod_outer_z_by_lower_front_outer_z
-                    * rows[equation::THETA];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x
-                    * rows[equation::LOWER_REAR];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_track_rod_outer_y
-                    * rows[equation::TRACK_ROD];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y
-                    * rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_track_rod_outer_x
-                    * rows[equation::KNUCKLE_TRACK_ROD_OUTER_X];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z
-                    * rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_track_rod_outer_z
-                    * rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z];
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                    * rows[equation::UPPER_REAR];
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                    * rows[equation::UPPER_REAR];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                    * rows[equation::UPPER_REAR];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                    * rows[equation::UPPER_REAR];
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                -= self
-                    .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y
-                    * rows[equation::LOWER_FRONT];
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y
-                    * rows[equation::LOWER_FRONT];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_lower_front_outer_y
-                    * rows[equation::LOWER_FRONT];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_lower_front_outer_y
-                    * rows[equation::LOWER_FRONT];
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                -= self
-                    .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
-                    * rows[equation::UPPER_FRONT];
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y
-                    * rows[equation::UPPER_FRONT];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                    * rows[equation::UPPER_FRONT];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_upper_front_outer_y
-                    * rows[equation::UPPER_FRONT];
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER];
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
-                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                -= self.knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_upper_front_outer_z
-                    * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER];
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                    * rows[equation::KNUCKLE_LOWER_REAR_OUTER_X];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                -= self.knuckle_track_rod_outer_y_by_upper_front_outer_x
-                    * rows[equation::KNUCKLE_LOWER_REAR_OUTER_X];
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                -= self.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                    * rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y];
-            unknowns[unknown::UPPER_REAR_OUTER_X] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                - self.knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                    * unknowns[unknown::UPPER_REAR_OUTER_X])
-                * self.knuckle_track_rod_outer_y_by_lower_front_outer_x;
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                - self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                    * unknowns[unknown::UPPER_REAR_OUTER_X]
-                - self.knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X])
-                * self.knuckle_lower_rear_outer_x_by_upper_front_outer_x;
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
+                .minus_product(
+                    self.lower_front_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_y,
+                    rows[equation::TRACK_ROD],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
+                    rows[equation::LOWER_REAR],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                    rows[equation::UPPER_FRONT],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
+                    rows[equation::UPPER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_y,
+                    rows[equation::UPPER_FRONT],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                    rows[equation::UPPER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    rows[equation::UPPER_REAR],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    rows[equation::UPPER_REAR],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                    rows[equation::UPPER_REAR],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    rows[equation::UPPER_REAR],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x)
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y)
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
             unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                - self.knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X]
-                - self.knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x
-                    * unknowns[unknown::UPPER_FRONT_OUTER_X])
                 * self
-                    .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                - self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                    * unknowns[unknown::UPPER_REAR_OUTER_X]
-                - self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X])
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+                    .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z)
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x)
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::UPPER_REAR]
+                * self.upper_rear_by_upper_rear_outer_z)
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
             unknowns[unknown::UPPER_FRONT_OUTER_Y] = (rows[equation::UPPER_FRONT]
-                - self.upper_front_by_upper_front_outer_x
-                    * unknowns[unknown::UPPER_FRONT_OUTER_X]
-                - self.upper_front_by_upper_front_outer_z
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Z])
-                * self.upper_front_by_upper_front_outer_y;
-            unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
-                - self.lower_front_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X])
-                * self.lower_front_by_lower_front_outer_y;
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::UPPER_REAR]
-                - self.upper_rear_by_upper_rear_outer_x
-                    * unknowns[unknown::UPPER_REAR_OUTER_X]
-                - self.upper_rear_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z])
-                * self.upper_rear_by_upper_rear_outer_y;
-            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                - self.knuckle_track_rod_outer_z_by_upper_rear_outer_x
-                    * unknowns[unknown::UPPER_REAR_OUTER_X]
-                - self.knuckle_track_rod_outer_z_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X]
-                - self.knuckle_track_rod_outer_z_by_upper_front_outer_x
-                    * unknowns[unknown::UPPER_FRONT_OUTER_X]
-                - self.knuckle_track_rod_outer_z_by_upper_front_outer_z
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                - self.knuckle_track_rod_outer_z_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.knuckle_track_rod_outer_z_by_upper_front_outer_y
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                - self.knuckle_track_rod_outer_z_by_lower_front_outer_y
-                    * unknowns[unknown::LOWER_FRONT_OUTER_Y]
-                - self.knuckle_track_rod_outer_z_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y];
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                - self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x
-                    * unknowns[unknown::UPPER_REAR_OUTER_X]
-                - self.knuckle_lower_rear_outer_z_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X]
-                - self.knuckle_lower_rear_outer_z_by_upper_front_outer_x
-                    * unknowns[unknown::UPPER_FRONT_OUTER_X]
-                - self.knuckle_lower_rear_outer_z_by_upper_front_outer_z
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                - self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.knuckle_lower_rear_outer_z_by_upper_front_outer_y
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                - self.knuckle_lower_rear_outer_z_by_lower_front_outer_y
-                    * unknowns[unknown::LOWER_FRONT_OUTER_Y]
-                - self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y];
+                * self.upper_front_by_upper_front_outer_y)
+                .minus_product(
+                    self.upper_front_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.upper_front_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                );
             unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                - self.knuckle_track_rod_outer_x_by_upper_rear_outer_x
-                    * unknowns[unknown::UPPER_REAR_OUTER_X]
-                - self.knuckle_track_rod_outer_x_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X]
-                - self.knuckle_track_rod_outer_x_by_upper_front_outer_x
-                    * unknowns[unknown::UPPER_FRONT_OUTER_X]
-                - self.knuckle_track_rod_outer_x_by_upper_front_outer_z
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                - self.knuckle_track_rod_outer_x_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.knuckle_track_rod_outer_x_by_upper_front_outer_y
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                - self.knuckle_track_rod_outer_x_by_lower_front_outer_y
-                    * unknowns[unknown::LOWER_FRONT_OUTER_Y]
-                - self.knuckle_track_rod_outer_x_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y];
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
+                * self.lower_front_by_lower_front_outer_y)
+                .minus_product(
+                    self.lower_front_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
+                );
             unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                - self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x
-                    * unknowns[unknown::UPPER_REAR_OUTER_X]
-                - self.knuckle_lower_rear_outer_y_by_lower_front_outer_x
-                    * unknowns[unknown::LOWER_FRONT_OUTER_X]
-                - self.knuckle_lower_rear_outer_y_by_upper_front_outer_x
-                    * unknowns[unknown::UPPER_FRONT_OUTER_X]
-                - self.knuckle_lower_rear_outer_y_by_upper_front_outer_z
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                - self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z
-                    * unknowns[unknown::UPPER_REAR_OUTER_Z]
-                - self.knuckle_lower_rear_outer_y_by_upper_front_outer_y
-                    * unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                - self.knuckle_lower_rear_outer_y_by_lower_front_outer_y
-                    * unknowns[unknown::LOWER_FRONT_OUTER_Y]
-                - self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y
-                    * unknowns[unknown::UPPER_REAR_OUTER_Y];
-            unknowns[unknown::TRACK_ROD_OUTER_Y] = (rows[equation::TRACK_ROD]
-                - self.track_rod_by_track_rod_outer_z
-                    * unknowns[unknown::TRACK_ROD_OUTER_Z]
-                - self.track_rod_by_track_rod_outer_x
-                    * unknowns[unknown::TRACK_ROD_OUTER_X])
-                * self.track_rod_by_track_rod_outer_y;
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
+                );
             unknowns[unknown::LOWER_REAR_OUTER_X] = (rows[equation::LOWER_REAR]
-                - self.lower_rear_by_lower_rear_outer_z
-                    * unknowns[unknown::LOWER_REAR_OUTER_Z]
-                - self.lower_rear_by_lower_rear_outer_y
-                    * unknowns[unknown::LOWER_REAR_OUTER_Y])
-                * self.lower_rear_by_lower_rear_outer_x;
+                * self.lower_rear_by_lower_rear_outer_x)
+                .minus_product(
+                    self.lower_rear_by_lower_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.lower_rear_by_lower_rear_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_Y] = (rows[equation::TRACK_ROD]
+                * self.track_rod_by_track_rod_outer_y)
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                )
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
             unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
             SVector::from(unknowns)
         }
 
+        #[inline(always)]
+        fn solve_drives(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
+            let [mut rows] = right.data.0;
+            let mut unknowns = [T::zero(); 15];
+            rows[equation::LOWER_FRONT] = -(self.lower_front_by_lower_front_outer_z
+                * rows[equation::THETA]);
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = -(self
+                .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z
+                * rows[equation::THETA]);
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = -(self
+                .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z
+                * rows[equation::THETA]);
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = -(self
+                .knuckle_lower_rear_outer_x_by_lower_front_outer_z
+                * rows[equation::THETA]);
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = -(self
+                .knuckle_lower_rear_outer_y_by_lower_front_outer_z
+                * rows[equation::THETA]);
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = -(self
+                .knuckle_lower_rear_outer_z_by_lower_front_outer_z
+                * rows[equation::THETA]);
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = -(self
+                .knuckle_track_rod_outer_x_by_lower_front_outer_z
+                * rows[equation::THETA]);
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = -(self
+                .knuckle_track_rod_outer_y_by_lower_front_outer_z
+                * rows[equation::THETA]);
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = -(self
+                .knuckle_track_rod_outer_z_by_lower_front_outer_z
+                * rows[equation::THETA]);
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -(self
+                .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]);
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x)
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y)
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                * self
+                    .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z)
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x)
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = (-(self
+                .upper_rear_by_upper_rear_outer_y
+                * unknowns[unknown::UPPER_REAR_OUTER_Y]))
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = (-(self
+                .upper_front_by_upper_front_outer_x
+                * unknowns[unknown::UPPER_FRONT_OUTER_X]))
+                .minus_product(
+                    self.upper_front_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
+                * self.lower_front_by_lower_front_outer_y)
+                .minus_product(
+                    self.lower_front_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_REAR_OUTER_X] = (-(self
+                .lower_rear_by_lower_rear_outer_z
+                * unknowns[unknown::LOWER_REAR_OUTER_Z]))
+                .minus_product(
+                    self.lower_rear_by_lower_rear_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_Y] = (-(self.track_rod_by_track_rod_outer_x
+                * unknowns[unknown::TRACK_ROD_OUTER_X]))
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
+            SVector::from(unknowns)
+        }
+
+        #[inline(always)]
+        fn solve_transposed(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
+            let [mut unknowns] = right.data.0;
+            let mut rows = [T::zero(); 15];
+            unknowns[unknown::TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Y],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_Z] = unknowns[unknown::TRACK_ROD_OUTER_Z]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.lower_rear_by_lower_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_X],
+                );
+            unknowns[unknown::LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y]
+                .minus_product(
+                    self.lower_rear_by_lower_rear_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_X],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_Y] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_Y] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.lower_front_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.upper_front_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.upper_front_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
+            rows[equation::THETA] = unknowns[unknown::LOWER_FRONT_OUTER_Z];
+            rows[equation::TRACK_ROD] = unknowns[unknown::TRACK_ROD_OUTER_Y]
+                * self.track_rod_by_track_rod_outer_y;
+            rows[equation::LOWER_REAR] = unknowns[unknown::LOWER_REAR_OUTER_X]
+                * self.lower_rear_by_lower_rear_outer_x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = unknowns[unknown::TRACK_ROD_OUTER_Z];
+            rows[equation::LOWER_FRONT] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
+                * self.lower_front_by_lower_front_outer_y;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X];
+            rows[equation::UPPER_FRONT] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                * self.upper_front_by_upper_front_outer_y;
+            rows[equation::UPPER_REAR] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                * self.upper_rear_by_upper_rear_outer_z;
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                * self
+                    .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                );
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self.lower_front_by_lower_front_outer_z,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                );
+            SVector::from(rows)
+        }
+
+        #[inline(always)]
         fn determinant_sign(&self) -> T {
             self.determinant_sign
+        }
+    }
+
+    /// This listing, over any number.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub struct Listing;
+    impl AnyNumber<15> for Listing {
+        type Model<T: Scalar> = Model<T>;
+        type Fixed<T: Scalar> = Fixed<T>;
+        type Drives<T: Scalar> = Drives<T>;
+        type Points<T: Scalar> = Points<T>;
+        #[inline(always)]
+        fn gather<S: Scalar, T: Scalar, const K: usize>(
+            models: [&Model<S>; K],
+            gather: impl Fn([S; K]) -> T,
+        ) -> Model<T> {
+            Model {
+                fixed: Fixed {
+                    lower_front_inner: gather_vectors(
+                        models.map(|model| model.fixed.lower_front_inner),
+                        &gather,
+                    ),
+                    upper_front_inner: gather_vectors(
+                        models.map(|model| model.fixed.upper_front_inner),
+                        &gather,
+                    ),
+                    upper_rear_inner: gather_vectors(
+                        models.map(|model| model.fixed.upper_rear_inner),
+                        &gather,
+                    ),
+                    lower_rear_inner: gather_vectors(
+                        models.map(|model| model.fixed.lower_rear_inner),
+                        &gather,
+                    ),
+                    track_rod_inner: gather_vectors(
+                        models.map(|model| model.fixed.track_rod_inner),
+                        &gather,
+                    ),
+                },
+                size: gather(models.map(|model| model.size)),
+                lower_front: Distance::gather(
+                    models.map(|model| model.lower_front),
+                    &gather,
+                ),
+                upper_front: Distance::gather(
+                    models.map(|model| model.upper_front),
+                    &gather,
+                ),
+                upper_rear: Distance::gather(
+                    models.map(|model| model.upper_rear),
+                    &gather,
+                ),
+                lower_rear: Distance::gather(
+                    models.map(|model| model.lower_rear),
+                    &gather,
+                ),
+                track_rod: Distance::gather(
+                    models.map(|model| model.track_rod),
+                    &gather,
+                ),
+                knuckle_lower_front_outer_upper_front_outer: Distance::gather(
+                    models
+                        .map(|model| model.knuckle_lower_front_outer_upper_front_outer),
+                    &gather,
+                ),
+                knuckle_lower_front_outer_upper_rear_outer: Distance::gather(
+                    models.map(|model| model.knuckle_lower_front_outer_upper_rear_outer),
+                    &gather,
+                ),
+                knuckle_upper_front_outer_upper_rear_outer: Distance::gather(
+                    models.map(|model| model.knuckle_upper_front_outer_upper_rear_outer),
+                    &gather,
+                ),
+                knuckle_frame: Frame::gather(
+                    models.map(|model| model.knuckle_frame),
+                    &gather,
+                ),
+                knuckle_lower_rear_outer: Carried::gather(
+                    models.map(|model| model.knuckle_lower_rear_outer),
+                    &gather,
+                ),
+                knuckle_track_rod_outer: Carried::gather(
+                    models.map(|model| model.knuckle_track_rod_outer),
+                    &gather,
+                ),
+                wheel_centre: Carried::gather(
+                    models.map(|model| model.wheel_centre),
+                    &gather,
+                ),
+            }
         }
     }
 

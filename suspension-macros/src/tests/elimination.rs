@@ -121,15 +121,16 @@ fn an_arrow_does_not_fill() {
     let arrow = pattern(N, |row, column| row == 0 || column == 0 || row == column);
     let order = order(N, &arrow);
     assert!(order.fill.is_empty());
-    // An inverse, a multiplier and a product for each but the last pivot.
-    assert_eq!(order.operations, 3 * (N - 1) + 1);
+    // An inverse, a multiplier, a product and a divided entry for each but the last pivot.
+    assert_eq!(order.operations, 4 * (N - 1) + 1);
 }
 
 #[test]
 fn a_dense_matrix_takes_the_textbook_count() {
     const N: usize = 7;
     let order = order(N, &pattern(N, |_, _| true));
-    assert_eq!(order.operations, N * (N * N - 1) / 3 + N);
+    // `L U`, and the rows of `U` divided by their pivots.
+    assert_eq!(order.operations, N * (N * N - 1) / 3 + N + N * (N - 1) / 2);
     assert!(order.fill.is_empty());
 }
 
@@ -233,8 +234,8 @@ fn the_catalogue_is_eliminated_as_cheaply_as_ever() {
         order
     };
     let [listed, rigid] = ["attia2003", "five_link"].map(of);
-    assert!(listed.operations <= 108 && listed.chain <= 33 && listed.growth < 5.0);
-    assert!(rigid.operations <= 106 && rigid.chain <= 33 && rigid.growth < 2.5);
+    assert!(listed.operations <= 132 && listed.chain <= 33 && listed.growth < 6.0);
+    assert!(rigid.operations <= 124 && rigid.chain <= 33 && rigid.growth < 4.0);
 }
 
 /// Printed with `--nocapture`; the bound holds without optimisation on a slow computer.

@@ -1,0 +1,119 @@
+//! Sine and cosine without a branch: for lanes of numbers, and for steps that take the same
+//! instructions whatever the angle.
+
+use crate::scalar::Scalar;
+
+/// `pi / 2` in three parts: the first two have 33 bits, so that small multiples of them are exact
+/// (fdlibm, `e_rem_pio2.c`).
+const QUARTER_TURN: [f64; 3] = [
+    1.570_796_326_734_125_6,
+    6.077_100_506_303_966e-11,
+    2.022_266_248_795_950_6e-21,
+];
+
+/// Coefficients of `x^3, x^5, ...` of the sine within an eighth of a turn (fdlibm, `k_sin.c`).
+const SINE: [f64; 6] = [
+    -1.666_666_666_666_663_2e-1,
+    8.333_333_333_322_49e-3,
+    -1.984_126_982_985_795e-4,
+    2.755_731_370_707_006_8e-6,
+    -2.505_076_025_340_686_3e-8,
+    1.589_690_995_211_55e-10,
+];
+
+/// Coefficients of `x^4, x^6, ...` of the cosine within an eighth of a turn (fdlibm, `k_cos.c`).
+const COSINE: [f64; 6] = [
+    4.166_666_666_666_66e-2,
+    -1.388_888_888_887_411e-3,
+    2.480_158_728_947_673e-5,
+    -2.755_731_435_139_066_3e-7,
+    2.087_572_321_298_175e-9,
+    -1.135_964_755_778_819_5e-11,
+];
+
+/// Sine and cosine of an angle in radians, to about one unit in the last place for magnitudes up
+/// to a thousand turns; NaN for an angle that is not finite. `f32` and `f64` give the same bits on
+/// every target.
+#[inline(always)]
+pub fn sine_cosine<T: Scalar>(angle: T) -> (T, T) {
+    let turns = (angle * T::constant(core::f64::consts::FRAC_2_PI)).nearest_integer();
+    let [high, middle, low] = QUARTER_TURN.map(T::constant);
+    let rest = angle.minus_product(turns, high);
+    let rest = rest.minus_product(turns, middle).minus_product(turns, low);
+    let (sine, cosine) = within_an_eighth(rest);
+    // Sine and cosine of whole quarter turns, -1, 0 or 1, as polynomials of a count from -2 to 2.
+    let count = turns.minus_product(
+        (turns * T::constant(0.25)).nearest_integer(),
+        T::constant(4.0),
+    );
+    let square = count * count;
+    let quarter_sine = count * (T::constant(4.0) - square) * T::constant(1.0 / 3.0);
+    let quarter_cosine =
+        T::one().minus_product(square * (T::constant(7.0) - square), T::constant(1.0 / 6.0));
+    (
+        (sine * quarter_cosine).plus_product(cosine, quarter_sine),
+        (cosine * quarter_cosine).minus_product(sine, quarter_sine),
+    )
+}
+
+/// Sine and cosine between plus and minus a quarter of `pi`.
+#[inline(always)]
+fn within_an_eighth<T: Scalar>(x: T) -> (T, T) {
+    let square = x * x;
+    let sine = x.plus_product(x * square, polynomial(SINE, square));
+    let half = square * T::constant(0.5);
+    let main = T::one() - half;
+    // What rounding took from `main` goes with the small terms.
+    let lost = (T::one() - main) - half;
+    let cosine = main + lost.plus_product(square * square, polynomial(COSINE, square));
+    (sine, cosine)
+}
+
+/// `c_0 + c_1 x + c_2 x^2 + ...`, in pairs so that the chain of operations is short.
+#[inline(always)]
+fn polynomial<T: Scalar>(coefficients: [f64; 6], x: T) -> T {
+    let [a, b, c, d, e, f] = coefficients.map(T::constant);
+    let square = x * x;
+    let high = c
+        .plus_product(d, x)
+        .plus_product(e.plus_product(f, x), square);
+    a.plus_product(b, x).plus_product(high, square)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sine_cosine;
+
+    #[test]
+    fn to_a_unit_in_the_last_place() {
+        let worst = (-200_000..=200_000).fold(0.0_f64, |worst, step| {
+            let angle = f64::from(step) * 3.1e-4 + 1e-9;
+            let (sine, cosine) = sine_cosine(angle);
+            let error = |value: f64, exact: f64| ((value - exact) / exact).abs() / f64::EPSILON;
+            worst
+                .max(error(sine, libm::sin(angle)))
+                .max(error(cosine, libm::cos(angle)))
+        });
+        assert!(worst < 1.5, "{worst} units");
+    }
+
+    #[test]
+    fn in_single_precision() {
+        for step in -10_000..=10_000 {
+            let angle = step as f32 * 1e-3;
+            let (sine, cosine) = sine_cosine(angle);
+            assert!((sine - libm::sinf(angle)).abs() < 1.5e-7, "sine of {angle}");
+            assert!(
+                (cosine - libm::cosf(angle)).abs() < 1.5e-7,
+                "cosine of {angle}"
+            );
+        }
+    }
+
+    #[test]
+    fn whole_quarters_and_no_number() {
+        assert_eq!(sine_cosine(0.0), (0.0, 1.0));
+        assert!(sine_cosine(f64::INFINITY).0.is_nan());
+        assert!(sine_cosine(f64::NAN).1.is_nan());
+    }
+}

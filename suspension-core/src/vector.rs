@@ -1,0 +1,70 @@
+//! Vector algebra of straight-line code: every function is inlined wherever it is called, because
+//! lanes of numbers are fast only inside code that is compiled for their instructions.
+
+use nalgebra::Vector3;
+
+use crate::scalar::Scalar;
+
+/// `a - b`.
+#[inline(always)]
+pub fn difference<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
+    Vector3::new(a.x - b.x, a.y - b.y, a.z - b.z)
+}
+
+/// `-a`.
+#[inline(always)]
+pub fn opposite<T: Scalar>(a: Vector3<T>) -> Vector3<T> {
+    Vector3::new(-a.x, -a.y, -a.z)
+}
+
+/// `a k`.
+#[inline(always)]
+pub fn multiple<T: Scalar>(a: Vector3<T>, k: T) -> Vector3<T> {
+    Vector3::new(a.x * k, a.y * k, a.z * k)
+}
+
+/// `a . b`.
+#[inline(always)]
+pub fn dot<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> T {
+    (a.x * b.x).plus_product(a.y, b.y).plus_product(a.z, b.z)
+}
+
+/// `sum + a x b`.
+#[inline(always)]
+pub fn plus_cross<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
+    Vector3::new(
+        sum.x.plus_product(a.y, b.z).minus_product(a.z, b.y),
+        sum.y.plus_product(a.z, b.x).minus_product(a.x, b.z),
+        sum.z.plus_product(a.x, b.y).minus_product(a.y, b.x),
+    )
+}
+
+/// `a x b`.
+#[inline(always)]
+pub fn cross<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
+    Vector3::new(
+        (a.y * b.z).minus_product(a.z, b.y),
+        (a.z * b.x).minus_product(a.x, b.z),
+        (a.x * b.y).minus_product(a.y, b.x),
+    )
+}
+
+/// `sum + a k`.
+#[inline(always)]
+pub fn plus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) -> Vector3<T> {
+    Vector3::new(
+        sum.x.plus_product(a.x, k),
+        sum.y.plus_product(a.y, k),
+        sum.z.plus_product(a.z, k),
+    )
+}
+
+/// `sum - a k`.
+#[inline(always)]
+pub fn minus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) -> Vector3<T> {
+    Vector3::new(
+        sum.x.minus_product(a.x, k),
+        sum.y.minus_product(a.y, k),
+        sum.z.minus_product(a.z, k),
+    )
+}
