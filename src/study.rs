@@ -283,6 +283,9 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::Diverging { .. } => {
             format!("no root near by, the corrections of unknown `{name}` do not shrink")
         }
+        SolveError::StepTooLong { .. } => {
+            format!("the series of unknown `{name}` is not good for so long a step")
+        }
         SolveError::NotConverged {
             residual,
             iterations,

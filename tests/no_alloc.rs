@@ -11,8 +11,8 @@ use std::hint::black_box;
 use nalgebra::{Isometry3, SVector, Vector3};
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
-    Build, HasKingpin, HasWheel, Inputs, Motion, Newton, Real, RigidMotion, Still, Tangent,
-    Tracker, assemble,
+    Build, HasKingpin, HasWheel, InputSeries, Inputs, Jet, Motion, Newton, Real, RigidMotion,
+    SeriesTracker, Still, Tangent, Tracker, assemble,
 };
 
 thread_local! {
@@ -105,6 +105,17 @@ where
             tracker.advance(&self.model, self.inputs, dt + dt, end, &mut motion)
         })
         .expect("a regular motion");
+        without_allocating("SeriesTracker::step", || {
+            let ahead: Jet<_, 6> = Jet::of_signal(&(self.inputs)(T::constant(0.5)).drives);
+            let tracker = SeriesTracker::within(T::constant(1e-5));
+            tracker.step(
+                &self.model,
+                &InputSeries::still(ahead),
+                dt,
+                &mut motion.clone(),
+            )
+        })
+        .expect("a regular motion");
         motion
     }
 
@@ -160,6 +171,13 @@ where
             assemble(&impatient, model, &(self.inputs)(dt), &mut motion.position)
         })
         .expect_err("no iterations allowed");
+        without_allocating("a series step that is too long", || {
+            let ahead: Jet<_, 6> = Jet::of_signal(&(self.inputs)(T::constant(0.5)).drives);
+            let tracker = SeriesTracker::within(T::constant(1e-5));
+            let far = T::constant(100.0);
+            tracker.step(model, &InputSeries::still(ahead), far, &mut motion)
+        })
+        .expect_err("beyond the radius of convergence");
         without_allocating("an advance that stops", || {
             let far = T::constant(100.0);
             Tracker::default().advance(model, self.inputs, T::constant(0.5), far, &mut motion)

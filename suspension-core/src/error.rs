@@ -45,6 +45,16 @@ pub enum SolveError<T> {
         /// What it had to stay within.
         bound: T,
     },
+    /// `step > bound`, both in the unit of time: the series of the motion, of which this unknown has
+    /// the largest last term, is not good for so long a step.
+    StepTooLong {
+        /// The unknown.
+        unknown: usize,
+        /// The length of the step.
+        step: T,
+        /// What it had to stay within.
+        bound: T,
+    },
     /// `residual > tolerance` after all iterations that were allowed.
     NotConverged {
         /// The equation with the largest residual.
@@ -68,7 +78,8 @@ impl<T> SolveError<T> {
             Self::Overflow { unknown }
             | Self::CrossedSingularity { unknown }
             | Self::Singular { unknown, .. }
-            | Self::Diverging { unknown, .. } => (unknowns, unknown),
+            | Self::Diverging { unknown, .. }
+            | Self::StepTooLong { unknown, .. } => (unknowns, unknown),
         };
         table.get(*index).copied().unwrap_or("?")
     }
@@ -105,6 +116,14 @@ impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
             } => write!(
                 f,
                 "no root near by: the correction of unknown {unknown} grew to {step:.1e}, allowed {bound:.1e}"
+            ),
+            Self::StepTooLong {
+                unknown,
+                step,
+                bound,
+            } => write!(
+                f,
+                "the series of unknown {unknown} is good for a step of {bound:.1e}, not of {step:.1e}"
             ),
             Self::NotConverged {
                 equation,

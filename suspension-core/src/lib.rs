@@ -36,6 +36,7 @@ pub mod motion;
 pub mod newton;
 pub mod parts;
 pub mod scalar;
+pub mod series;
 pub mod signal;
 pub mod tracker;
 pub mod trigonometry;
@@ -52,5 +53,6 @@ pub use linkage::{Build, DriveKind, HasKingpin, HasWheel, Linkage, Listing, Name
 pub use motion::{Motion, Tangent};
 pub use newton::{Converged, Newton};
 pub use scalar::{Real, Scalar};
+pub use series::{InputSeries, Jet, Series, SeriesTracker};
 pub use signal::{ChassisMotion, Inputs, Signal, Still};
 pub use tracker::{Advanced, Stopped, Tracker};

@@ -5,6 +5,8 @@
 mod assembly;
 #[cfg(feature = "construction")]
 mod construction;
+#[cfg(feature = "series")]
+mod series;
 #[cfg(feature = "solving")]
 mod solving;
 

@@ -1,0 +1,126 @@
+//! Following a motion by its series alone: one factorisation a step and no iteration.
+
+use super::{ChassisSeries, InputSeries, PrescribedSeries, Series};
+use crate::error::SolveError;
+use crate::factored::{smallest_pivot, with_factors};
+use crate::linkage::Linkage;
+use crate::magnitude::{index_of_largest, magnitude};
+use crate::motion::{Motion, Prescribed};
+use crate::newton::Converged;
+use crate::scalar::Real;
+
+/// How to follow a motion by its series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeriesTracker<T> {
+    /// The largest residual of a result, in units of length.
+    ///
+    /// It speaks of positions. A truncated series of order `K` has about `K / dt` times their error
+    /// in velocities, and `K^2 / dt^2` times in accelerations.
+    pub tolerance: T,
+    /// The longest step, as a part of the [radius of convergence](Series::radius).
+    pub part_of_radius: T,
+}
+
+impl<T: Real> SeriesTracker<T> {
+    /// Steps of up to half the radius of convergence, to positions within `tolerance`.
+    pub fn within(tolerance: T) -> Self {
+        Self {
+            tolerance,
+            part_of_radius: T::constant(0.5),
+        }
+    }
+
+    /// One step of length `dt`, either way, by the series to order `K` of the motion.
+    ///
+    /// `inputs` start at the instant of `motion`. Where the position solves them only nearly, one
+    /// correction with the factors of this step comes first, so that errors do not add up from
+    /// step to step.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::StepTooLong`] and [`SolveError::NotConverged`] as the fields have it, the
+    /// others as for a [`Tracker`](crate::Tracker); the motion is then unchanged.
+    pub fn step<L, C, const N: usize, const K: usize>(
+        &self,
+        linkage: &L,
+        inputs: &InputSeries<C, L::Drives, K>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Converged<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisSeries<T, L::Fixed, K>,
+    {
+        let series = series_from::<T, L, C, N, K>(linkage, inputs, motion)?;
+        self.check_length(&series, dt)?;
+        let next = series.motion(dt);
+        for rates in [&next.velocity, &next.acceleration] {
+            magnitude(rates).map_err(|unknown| SolveError::Overflow { unknown })?;
+        }
+        let Prescribed { fixed, drives } = Prescribed::new(linkage, &inputs.at(dt));
+        let residual = linkage.residual(&next.position, &fixed.value, &drives.value);
+        let size = magnitude(&residual).map_err(|equation| SolveError::NotFinite { equation })?;
+        let (tolerance, iterations) = (self.tolerance, 1);
+        if size <= tolerance {
+            *motion = next;
+            Ok(Converged {
+                iterations,
+                residual: size,
+                tolerance,
+            })
+        } else {
+            Err(SolveError::NotConverged {
+                equation: index_of_largest(&residual),
+                residual: size,
+                tolerance,
+                iterations,
+            })
+        }
+    }
+
+    fn check_length<const N: usize, const K: usize>(
+        &self,
+        series: &Series<T, N, K>,
+        dt: T,
+    ) -> Result<(), SolveError<T>> {
+        let bound = series.radius().map(|radius| radius * self.part_of_radius);
+        match (bound, series.unknowns.terms.last()) {
+            (Some(bound), Some(last)) if dt.abs() > bound => Err(SolveError::StepTooLong {
+                unknown: index_of_largest(last),
+                step: dt.abs(),
+                bound,
+            }),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The series from a motion's position after one correction with the factors that it needs anyway.
+#[inline(always)]
+fn series_from<T, L, C, const N: usize, const K: usize>(
+    linkage: &L,
+    inputs: &InputSeries<C, L::Drives, K>,
+    motion: &Motion<T, N>,
+) -> Result<Series<T, N, K>, SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+    C: ChassisSeries<T, L::Fixed, K>,
+{
+    let prescribed = PrescribedSeries::new(linkage, inputs);
+    let (fixed, drives) = (&prescribed.fixed.value, &prescribed.drives.value);
+    let start = &motion.position;
+    let series = with_factors(linkage, start, fixed, smallest_pivot(), |factors| {
+        let position = start - factors.solve(&linkage.residual(start, fixed, drives));
+        Series::expand::<L, C>(linkage, &prescribed, position, factors)
+    })??;
+    match motion.positive_determinant {
+        Some(positive) if positive != series.positive_determinant => {
+            let moves = series.motion(T::zero()).velocity;
+            Err(SolveError::CrossedSingularity {
+                unknown: index_of_largest(&moves),
+            })
+        }
+        _ => Ok(series),
+    }
+}

@@ -1,0 +1,126 @@
+//! Steps by series alone, and steps that are refused.
+
+use suspension_core::linkages::five_link;
+use suspension_core::{InputSeries, Jet, Motion, Real, SeriesTracker, SolveError, Still};
+
+use super::support::{self, INSTANTS, Reference};
+
+fn ahead<T: Real, const K: usize>(t: T) -> InputSeries<Still, five_link::Drives<T>, K> {
+    InputSeries::still(Jet::of_signal(&support::five_link_inputs(t).drives))
+}
+
+fn start<T: Real>(instant: usize) -> (five_link::Model<T>, Motion<T, 15>) {
+    let model = support::five_link_model();
+    let motions = support::motions(
+        &model,
+        &support::five_link_rough(),
+        support::five_link_inputs,
+    );
+    (model, motions[instant])
+}
+
+/// The worst position at the instants of Table 2 after steps of 1 ms to order `K`.
+fn follow<T: Real, const K: usize>(tolerance: f64) -> [f64; 3] {
+    let (model, mut motion) = start::<T>(0);
+    let tracker = SeriesTracker::within(T::constant(tolerance));
+    let reference = Reference::load();
+    let mut worst = [0.0_f64; 3];
+    for millisecond in 0..1950_u16 {
+        let t = T::constant(f64::from(millisecond) * 1e-3);
+        let step = tracker.step(&model, &ahead::<_, K>(t), T::constant(1e-3), &mut motion);
+        step.unwrap_or_else(|error| panic!("at {millisecond} ms: {error:?}"));
+        let reached = f64::from(millisecond + 1) * 1e-3;
+        if let Some(instant) = INSTANTS.iter().position(|instant| *instant == reached) {
+            let pairs = [
+                (motion.position, ""),
+                (motion.velocity, "v"),
+                (motion.acceleration, "a"),
+            ];
+            for (worst, (found, kind)) in worst.iter_mut().zip(pairs) {
+                let found = found.map(|x| x.to_subset().expect("f64"));
+                *worst = worst.max((found - reference.unknowns(instant, kind)).amax());
+            }
+        }
+    }
+    println!("order {K}: {worst:?}");
+    worst
+}
+
+/// Errors do not add up: 1,950 steps end as near as one.
+#[test]
+fn follows_the_published_motion() {
+    let [position, velocity, acceleration] = follow::<f64, 8>(1e-14);
+    assert!(position < 5e-14 && velocity < 1e-10 && acceleration < 1e-8);
+    let [position, ..] = follow::<f64, 4>(1e-8);
+    assert!(position < 1e-8);
+    let [position, ..] = follow::<f32, 4>(2e-6);
+    assert!(position < 1e-5);
+}
+
+fn refused<const K: usize>(tolerance: f64, dt: f64) -> SolveError<f64> {
+    let (model, before) = start::<f64>(4);
+    let mut motion = before;
+    let error = SeriesTracker::within(tolerance)
+        .step(&model, &ahead::<_, K>(1.0), dt, &mut motion)
+        .expect_err("refused");
+    assert_eq!(motion, before, "the state is untouched");
+    error
+}
+
+#[test]
+fn a_step_beyond_the_radius_is_refused() {
+    let error = refused::<8>(1.0, 0.6);
+    let SolveError::StepTooLong { step, bound, .. } = error else {
+        panic!("{error}");
+    };
+    assert!(step == 0.6 && bound > 0.3 && bound < 0.4, "{error}");
+    assert!(
+        error.to_string().contains("good for a step of 3."),
+        "{error}"
+    );
+    assert!(matches!(
+        refused::<8>(1.0, -0.6),
+        SolveError::StepTooLong { .. }
+    ));
+}
+
+#[test]
+fn a_residual_above_the_tolerance_is_refused() {
+    let error = refused::<2>(1e-9, 0.01);
+    let SolveError::NotConverged { residual, .. } = error else {
+        panic!("{error}");
+    };
+    assert!(residual > 1e-9 && residual < 1e-5, "{error}");
+}
+
+#[test]
+fn what_is_not_finite_is_refused() {
+    assert!(matches!(
+        refused::<6>(1e-9, f64::NAN),
+        SolveError::Overflow { .. }
+    ));
+    assert!(matches!(
+        refused::<6>(f64::NAN, 1e-3),
+        SolveError::NotConverged { .. }
+    ));
+    let (model, before) = start::<f64>(4);
+    let mut motion = before;
+    let mut inputs = ahead::<f64, 4>(1.0);
+    inputs.drives.terms[2].theta = f64::INFINITY;
+    let error = SeriesTracker::within(1e-9).step(&model, &inputs, 1e-3, &mut motion);
+    assert!(matches!(error, Err(SolveError::Overflow { .. })));
+    assert_eq!(motion, before);
+}
+
+#[test]
+fn a_motion_of_another_assembly_is_refused() {
+    let (model, motion) = start::<f64>(4);
+    let mut mirrored = Motion {
+        positive_determinant: motion.positive_determinant.map(|positive| !positive),
+        ..motion
+    };
+    let before = mirrored;
+    let error = SeriesTracker::within(1e-9).step(&model, &ahead::<_, 6>(1.0), 1e-3, &mut mirrored);
+    assert!(matches!(error, Err(SolveError::CrossedSingularity { .. })));
+    assert_eq!(mirrored, before);
+}
