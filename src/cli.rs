@@ -1,5 +1,6 @@
 //! The command line's options and help.
 
+mod bake;
 mod chart;
 
 use std::path::PathBuf;
@@ -41,6 +42,12 @@ pub enum Command {
         #[arg(long, value_name = "DIR")]
         plots: Option<PathBuf>,
     },
+    /// Bakes the motion of a file along one drive into a source file.
+    ///
+    /// A piecewise polynomial within a tolerance of the solver, looked up in a few nanoseconds:
+    /// for scenes of many vehicles, and for controllers.
+    #[command(after_long_help = bake::NOTES)]
+    Bake(bake::Arguments),
     /// Measures every method: what a step takes against the error it makes.
     ///
     /// Writes a table, a figure and a page with all figures; see also benches/rivals.
@@ -60,6 +67,7 @@ impl Command {
                 let csv = csv.map(target);
                 job::motion(&Wanted { file, csv, plots }, interrupted)
             }
+            Self::Bake(arguments) => arguments.run(),
             Self::Chart(arguments) => arguments.run(interrupted),
         }
     }

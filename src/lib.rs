@@ -8,6 +8,7 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+pub mod bake;
 pub mod chart;
 pub mod cli;
 pub mod failure;

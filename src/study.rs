@@ -14,6 +14,8 @@ use suspension_core::{
     Tracker,
 };
 
+use crate::bake::order::{Order, Ordered};
+use crate::bake::source::Sheet;
 use crate::chart;
 use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
@@ -65,6 +67,14 @@ pub trait Study {
     /// Measures what one step of a millisecond takes: position, velocity and acceleration.
     /// `None` where the motion is too short to tell, or stops.
     fn time_a_step(&self, ends: [f64; 2]) -> Option<Timing>;
+
+    /// Bakes the motion along one drive. `file` and `instants` are those that it was loaded from.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where the order makes no sense, [`Failure::Solver`] where it cannot be
+    /// met.
+    fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure>;
 
     /// Puts every method of the chart through the motion between two times.
     ///
@@ -198,6 +208,16 @@ where
             steps: steps as usize,
             passes: passes.len(),
         })
+    }
+
+    fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure> {
+        let ordered = Ordered {
+            file,
+            assembled: self,
+            instants,
+            order,
+        };
+        ordered.sheet()
     }
 
     fn chart(

@@ -4,6 +4,7 @@ mod support;
 
 mod cli {
     mod bad_input;
+    mod bake;
     mod chart;
     mod files;
     mod plots;

@@ -21,6 +21,7 @@
 extern crate self as suspension_core;
 
 pub mod assemble;
+pub mod baked;
 pub mod body;
 pub mod chassis;
 pub mod constraint;

@@ -1,0 +1,222 @@
+//! The smallest number of segments with which a tolerance is met.
+
+use crate::bake::certify::{Reached, bound, places};
+use crate::bake::path::{Derivatives, Exact, OutOfReach, Output};
+use crate::bake::scheme::{Coefficients, Continuity, TERMS};
+
+/// What to bake.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    /// The drive's first and last value.
+    pub range: [f64; 2],
+    /// How far a point may be off, in the unit of the hardpoints.
+    pub tolerance: f64,
+    /// A metre in that unit: the spin axis may be off by as much as a point a metre away.
+    pub metre: f64,
+    /// How segments join.
+    pub continuity: Continuity,
+}
+
+/// A baked motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Baked {
+    /// What was asked for.
+    pub wanted: Wanted,
+    /// The outputs, three numbers each.
+    pub outputs: Vec<Output>,
+    /// Bounds of what the curve is off by.
+    pub reached: Reached,
+    /// The polynomials by segment and output.
+    pub segments: Vec<Vec<Coefficients>>,
+}
+
+impl Baked {
+    /// The number of segments divided by the length of the range.
+    pub fn segments_per_unit(&self) -> f64 {
+        let [from, to] = self.wanted.range;
+        self.segments.len() as f64 / (to - from)
+    }
+
+    /// Numbers by segment, power and output, as [`suspension_core::baked::Curve`] has them.
+    pub fn rows(&self) -> impl Iterator<Item = [Vec<f64>; TERMS]> {
+        self.segments.iter().map(|segment| {
+            let mut power = 0;
+            [(); TERMS].map(|()| {
+                let row = segment.iter().flat_map(|output| output[power]).collect();
+                power += 1;
+                row
+            })
+        })
+    }
+
+    /// The segments of a [`suspension_core::baked::Curve`]; `None` where `OUT` is not the number
+    /// of outputs.
+    pub fn table<const OUT: usize>(&self) -> Option<Vec<[[f64; OUT]; TERMS]>> {
+        let fixed = |rows: [Vec<f64>; TERMS]| {
+            let mut table = [[0.0; OUT]; TERMS];
+            for (fixed, row) in table.iter_mut().zip(rows) {
+                *fixed = row.try_into().ok()?;
+            }
+            Some(table)
+        };
+        self.rows().map(fixed).collect()
+    }
+}
+
+/// Why a motion was not baked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unmet {
+    /// The mechanism does not go through the range.
+    OutOfReach(OutOfReach),
+    /// The tolerance is not met with [`MOST_SEGMENTS`].
+    TooManySegments {
+        /// The drive's value about which it was missed.
+        at: f64,
+    },
+}
+
+impl From<OutOfReach> for Unmet {
+    fn from(error: OutOfReach) -> Self {
+        Self::OutOfReach(error)
+    }
+}
+
+/// Segments that a curve may have: with more, it no longer lies in the fast caches.
+pub const MOST_SEGMENTS: usize = 512;
+
+/// Bakes a motion.
+///
+/// # Errors
+///
+/// See [`Unmet`].
+pub fn bake(wanted: &Wanted, exact: &dyn Exact) -> Result<Baked, Unmet> {
+    let [from, to] = wanted.range;
+    let mut missed = 0.5;
+    for count in 1..=MOST_SEGMENTS {
+        match (Fit {
+            wanted,
+            exact,
+            count,
+        })
+        .all(missed)?
+        {
+            Ok(baked) => return Ok(baked),
+            Err(at) => missed = at,
+        }
+    }
+    let at = from + (to - from) * missed;
+    Err(Unmet::TooManySegments { at })
+}
+
+/// The widest part of the range, to a 256th, that can be baked; `None` where not even the smallest
+/// about the middle can.
+///
+/// # Errors
+///
+/// [`OutOfReach`].
+pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Result<Option<[f64; 2]>, OutOfReach> {
+    const PARTS: u32 = 256;
+    let [from, to] = wanted.range;
+    let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
+    let possible = |first: u32, last: u32| {
+        let range = [first, last].map(place);
+        let count = MOST_SEGMENTS;
+        let fit = Fit {
+            wanted: &Wanted { range, ..*wanted },
+            exact,
+            count,
+        };
+        Ok(last > first && fit.all(0.5)?.is_ok())
+    };
+    let middle = PARTS / 2;
+    let half = most(middle, |half| possible(middle - half, middle + half))?;
+    let before = most(middle, |before| {
+        possible(middle - before.max(half), middle + half)
+    })?
+    .max(half);
+    let after = most(middle, |after| {
+        possible(middle - before, middle + after.max(half))
+    })?
+    .max(half);
+    Ok((half > 0).then(|| [middle - before, middle + after].map(place)))
+}
+
+/// The largest number up to `limit` that is possible, where all smaller ones are.
+fn most(limit: u32, possible: impl Fn(u32) -> Result<bool, OutOfReach>) -> Result<u32, OutOfReach> {
+    let (mut good, mut bad) = (0, limit + 1);
+    while bad - good > 1 {
+        let middle = good.midpoint(bad);
+        if possible(middle)? {
+            good = middle;
+        } else {
+            bad = middle;
+        }
+    }
+    Ok(good)
+}
+
+/// A try with a number of segments.
+struct Fit<'a> {
+    wanted: &'a Wanted,
+    exact: &'a dyn Exact,
+    count: usize,
+}
+
+impl Fit<'_> {
+    /// All segments, or where in the range (0 to 1) the tolerance is not met: tried first where it
+    /// was not met before.
+    fn all(&self, suspect: f64) -> Result<Result<Baked, f64>, OutOfReach> {
+        let first = ((suspect * self.count as f64) as usize).min(self.count - 1);
+        if self.segment(first)?.is_none() {
+            return Ok(Err(suspect));
+        }
+        let mut segments = Vec::new();
+        let mut reached = Reached::default();
+        for index in 0..self.count {
+            let Some((polynomials, of_segment)) = self.segment(index)? else {
+                return Ok(Err((index as f64 + 0.5) / self.count as f64));
+            };
+            segments.push(polynomials);
+            reached = reached.larger(of_segment);
+        }
+        Ok(Ok(Baked {
+            wanted: *self.wanted,
+            outputs: self.exact.outputs(),
+            reached,
+            segments,
+        }))
+    }
+
+    /// One segment; `None` where it does not meet the tolerance.
+    fn segment(&self, index: usize) -> Result<Option<(Vec<Coefficients>, Reached)>, OutOfReach> {
+        let Wanted {
+            range: [from, to],
+            continuity,
+            ..
+        } = *self.wanted;
+        let length = (to - from) / self.count as f64;
+        let at = |place: &f64| self.exact.at(from + length * (index as f64 + place));
+        let met: Vec<_> = continuity
+            .places()
+            .iter()
+            .map(at)
+            .collect::<Result<_, _>>()?;
+        let seen: Vec<_> = places().iter().map(at).collect::<Result<_, _>>()?;
+        let mut polynomials = Vec::new();
+        let mut reached = Reached::default();
+        for (number, output) in self.exact.outputs().iter().enumerate() {
+            let of_output = |values: &[Vec<Derivatives>]| -> Vec<Derivatives> {
+                values.iter().map(|outputs| outputs[number]).collect()
+            };
+            let polynomial = continuity.fit(length, &of_output(&met));
+            let bound = bound(&polynomial, length, &of_output(&seen));
+            let scale = match output {
+                Output::SpinAxis => self.wanted.metre,
+                Output::Point(_) | Output::WheelCentre => 1.0,
+            };
+            reached = reached.larger(bound.scaled(scale));
+            polynomials.push(polynomial);
+        }
+        Ok((reached.position <= self.wanted.tolerance).then_some((polynomials, reached)))
+    }
+}

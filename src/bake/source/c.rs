@@ -1,0 +1,85 @@
+//! As a header in C99.
+
+use std::fmt::Write;
+
+use crate::bake::scheme::TERMS;
+use crate::bake::source::Sheet;
+
+/// The text of a header.
+pub(super) fn text(sheet: &Sheet) -> String {
+    let mut text = String::from("/*\n");
+    for line in sheet.header() {
+        // A file's name may hold what ends a comment.
+        text += format!(" * {}", line.replace("*/", "* /")).trim_end();
+        text.push('\n');
+    }
+    let name = sheet.name();
+    let upper = name.to_uppercase();
+    let width = sheet.width();
+    let count = sheet.baked.segments.len();
+    let [from, to] = sheet.baked.wanted.range;
+    let per_unit = sheet.baked.segments_per_unit();
+    let segments = sheet.coefficients(["{", "}"]);
+    let outputs = sheet.output_names().join(", ");
+    let _ = write!(
+        text,
+        " *
+ * Outputs: {outputs}.
+ * For the same digits as in Rust compile without contraction (-std=c99 or -ffp-contract=off).
+ */
+#ifndef {upper}_H
+#define {upper}_H
+
+#include <stddef.h>
+
+enum {{ {upper}_OUTPUTS = {width}, {upper}_SEGMENTS = {count} }};
+
+static const double {name}_range[2] = {{{from:?}, {to:?}}};
+
+/* By segment, power and output, constants first; the variable of a segment runs from 0 to 1. */
+static const double {name}_segments[{count}][{TERMS}][{width}] = {{
+{segments}}};
+
+/*
+ * Position, velocity and acceleration where the drive has the value `drive` and moves at `rate`
+ * per second and `second_rate` per second squared. Where `acceleration`, or `velocity` as well, is
+ * NULL it is not computed. Returns 0; or 1 where the drive is outside the range, and then writes
+ * nothing.
+ */
+static inline int {name}(double drive, double rate, double second_rate,
+        double position[{width}], double velocity[{width}], double acceleration[{width}])
+{{
+    if (!(drive >= {name}_range[0] && drive <= {name}_range[1]))
+        return 1;
+    const double per_unit = {per_unit:?};
+    const double along = (drive - {name}_range[0]) * per_unit;
+    const int whole = (int)along < {count} ? (int)along : {last};
+    const double variable = along - whole;
+    const double (*terms)[{width}] = {name}_segments[whole];
+    rate *= per_unit;
+    second_rate *= per_unit;
+    for (int i = 0; i < {width}; i++) {{
+        double value = terms[{degree}][i], first = value, half_second = value;
+        for (int power = {degree} - 1; power >= 0; power--) {{
+            value = value * variable + terms[power][i];
+            if (power >= 1)
+                first = first * variable + value;
+            if (power >= 2)
+                half_second = half_second * variable + first;
+        }}
+        position[i] = value;
+        if (velocity != NULL)
+            velocity[i] = first * rate;
+        if (velocity != NULL && acceleration != NULL)
+            acceleration[i] = first * second_rate + half_second * ((rate + rate) * rate);
+    }}
+    return 0;
+}}
+
+#endif
+",
+        last = count - 1,
+        degree = TERMS - 1,
+    );
+    text
+}

@@ -1,0 +1,120 @@
+//! `suspension bake`.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use crate::bake::source::Language;
+use crate::bake::{Continuity, Order, Wish};
+use crate::failure::Failure;
+use crate::input::setup;
+use crate::input::source::Source;
+use crate::output::files::{refuse_input, write_file};
+
+/// The command's arguments.
+#[derive(Args, Clone, Debug)]
+pub struct Arguments {
+    /// The motion file (TOML), as for `suspension motion`.
+    file: PathBuf,
+    /// The drive; needed where the linkage has several. The others are held as at the file's first
+    /// instant.
+    #[arg(long, value_name = "NAME")]
+    drive: Option<String>,
+    /// The drive's first value, in rad (angles) or the file's unit; else where the file's motion
+    /// begins or ends.
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    from: Option<f64>,
+    /// The drive's last value.
+    #[arg(long, value_name = "Y", allow_negative_numbers = true)]
+    to: Option<f64>,
+    /// How far a point may be off, in metres whatever the file's unit.
+    #[arg(long, value_name = "M", default_value_t = 1e-6)]
+    tolerance: f64,
+    /// Derivatives that do not jump where segments join: as many as are read.
+    #[arg(long, value_name = "0|1|2", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=2))]
+    continuity: u8,
+    /// What to bake.
+    #[arg(long, value_enum, default_value_t = Points::Wheel)]
+    points: Points,
+    /// The language of the file.
+    #[arg(long = "as", value_enum, default_value_t = Language::Rust)]
+    language: Language,
+    /// Where to write; else out/NAME_WHAT_by_DRIVE.rs, .h or .toml, NAME being the motion file's.
+    #[arg(long, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Points {
+    /// Every point that the drive moves: three outputs each.
+    All,
+    /// The wheel: centre and spin axis, six outputs.
+    Wheel,
+}
+
+impl Arguments {
+    /// Bakes and writes the file.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`].
+    pub fn run(&self) -> Result<(), Failure> {
+        let source = Source::read(&self.file)?;
+        let (study, instants) = setup::load(&source)?;
+        let sheet = study.bake(source.name(), &instants, &self.order())?;
+        let path = self.output.clone().unwrap_or_else(|| {
+            let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
+            let ending = self.language.extension();
+            PathBuf::from(format!("out/{stem}_{}.{ending}", sheet.name()))
+        });
+        refuse_input(&path, &self.file, "--output")?;
+        write_file(&path, &sheet.text(self.language))?;
+        eprintln!(
+            "wrote {}: {} segments",
+            path.display(),
+            sheet.baked.segments.len()
+        );
+        Ok(())
+    }
+
+    fn order(&self) -> Order {
+        Order {
+            drive: self.drive.clone(),
+            range: [self.from, self.to],
+            tolerance: self.tolerance,
+            continuity: match self.continuity {
+                0 => Continuity::Position,
+                1 => Continuity::Velocity,
+                _ => Continuity::Acceleration,
+            },
+            wish: match self.points {
+                Points::All => Wish::AllPoints,
+                Points::Wheel => Wish::Wheel,
+            },
+        }
+    }
+}
+
+pub(super) const NOTES: &str = r#"What is written: polynomials of degree five over segments of equal length, the fewest with which
+the tolerance is met, and a header that says what, from which file, range, units, tolerance asked
+and reached, segments and bytes. Outputs are the coordinates of points; of the wheel, its centre
+and its spin axis (unit length, outboard), which counts as a point one metre from the centre: the
+turn about the axis is the wheel's own and not baked.
+
+The tolerance is checked against the solver at 32 Chebyshev points in each segment, between the
+places where polynomial and motion meet, and holds for motions as smooth as their decay shows
+there; it is a bound from samples, not a proof. The header also has what derivatives are off by.
+
+Outside its range a curve has no value: Rust returns an error that holds the nearest end, C
+returns 1. Near a turning point of the drive positions move as a square root does, which no
+polynomial follows: the range is refused, and the message has one that is possible.
+
+  Rust  a `static` of suspension_core::baked::Curve: no heap, no operating system
+  C     a header (C99) with a function, no library
+  TOML  the numbers
+
+Exit codes: 0 done, 1 the file cannot be written, 2 wrong input or no such drive or range, 3 the
+mechanism does not go through the range, or not within the tolerance.
+
+Example:
+  suspension bake examples/five_link.toml --from 0.75 --to 2.0 --tolerance 1e-5 --as c"#;

@@ -1,0 +1,256 @@
+//! Baked files: what they say, that they compile, and that all languages give the same digits.
+
+use std::path::Path;
+use std::process::Command;
+
+use suspension_core::baked::Curve;
+
+use super::program::{example, folder, run, text};
+
+const RANGE: [&str; 4] = ["--from", "0.75", "--to", "2"];
+
+fn baked(folder: &Path, arguments: &[&str]) -> String {
+    std::fs::write(folder.join("a.toml"), example("five_link.toml")).expect("written");
+    let fixed = ["bake", "a.toml", "--output", "baked"];
+    let output = run(folder, &[&fixed, arguments].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    std::fs::read_to_string(folder.join("baked")).expect("a file")
+}
+
+fn numbers(value: &toml::Value) -> Vec<f64> {
+    match value {
+        toml::Value::Array(values) => values.iter().flat_map(numbers).collect(),
+        value => vec![value.as_float().expect("a number")],
+    }
+}
+
+/// The segments of a file in TOML.
+fn table(text: &str) -> (toml::Table, Vec<[[f64; 6]; 6]>) {
+    let table: toml::Table = text.parse().expect("TOML");
+    let flat = numbers(&table["segments"]);
+    let (rows, rest) = flat.as_chunks::<6>();
+    let (segments, more) = rows.as_chunks::<6>();
+    assert!(rest.is_empty() && more.is_empty());
+    let segments = segments.to_vec();
+    (table, segments)
+}
+
+/// Places, with the position, velocity and acceleration that the core reads there.
+fn expected(folder: &Path, arguments: &[&str]) -> Vec<(f64, [[f64; 6]; 3])> {
+    let (table, segments) = table(&baked(folder, &[arguments, &["--as", "toml"]].concat()));
+    let range = numbers(&table["range"]).try_into().expect("two ends");
+    let curve = Curve {
+        range,
+        segments_per_unit: table["segments_per_unit"].as_float().expect("a number"),
+        segments: &segments,
+    };
+    let [from, to] = range;
+    (0..=100)
+        .map(|part| (from + (to - from) * f64::from(part) / 100.0).min(to))
+        .map(|at| (at, curve.at(at).expect("inside").acceleration(1.5, -0.7)))
+        .collect()
+}
+
+/// Of the bits of a number, as a hexadecimal literal.
+fn bits(numbers: &[[f64; 6]; 3]) -> String {
+    let each = numbers.as_flattened().iter();
+    each.map(|x| format!("{:#x}, ", x.to_bits())).collect()
+}
+
+#[test]
+fn the_rust_file_compiles_and_reads_the_same_digits() {
+    let folder = folder();
+    let mut asserts = String::new();
+    for (at, values) in expected(folder.path(), &RANGE) {
+        let bits = bits(&values);
+        asserts += &format!("    check({at:?}, [{bits}]);\n");
+    }
+    let file = baked(folder.path(), &RANGE);
+    let program = format!(
+        "mod baked {{\n{file}}}
+fn check(at: f64, expected: [u64; 18]) {{
+    let found = baked::WHEEL_BY_THETA.at(at).unwrap().acceleration(1.5, -0.7);
+    let bits: Vec<u64> = found.as_flattened().iter().map(|x| x.to_bits()).collect();
+    assert_eq!(bits, expected);
+}}
+fn main() {{
+    assert!(baked::WHEEL_BY_THETA.at(2.1).is_err());
+    assert_eq!(baked::WHEEL_BY_THETA_OUTPUTS[5], \"spin_axis_z\");
+{asserts}}}
+"
+    );
+    let path = folder.path().join("main.rs");
+    std::fs::write(&path, program).expect("written");
+    trybuild::TestCases::new().pass(path);
+}
+
+#[test]
+fn the_c_header_compiles_without_warnings_and_reads_the_same_digits() {
+    let folder = folder();
+    let mut rows = String::new();
+    for (at, values) in expected(folder.path(), &RANGE) {
+        rows += &format!("    {{{at:?}, {{{}}}}},\n", bits(&values));
+    }
+    let header = baked(folder.path(), &[&RANGE[..], &["--as", "c"]].concat());
+    std::fs::write(folder.path().join("wheel.h"), header).expect("written");
+    let program = format!(
+        r#"#include "wheel.h"
+#include <stdint.h>
+#include <string.h>
+static const struct {{ double at; uint64_t bits[18]; }} rows[] = {{
+{rows}}};
+int main(void)
+{{
+    double found[18];
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {{
+        if (wheel_by_theta(rows[i].at, 1.5, -0.7, found, found + 6, found + 12) != 0)
+            return 1;
+        if (memcmp(found, rows[i].bits, sizeof found) != 0)
+            return 2;
+    }}
+    if (wheel_by_theta(2.1, 1.5, -0.7, found, found + 6, NULL) != 1)
+        return 3;
+    return wheel_by_theta(1.0, 1.5, -0.7, found, NULL, NULL);
+}}
+"#
+    );
+    std::fs::write(folder.path().join("main.c"), program).expect("written");
+    let flags = [
+        "-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "main.c", "-o", "main",
+    ];
+    let compiled = Command::new("cc")
+        .current_dir(folder.path())
+        .args(flags)
+        .output()
+        .expect("a C compiler: Rust links with one");
+    assert!(compiled.status.success(), "{}", text(&compiled.stderr));
+    let ran = Command::new(folder.path().join("main")).status();
+    assert_eq!(ran.expect("a program").code(), Some(0));
+}
+
+#[test]
+fn the_header_says_what_was_baked() {
+    let folder = folder();
+    let arguments = [
+        "--tolerance",
+        "1e-5",
+        "--continuity",
+        "2",
+        "--points",
+        "all",
+    ];
+    let file = baked(folder.path(), &[&RANGE[..], &arguments].concat());
+    for line in [
+        "// The 6 points of five_link as a function of drive theta.",
+        "// Baked by `suspension bake` from a.toml.",
+        "// Drive: theta from 0.75 to 2 rad.",
+        "// Lengths in mm; axes x forward, y left, z up.",
+        "// Continuous where segments join: position, first and second derivative.",
+        "// Tolerance asked: 0.01 mm; reached: 0.00",
+    ] {
+        assert!(file.contains(line), "{line}\n{}", &file[..900]);
+    }
+    let segments = file.matches("    [\n").count();
+    let bytes = segments * 6 * 18 * 8;
+    assert!(file.contains(&format!(
+        "// {segments} segments of degree 5, {bytes} bytes."
+    )));
+}
+
+#[test]
+fn without_options_the_motion_of_the_file_is_baked_under_out() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    let output = run(folder.path(), &["bake", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0));
+    let message = text(&output.stderr);
+    assert!(
+        message.starts_with("wrote out/a_wheel_by_theta.rs: "),
+        "{message}"
+    );
+    let file = std::fs::read_to_string(folder.path().join("out/a_wheel_by_theta.rs"));
+    let file = file.expect("a file");
+    assert!(file.contains("// Drive: theta from 0.7 to 2.1503125 rad."));
+    assert!(file.contains("// Tolerance asked: 1e-6 m; reached: "));
+}
+
+#[test]
+fn a_range_that_is_refused_comes_with_one_that_is_possible() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    for (ends, reason) in [
+        (["0.5", "2.5"], "the mechanism takes theta from 0.662460552"),
+        (
+            ["0.663", "2"],
+            "512 segments do not meet 1e-6 m about theta = 0.66",
+        ),
+        (["1", "3"], "the mechanism takes theta from 1 to 2.1784262"),
+    ] {
+        let [from, to] = ends;
+        let output = run(
+            folder.path(),
+            &["bake", "a.toml", "--from", from, "--to", to],
+        );
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(3), "{message}");
+        assert_eq!(message.lines().count(), 1, "{message}");
+        let begin = format!("a.toml: theta cannot be baked from {from} to {to}: {reason}");
+        assert!(message.starts_with(&begin), "{message}");
+        let (_, advice) = message.split_once("possible is ").expect("advice");
+        let possible: Vec<&str> = advice.split_whitespace().collect();
+        let output = run(
+            folder.path(),
+            &[&["bake", "a.toml"], &possible[..]].concat(),
+        );
+        assert_eq!(output.status.code(), Some(0), "{advice}");
+    }
+}
+
+#[test]
+fn wrong_orders_are_exit_code_2_and_one_sentence() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    for (arguments, expected) in [
+        (
+            &["--drive", "bump"][..],
+            "a.toml: unknown drive `bump`; known are theta",
+        ),
+        (
+            &["--from", "2", "--to", "1"],
+            "a.toml: theta = 2 rad to theta = 1 rad is no range",
+        ),
+        (
+            &["--from", "nan"],
+            "a.toml: theta = NaN rad to theta = 2.1503125 rad is no range",
+        ),
+        (
+            &["--from", "-0.1"],
+            "a.toml: theta = -0.1 rad to theta = 2.1503125 rad: the angle of a",
+        ),
+        (
+            &["--tolerance", "0"],
+            "a.toml: a tolerance is a positive number of metres",
+        ),
+        (
+            &["--tolerance=-1"],
+            "a.toml: a tolerance is a positive number of metres",
+        ),
+        (
+            &["--output", "./a.toml"],
+            "./a.toml: this is the motion file, which --output would",
+        ),
+    ] {
+        let output = run(folder.path(), &[&["bake", "a.toml"], arguments].concat());
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(message.starts_with(expected), "{message}");
+    }
+    let output = run(folder.path(), &["bake", "a.toml", "--tolerance", "1e-30"]);
+    assert_eq!(output.status.code(), Some(3));
+    let message = text(&output.stderr);
+    assert!(
+        message.ends_with("no part of the range can be baked\n"),
+        "{message}"
+    );
+}
