@@ -1,6 +1,8 @@
 //! The chart: what a step takes against the error it makes, for every method.
 
 pub mod axis;
+pub mod baked;
+pub mod by_series;
 pub mod course;
 pub mod double_double;
 pub mod figure;
@@ -144,14 +146,19 @@ where
         })?;
     let [position, ..] = &reference.instants()[0];
     let single = L::Listing::gather([model], |[x]: [f64; 1]| x as f32);
+    let tables = baked::tables(assembled, &course);
     let mut methods = Methods { rows: Vec::new() };
     methods.add_scalar(model, model, position);
     methods.add_scalar(model, &single, position);
+    for (name, tables) in &tables {
+        methods.add_baked(name, tables);
+    }
     let plan = Plan {
         methods,
         course: &course,
         reference: &reference,
         effort,
+        metre: assembled.unit.metre(),
         interrupted,
     };
     Ok(plan.survey())

@@ -11,9 +11,21 @@ pub struct Course<D> {
     /// Instants, s.
     pub times: Vec<f64>,
     /// Drives.
-    pub drives: Vec<Signal<D>>,
+    pub drives: Vec<Given<D>>,
     spacing: f64,
 }
+
+/// The drives at and about an instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Given<D> {
+    /// Value and rates.
+    pub signal: Signal<D>,
+    /// Taylor coefficients, order 1 first.
+    pub terms: [D; ORDERS],
+}
+
+/// The highest order of a series in the chart.
+pub const ORDERS: usize = 8;
 
 /// Of a step: how far a number may lie from a multiple of it and still be one.
 const SLACK: f64 = 1e-6;
@@ -28,7 +40,11 @@ impl<D: Named<f64>> Course<D> {
         let times: Vec<f64> = (0..=count as usize)
             .map(|index| first + step * index as f64)
             .collect();
-        let drives = times.iter().map(|t| laws.inputs::<D>(*t).drives).collect();
+        let given = |t: &f64| Given {
+            signal: laws.inputs(*t).drives,
+            terms: laws.terms(*t),
+        };
+        let drives = times.iter().map(given).collect();
         Self {
             times,
             drives,
@@ -46,12 +62,14 @@ impl<D: Named<f64>> Course<D> {
     }
 }
 
-/// The same drives in another number type, under the same names.
+/// The same numbers in another type, under the same names.
+pub fn cast<T: Scalar, D: Named<f64>, E: Named<T>>(numbers: &D) -> E {
+    let mut values = numbers.values();
+    E::from_fn(|_| values.next().map_or_else(T::zero, T::constant))
+}
+
+/// The same drives in another number type.
 pub fn cast_drives<T: Scalar, D: Named<f64>, E: Named<T>>(drives: &Signal<D>) -> Signal<E> {
-    let cast = |drives: &D| {
-        let mut values = drives.values();
-        E::from_fn(|_| values.next().map_or_else(T::zero, T::constant))
-    };
     Signal {
         value: cast(&drives.value),
         rate: cast(&drives.rate),

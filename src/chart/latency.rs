@@ -60,15 +60,21 @@ pub fn latencies<M: Method<D, N>, D, const N: usize>(
     interrupted: &AtomicBool,
 ) -> Option<Histogram<u64>> {
     let every: Vec<_> = course.drives.iter().step_by(stride).collect();
-    let inputs: Vec<M::Input> = every.iter().map(|drives| method.input(drives)).collect();
+    let between = every.windows(2);
+    let inputs: Vec<M::Input> = between.map(|ends| method.input(ends[0], ends[1])).collect();
     let dt = course.times.get(stride)? - course.times.first()?;
-    let (at_first, steps) = inputs.split_first()?;
-    let start = method.step(Outputs::Acceleration, at_first, 0.0, rest)?;
+    let first = every.first()?;
+    let start = method.step(
+        Outputs::Acceleration,
+        &method.input(first, first),
+        0.0,
+        rest,
+    )?;
     let mut times = histogram();
     while times.len() < count && !interrupted.load(Ordering::Relaxed) {
         let mut state = start;
         let left = usize::try_from(count - times.len()).unwrap_or(usize::MAX);
-        for input in steps.iter().take(left) {
+        for input in inputs.iter().take(left) {
             let began = Instant::now();
             let next = method.step(Outputs::Acceleration, black_box(input), dt, &state);
             let next = black_box(next);

@@ -1,7 +1,8 @@
 //! What the chart asks of a method.
 
 use nalgebra::SVector;
-use suspension_core::Signal;
+
+use super::course::Given;
 
 /// What a step computes, each including the ones before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -42,7 +43,7 @@ pub type Coordinates<const N: usize> = [SVector<f64, N>; 3];
 
 /// A way to step from one motion of a linkage to the next, with drives `D`.
 pub trait Method<D, const N: usize> {
-    /// What is prescribed at an instant, in the method's own number type.
+    /// What a step is given, in the method's own number type.
     type Input: Copy;
     /// A motion in the method's own coordinates.
     type State: Copy;
@@ -50,13 +51,13 @@ pub trait Method<D, const N: usize> {
     /// Suspensions that one step moves.
     const LANES: usize = 1;
 
-    /// The inputs of an instant.
-    fn input(&self, drives: &Signal<D>) -> Self::Input;
+    /// What a step between two instants is given.
+    fn input(&self, from: &Given<D>, to: &Given<D>) -> Self::Input;
 
     /// A rest near the positions of the first instant.
     fn rest(&self, position: &SVector<f64, N>) -> Self::State;
 
-    /// One step of `dt` seconds from `from` to `input`; `None` where the method finds no
+    /// One step of `dt` seconds from `from` by `input`; `None` where the method finds no
     /// configuration. What `outputs` leave out is of no account in the result.
     fn step(
         &self,

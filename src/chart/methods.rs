@@ -3,6 +3,8 @@
 use nalgebra::{Const, DimMin, SVector};
 use suspension_core::{Build, Linkage, Named, Real};
 
+use super::baked::{Baked, Tables};
+use super::by_series::BySeries;
 use super::double_double::DoubleDouble;
 use super::formulation::absolute::Absolute;
 use super::formulation::five_links::FiveLinks;
@@ -37,10 +39,23 @@ impl<'a, D: Named<f64> + 'a, const N: usize> Methods<'a, D, N> {
         self.add("nalgebra_lu", scalar, Newton::new(points, Nalgebra));
         self.add("dense_lu", scalar, Newton::new(points, Own));
         self.add("generated", scalar, Generated(model));
+        self.add("series_2", scalar, BySeries::<_, 2>(model));
+        self.add("series_3", scalar, BySeries::<_, 3>(model));
+        self.add("series_4", scalar, BySeries::<_, 4>(model));
+        self.add("series_5", scalar, BySeries::<_, 5>(model));
+        self.add("series_6", scalar, BySeries::<_, 6>(model));
+        self.add("series_7", scalar, BySeries::<_, 7>(model));
+        self.add("series_8", scalar, BySeries::<_, 8>(model));
         if let Some(links) = FiveLinks::<T>::of(published, position) {
             self.add("absolute", scalar, Newton::new(Absolute(links), Own));
             self.add("relative", scalar, Newton::new(Relative::new(links), Own));
         }
+    }
+
+    /// A baked motion, in `f64` and `f32`.
+    pub fn add_baked(&mut self, name: &str, tables: &'a Tables<N>) {
+        self.add(name, "f64", Baked(tables.double()));
+        self.add(name, "f32", Baked(tables.single()));
     }
 
     fn add<M>(&mut self, name: &str, scalar: &'static str, method: M)

@@ -2,8 +2,9 @@
 
 use nalgebra::{Const, DimMin, SMatrix, SVector};
 use suspension_core::lu::Lu;
-use suspension_core::{Newton as Settings, Real, Signal};
+use suspension_core::{Newton as Settings, Real};
 
+use super::course::Given;
 use super::formulation::{Formulation, State};
 use super::method::{Coordinates, Method, Outputs};
 
@@ -115,8 +116,8 @@ where
     type Input = F::Input;
     type State = State<T, M>;
 
-    fn input(&self, drives: &Signal<D>) -> F::Input {
-        self.formulation.input(drives)
+    fn input(&self, _: &Given<D>, to: &Given<D>) -> F::Input {
+        self.formulation.input(&to.signal)
     }
 
     fn rest(&self, position: &SVector<f64, N>) -> State<T, M> {

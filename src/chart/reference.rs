@@ -5,7 +5,7 @@ use suspension_core::lu::Lu;
 use suspension_core::motion::Prescribed;
 use suspension_core::{DriveKind, Inputs, Linkage, Motion, Named, Signal, SolveError, Tracker};
 
-use super::course::{Course, cast_drives};
+use super::course::{Course, Given, cast_drives};
 use super::double_double::DoubleDouble;
 use super::method::Coordinates;
 
@@ -37,10 +37,10 @@ impl<const N: usize> Reference<N> {
         let mut motion = *start;
         let mut last = course.times.first().copied().unwrap_or_default();
         let mut instants = Vec::with_capacity(course.times.len());
-        for (t, drives) in course.times.iter().zip(&course.drives) {
+        for (t, Given { signal, .. }) in course.times.iter().zip(&course.drives) {
             let refined = Tracker::default()
-                .step(model, &Inputs::still(*drives), t - last, &mut motion)
-                .and_then(|_| refine(model, exact, &motion, &cast_drives(drives)));
+                .step(model, &Inputs::still(*signal), t - last, &mut motion)
+                .and_then(|_| refine(model, exact, &motion, &cast_drives(signal)));
             instants.push(refined.map_err(|cause| (*t, cause))?);
             last = *t;
         }

@@ -80,6 +80,8 @@ pub struct Plan<'a, D, const N: usize> {
     pub reference: &'a Reference<N>,
     /// How much.
     pub effort: &'a Effort,
+    /// A metre in the unit of the reference.
+    pub metre: f64,
     /// Set where the user wants no more: what was measured until then is kept.
     pub interrupted: &'a AtomicBool,
 }
@@ -119,7 +121,7 @@ impl<'a, D: Named<f64>, const N: usize> Plan<'a, D, N> {
                     Ok(trial) => tried.push(Tried {
                         label,
                         step: *step,
-                        errors: trial.errors,
+                        errors: trial.errors.map(|error| error / self.metre),
                         batches: trial.batches.map(|batch| (batch, Vec::new())),
                     }),
                     Err(index) => missing.push(format!(

@@ -1,11 +1,9 @@
 //! The real-time loop of the core.
 
 use nalgebra::SVector;
-use suspension_core::{
-    Inputs, Linkage, Motion, Named, Newton, Real, Signal, Still, Tangent, Tracker,
-};
+use suspension_core::{Inputs, Linkage, Motion, Named, Newton, Real, Still, Tangent, Tracker};
 
-use super::course::cast_drives;
+use super::course::{Given, cast_drives};
 use super::formulation::to_f64;
 use super::method::{Coordinates, Method, Outputs};
 
@@ -30,8 +28,8 @@ where
     type Input = Inputs<Still, L::Drives>;
     type State = Motion<T, N>;
 
-    fn input(&self, drives: &Signal<D>) -> Self::Input {
-        Inputs::still(cast_drives(drives))
+    fn input(&self, _: &Given<D>, to: &Given<D>) -> Self::Input {
+        Inputs::still(cast_drives(&to.signal))
     }
 
     fn rest(&self, position: &SVector<f64, N>) -> Motion<T, N> {

@@ -112,7 +112,10 @@ where
         let mut starts = Vec::new();
         let instants: Vec<usize> = (0..course.times.len()).step_by(stride).collect();
         let every = instants.len().div_ceil(BATCH);
-        let at_first = method.input(&course.drives[0]);
+        let [first, ..] = &course.drives[..] else {
+            return Err(0);
+        };
+        let at_first = method.input(first, first);
         let step = |from: &M::State, input: &M::Input, dt: f64, index: usize| {
             method
                 .step(Outputs::Acceleration, input, dt, from)
@@ -121,7 +124,7 @@ where
         let mut state = step(&method.rest(&reference.start()), &at_first, 0.0, 0)?;
         for (step_number, pair) in instants.windows(2).enumerate() {
             let [last, next] = [pair[0], pair[1]];
-            let input = method.input(&course.drives[next]);
+            let input = method.input(&course.drives[last], &course.drives[next]);
             let dt = course.times[next] - course.times[last];
             if step_number.is_multiple_of(every) {
                 starts.push(Start {

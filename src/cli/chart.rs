@@ -74,7 +74,8 @@ velocity and position; acceleration, velocity and position. Columns:
   outputs                     position, velocity or acceleration, each with the ones before
   nanoseconds, spread_ns      median time of a step, and what the middle half of the times span
   error_position_m, error_velocity_m_s, error_acceleration_m_s2
-                              worst errors; empty where not computed; lengths in the file's unit
+                              worst errors, in metres whatever the file's unit; empty where
+                              not computed
 
 Where FOLDER holds rivals.csv, the table that benches/rivals writes, it is drawn too.
 
