@@ -6,7 +6,7 @@ mod support;
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 use suspension_core::factored::Factored;
-use suspension_core::linkage::{Elimination, Factors as _};
+use suspension_core::linkage::Factors as _;
 use suspension_core::lu::Lu;
 use suspension_core::{Build, Linkage, Motion, Named, Newton, Real};
 

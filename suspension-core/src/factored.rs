@@ -4,11 +4,11 @@
 use nalgebra::SVector;
 
 use crate::error::SolveError;
-use crate::linkage::{Elimination, Factors, Linkage};
+use crate::linkage::{Factors, Linkage};
 use crate::lu::Lu;
 use crate::scalar::Real;
 
-/// The [growth](Elimination::growth_squared) up to which the fixed order is used: what rounding may cost
+/// The [growth](Factors::growth_squared) up to which the fixed order is used: what rounding may cost
 /// at most, as a multiple of what it costs with partial pivoting. At the instants of the published
 /// motion it is 33 or less.
 const GROWTH_LIMIT: f64 = 1e3;
@@ -22,7 +22,7 @@ pub(crate) fn smallest_pivot<T: Real>() -> T {
     T::EPSILON.sqrt() * T::constant(SMALLEST_PIVOT)
 }
 
-/// Whether pivots with this [growth](Elimination::growth_squared) will do.
+/// Whether pivots with this [growth](Factors::growth_squared) will do.
 pub(crate) fn is_healthy<T: Real>(growth_squared: T) -> bool {
     let limit = T::constant(GROWTH_LIMIT).min(T::one() / smallest_pivot());
     growth_squared < limit * limit
@@ -55,7 +55,7 @@ where
 
 #[cold]
 #[inline(never)]
-fn with_pivoting<T, L, const N: usize>(
+pub(crate) fn with_pivoting<T, L, const N: usize>(
     linkage: &L,
     q: &SVector<T, N>,
     fixed: &L::Fixed,
@@ -87,7 +87,7 @@ pub enum Factored<F, T, const N: usize> {
     WithPivoting(Lu<T, N>),
 }
 
-impl<T: Real, F: Elimination<T, N>, const N: usize> Factored<F, T, N> {
+impl<T: Real, F: Factors<T, N>, const N: usize> Factored<F, T, N> {
     /// Factors the Jacobian of a linkage, for velocities.
     ///
     /// # Errors

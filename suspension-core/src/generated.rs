@@ -6,7 +6,7 @@ pub use crate::assemble::best_rigid_fit;
 pub use crate::constraint::{Carried, Distance, Frame, angle_to_coordinate};
 pub use crate::error::GeometryError;
 pub use crate::linkage::{
-    Build, DriveKind, Elimination, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage,
+    Build, DriveKind, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage,
     Listing as AnyNumber, Named,
 };
 pub use crate::magnitude::sum_of_squares;

@@ -23,8 +23,10 @@ extern crate self as suspension_core;
 pub mod assemble;
 pub mod baked;
 pub mod body;
+pub mod bounded;
 pub mod chassis;
 pub mod constraint;
+mod entrywise;
 pub mod error;
 pub mod factored;
 #[doc(hidden)]
@@ -48,6 +50,7 @@ pub use nalgebra;
 pub use suspension_macros::linkage;
 
 pub use assemble::assemble;
+pub use bounded::{Bounded, Outputs, Settled};
 pub use chassis::RigidMotion;
 pub use error::{GeometryError, SolveError};
 pub use linkage::{Build, DriveKind, HasKingpin, HasWheel, Linkage, Listing, Named};

@@ -51,10 +51,7 @@ pub trait Factors<T, const N: usize> {
     /// A number with the sign of the Jacobian's determinant. It changes only where the Jacobian
     /// is singular, so that it tells assemblies apart.
     fn determinant_sign(&self) -> T;
-}
 
-/// An LU factorisation in a fixed order of pivots: straight-line code over the non-zero entries.
-pub trait Elimination<T, const N: usize>: Factors<T, N> + Copy {
     /// The health of the pivots: the sum of the squares of their inverses. Rounding errors grow
     /// with its root, at most. Entries of the Jacobian are of the size of 1.
     fn growth_squared(&self) -> T;
@@ -102,8 +99,9 @@ pub trait Linkage<const N: usize> {
     type Drives: Named<Self::Scalar> + Default;
     /// Chassis points, free points and markers, named.
     type Points: Named<Vector3<Self::Scalar>>;
-    /// The Jacobian eliminated in the order that the macro chose.
-    type Factors: Elimination<Self::Scalar, N>;
+    /// The Jacobian eliminated in the order that the macro chose: straight-line code over its
+    /// non-zero entries.
+    type Factors: Factors<Self::Scalar, N> + Copy;
     /// Names of the equations, rows of the Jacobian.
     const EQUATIONS: [&'static str; N];
     /// Names of the unknowns, columns of the Jacobian.

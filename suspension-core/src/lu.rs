@@ -158,6 +158,12 @@ impl<T: Real, const N: usize> Factors<T, N> for Lu<T, N> {
     fn determinant_sign(&self) -> T {
         if self.positive { T::one() } else { -T::one() }
     }
+
+    fn growth_squared(&self) -> T {
+        let diagonal = self.columns.iter().enumerate();
+        let pivots = diagonal.filter_map(|(k, column)| column.get(k));
+        pivots.fold(T::zero(), |sum, pivot| sum + T::one() / (*pivot * *pivot))
+    }
 }
 
 /// The scalar product of two arrays within a range.

@@ -4,6 +4,7 @@ use core::marker::PhantomData;
 
 use nalgebra::SVector;
 
+use crate::entrywise::sum;
 use crate::error::SolveError;
 use crate::factored::{Factored, smallest_pivot, with_factors};
 use crate::linkage::{Factors, Linkage};
@@ -214,12 +215,28 @@ where
     #[inline(always)]
     fn input_terms(&self, fixed: &L::Fixed, drives: &L::Drives) -> SVector<T, N> {
         let at = &self.prescribed.fixed.value;
-        let terms = self.linkage.drive_rate(self.position, at, fixed, drives);
-        if C::MOVES {
-            terms + self.linkage.chassis_rate(self.position, at, fixed)
-        } else {
-            terms
-        }
+        input_terms::<_, C, N>(self.linkage, self.position, at, fixed, drives)
+    }
+}
+
+/// `-dF/du udot`, or with second rates `-dF/du uddot`, of drives and chassis points.
+#[inline(always)]
+pub(crate) fn input_terms<L, C, const N: usize>(
+    linkage: &L,
+    position: &SVector<L::Scalar, N>,
+    fixed: &L::Fixed,
+    fixed_rate: &L::Fixed,
+    drive_rate: &L::Drives,
+) -> SVector<L::Scalar, N>
+where
+    L: Linkage<N>,
+    C: ChassisMotion<L::Fixed>,
+{
+    let terms = linkage.drive_rate(position, fixed, fixed_rate, drive_rate);
+    if C::MOVES {
+        sum(&terms, &linkage.chassis_rate(position, fixed, fixed_rate))
+    } else {
+        terms
     }
 }
 

@@ -13,13 +13,13 @@ pub fn difference<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
 
 /// `-a`.
 #[inline(always)]
-pub fn opposite<T: Scalar>(a: Vector3<T>) -> Vector3<T> {
+pub(crate) fn opposite<T: Scalar>(a: Vector3<T>) -> Vector3<T> {
     Vector3::new(-a.x, -a.y, -a.z)
 }
 
 /// `a k`.
 #[inline(always)]
-pub fn multiple<T: Scalar>(a: Vector3<T>, k: T) -> Vector3<T> {
+pub(crate) fn multiple<T: Scalar>(a: Vector3<T>, k: T) -> Vector3<T> {
     Vector3::new(a.x * k, a.y * k, a.z * k)
 }
 
@@ -31,7 +31,7 @@ pub fn dot<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> T {
 
 /// `sum + a x b`.
 #[inline(always)]
-pub fn plus_cross<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
+pub(crate) fn plus_cross<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
     Vector3::new(
         sum.x.plus_product(a.y, b.z).minus_product(a.z, b.y),
         sum.y.plus_product(a.z, b.x).minus_product(a.x, b.z),
@@ -41,7 +41,7 @@ pub fn plus_cross<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, b: Vector3<T>) -> V
 
 /// `a x b`.
 #[inline(always)]
-pub fn cross<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
+pub(crate) fn cross<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
     Vector3::new(
         (a.y * b.z).minus_product(a.z, b.y),
         (a.z * b.x).minus_product(a.x, b.z),
@@ -51,7 +51,7 @@ pub fn cross<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
 
 /// `sum + a k`.
 #[inline(always)]
-pub fn plus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) -> Vector3<T> {
+pub(crate) fn plus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) -> Vector3<T> {
     Vector3::new(
         sum.x.plus_product(a.x, k),
         sum.y.plus_product(a.y, k),
@@ -61,7 +61,7 @@ pub fn plus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) -> Vector3
 
 /// `sum - a k`.
 #[inline(always)]
-pub fn minus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) -> Vector3<T> {
+pub(crate) fn minus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) -> Vector3<T> {
     Vector3::new(
         sum.x.minus_product(a.x, k),
         sum.y.minus_product(a.y, k),

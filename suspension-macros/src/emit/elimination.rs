@@ -35,13 +35,6 @@ pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
             #(#fields: T,)*
         }
 
-        impl<T: Scalar> Elimination<T, #n> for Factors<T> {
-            #[inline(always)]
-            fn growth_squared(&self) -> T {
-                self.growth_squared
-            }
-        }
-
         impl<T: Scalar> JacobianFactors<T, #n> for Factors<T> {
             #solve
 
@@ -52,6 +45,11 @@ pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
             #[inline(always)]
             fn determinant_sign(&self) -> T {
                 self.determinant_sign
+            }
+
+            #[inline(always)]
+            fn growth_squared(&self) -> T {
+                self.growth_squared
             }
         }
     }

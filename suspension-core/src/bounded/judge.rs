@@ -1,0 +1,150 @@
+//! Whether a step is accepted, and if not, why.
+
+use nalgebra::SVector;
+
+use super::{Bounded, Step};
+use crate::error::SolveError;
+use crate::linkage::Linkage;
+use crate::magnitude::index_of_largest;
+use crate::motion::Motion;
+use crate::scalar::Real;
+use crate::signal::ChassisMotion;
+
+/// What a step is judged by. Squares of norms: to form them takes no comparison and no root.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Measures<T> {
+    /// The residual that is left, square of a length.
+    pub residual_squared: T,
+    /// The error of the predicted position, square of a length.
+    pub error_squared: T,
+    /// From the last position to this one, square of a length.
+    pub move_squared: T,
+    /// The acceleration: not finite where any rate is not.
+    pub rates_squared: T,
+    /// The health of the pivots: see [`Factors::growth_squared`](crate::linkage::Factors).
+    pub growth_squared: T,
+    /// A number with the sign of the Jacobian's determinant.
+    pub determinant_sign: T,
+}
+
+/// A step that was accepted.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Settled<T> {
+    /// The norm of the residual that is left, in units of length, from the quadratic identity: it
+    /// tells what the sweeps left, far below what rounding leaves.
+    pub residual: T,
+    /// What it was compared with.
+    pub tolerance: T,
+    /// The norm of the error of the predicted position, in units of length.
+    pub error: T,
+    /// The health of the pivots: the norm of their inverses.
+    pub growth: T,
+}
+
+/// Which test a step failed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// A position, velocity or acceleration is not finite.
+    NotFinite,
+    /// The error of the prediction exceeds its bound.
+    Diverging,
+    /// The residual exceeds the tolerance.
+    NotConverged,
+    /// The determinant has changed its sign.
+    CrossedSingularity,
+}
+
+impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER> {
+    /// Accepts a step of a linkage of the given size, or tells which test it failed. `before` is
+    /// the sign of the determinant at the last motion, where known.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`].
+    #[inline]
+    pub fn judge(
+        &self,
+        size: T,
+        measures: &Measures<T>,
+        before: Option<bool>,
+    ) -> Result<Settled<T>, Refusal> {
+        let tolerance = self.tolerance * T::EPSILON * size;
+        let is_positive = measures.determinant_sign > T::zero();
+        let is_near = measures.error_squared <= self.bound_squared(size, measures);
+        if !measures.error_squared.is_finite() || !measures.rates_squared.is_finite() {
+            Err(Refusal::NotFinite)
+        } else if !is_near {
+            Err(Refusal::Diverging)
+        } else if measures.residual_squared > tolerance * tolerance {
+            Err(Refusal::NotConverged)
+        } else if before.is_some_and(|before| before != is_positive) {
+            Err(Refusal::CrossedSingularity)
+        } else {
+            Ok(Settled {
+                residual: measures.residual_squared.sqrt(),
+                tolerance,
+                error: measures.error_squared.sqrt(),
+                growth: measures.growth_squared.sqrt(),
+            })
+        }
+    }
+
+    fn bound_squared(&self, size: T, measures: &Measures<T>) -> T {
+        let of_move = self.correction_of_move * self.correction_of_move * measures.move_squared;
+        let of_size = self.correction_of_size * size;
+        of_move.max(of_size * of_size)
+    }
+}
+
+impl<T, L, C, const N: usize, const SWEEPS: usize, const ORDER: usize>
+    Step<'_, L, C, N, SWEEPS, ORDER>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+    C: ChassisMotion<L::Fixed>,
+{
+    /// The refusal in full, with the equation or unknown concerned.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn explain(
+        &self,
+        settings: &Bounded<T, SWEEPS, ORDER>,
+        refusal: Refusal,
+        next: &Motion<T, N>,
+        measures: &Measures<T>,
+    ) -> SolveError<T> {
+        let fixed = &self.prescribed.fixed.value;
+        let residual = |q: &SVector<T, N>| {
+            let drives = &self.prescribed.drives.value;
+            self.linkage.residual(q, fixed, drives)
+        };
+        let size = self.linkage.size();
+        match refusal {
+            Refusal::NotFinite => {
+                let infinite = |vector: &SVector<T, N>| vector.iter().position(|x| !x.is_finite());
+                let equation = infinite(&residual(&self.prediction.position));
+                let unknown = [&next.position, &next.velocity, &next.acceleration]
+                    .into_iter()
+                    .find_map(infinite)
+                    .unwrap_or_else(|| index_of_largest(&next.acceleration));
+                equation.map_or(SolveError::Overflow { unknown }, |equation| {
+                    SolveError::NotFinite { equation }
+                })
+            }
+            Refusal::Diverging => SolveError::Diverging {
+                unknown: index_of_largest(&(self.prediction.position - next.position)),
+                step: measures.error_squared.sqrt(),
+                bound: settings.bound_squared(size, measures).sqrt(),
+            },
+            Refusal::NotConverged => SolveError::NotConverged {
+                equation: index_of_largest(&residual(&next.position)),
+                residual: measures.residual_squared.sqrt(),
+                tolerance: settings.tolerance * T::EPSILON * size,
+                iterations: SWEEPS,
+            },
+            Refusal::CrossedSingularity => SolveError::CrossedSingularity {
+                unknown: index_of_largest(&(next.position - self.from.position)),
+            },
+        }
+    }
+}
