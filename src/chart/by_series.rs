@@ -10,18 +10,10 @@ use super::formulation::to_f64;
 use super::method::{Coordinates, Method, Outputs};
 
 /// One factorisation a step and a Taylor series of order `K` from it, whatever is computed.
-#[derive(Debug)]
-pub struct BySeries<'a, L, const K: usize>(pub &'a L);
+#[derive(Clone, Copy, Debug)]
+pub struct BySeries<R, const K: usize>(pub R);
 
-impl<L, const K: usize> Clone for BySeries<'_, L, K> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<L, const K: usize> Copy for BySeries<'_, L, K> {}
-
-impl<T, D, L, const N: usize, const K: usize> Method<D, N> for BySeries<'_, L, K>
+impl<T, D, L, const N: usize, const K: usize> Method<D, N> for BySeries<&L, K>
 where
     T: Real,
     D: Named<f64>,

@@ -38,7 +38,7 @@ pub struct Figure {
 /// Width and height of a figure.
 pub const SIZE: (f64, f64) = (720.0, 480.0);
 const LEFT: f64 = 78.0;
-const RIGHT: f64 = SIZE.0 - 18.0;
+const RIGHT: f64 = SIZE.0 - 26.0;
 const TOP: f64 = 40.0;
 const BOTTOM: f64 = SIZE.1 - 56.0;
 

@@ -8,7 +8,7 @@ use super::latency::{Latencies, PARTS};
 use super::style::{INK, Style};
 
 const LEFT: f64 = 78.0;
-const RIGHT: f64 = SIZE.0 - 18.0;
+const RIGHT: f64 = SIZE.0 - 26.0;
 const TOP: f64 = 40.0;
 const BOTTOM: f64 = SIZE.1 - 56.0;
 

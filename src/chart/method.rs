@@ -2,39 +2,28 @@
 
 use nalgebra::SVector;
 
+pub use suspension_core::bounded::Outputs;
+
 use super::course::Given;
 
-/// What a step computes, each including the ones before.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Outputs {
-    /// Positions.
-    Position,
-    /// And velocities.
-    Velocity,
-    /// And accelerations.
-    Acceleration,
+/// What a step can compute, from the least to the most.
+pub const ALL_OUTPUTS: [Outputs; 3] = [Outputs::Position, Outputs::Velocity, Outputs::Acceleration];
+
+/// The name of what a step computes last, in tables.
+pub fn name_of(outputs: Outputs) -> &'static str {
+    match outputs {
+        Outputs::Position => "position",
+        Outputs::Velocity => "velocity",
+        Outputs::Acceleration => "acceleration",
+    }
 }
 
-impl Outputs {
-    /// All, from the least to the most.
-    pub const ALL: [Self; 3] = [Self::Position, Self::Velocity, Self::Acceleration];
-
-    /// The name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Position => "position",
-            Self::Velocity => "velocity",
-            Self::Acceleration => "acceleration",
-        }
-    }
-
-    /// The unit of its errors.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Position => "m",
-            Self::Velocity => "m/s",
-            Self::Acceleration => "m/s²",
-        }
+/// The unit of its error.
+pub fn unit_of(outputs: Outputs) -> &'static str {
+    match outputs {
+        Outputs::Position => "m",
+        Outputs::Velocity => "m/s",
+        Outputs::Acceleration => "m/s²",
     }
 }
 

@@ -12,7 +12,7 @@ use super::formulation::points::Points;
 use super::formulation::relative::Relative;
 use super::method::Method;
 use super::newton::{Nalgebra, Newton, Own};
-use super::tracked::Generated;
+use super::tracked::{Generated, InSweeps};
 use super::trial::{Candidate, Entry};
 
 /// The methods of the chart, for drives `D` and `N` coordinates.
@@ -39,6 +39,9 @@ impl<'a, D: Named<f64> + 'a, const N: usize> Methods<'a, D, N> {
         self.add("nalgebra_lu", scalar, Newton::new(points, Nalgebra));
         self.add("dense_lu", scalar, Newton::new(points, Own));
         self.add("generated", scalar, Generated(model));
+        self.add("bounded_1", scalar, InSweeps::<_, 1>(model));
+        self.add("bounded_2", scalar, InSweeps::<_, 2>(model));
+        self.add("bounded_3", scalar, InSweeps::<_, 3>(model));
         self.add("series_2", scalar, BySeries::<_, 2>(model));
         self.add("series_3", scalar, BySeries::<_, 3>(model));
         self.add("series_4", scalar, BySeries::<_, 4>(model));

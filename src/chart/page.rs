@@ -4,7 +4,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::figure::{Figure, Mark, SIZE};
 use super::latency_page;
-use super::method::Outputs;
+use super::method::{ALL_OUTPUTS, Outputs, name_of, unit_of};
 use super::rows::Rival;
 use super::style::{LEGEND, Style, legend};
 use super::survey::Survey;
@@ -34,7 +34,7 @@ impl Findings {
 
     fn figure(&self, outputs: Outputs, step: f64) -> Figure {
         let ours = self.survey.rows.iter().filter_map(|row| {
-            let wanted = row.outputs == outputs.name() && row.step_s == step;
+            let wanted = row.outputs == name_of(outputs) && row.step_s == step;
             let error = row.error().filter(|_| wanted)?;
             Some(Mark {
                 name: row.name(),
@@ -46,7 +46,7 @@ impl Findings {
             })
         });
         let rivals = self.rivals.iter().filter_map(|rival| {
-            let (time, error) = rival.point(outputs.name(), step)?;
+            let (time, error) = rival.point(name_of(outputs), step)?;
             Some(Mark {
                 name: rival.name(),
                 details: details(time, rival.spread_ns, error, outputs),
@@ -58,7 +58,7 @@ impl Findings {
         });
         Figure {
             title: format!("{}, step of {}", headline(outputs), milliseconds(step)),
-            quantity: format!("worst error of {}, {}", a(outputs), outputs.unit()),
+            quantity: format!("worst error of {}, {}", a(outputs), unit_of(outputs)),
             marks: ours.chain(rivals).collect(),
         }
     }
@@ -66,7 +66,7 @@ impl Findings {
     /// The three figures of a time step, one below the other, as an SVG document.
     pub fn svg(&self, step: f64) -> String {
         let height = LEGEND.1 + 3.0 * SIZE.1;
-        let figures = Outputs::ALL.iter().enumerate().map(|(index, outputs)| {
+        let figures = ALL_OUTPUTS.iter().enumerate().map(|(index, outputs)| {
             let down = format!("translate(0 {})", LEGEND.1 + SIZE.1 * index as f64);
             html! { g transform=(down) { (self.figure(*outputs, step).draw()) } }
         });
@@ -108,7 +108,7 @@ impl Findings {
                     @for step in self.steps() {
                         h2 { "Step of " (milliseconds(step)) }
                         div.figures {
-                            @for outputs in Outputs::ALL {
+                            @for outputs in ALL_OUTPUTS {
                                 (document(SIZE.0, SIZE.1, &self.figure(outputs, step).draw()))
                             }
                         }
@@ -197,7 +197,7 @@ fn details(time: f64, spread: Option<f64>, error: f64, outputs: Outputs) -> Stri
         format!(" (middle half within {} ns)", rounded(spread, 2))
     });
     let (time, error) = (rounded(time, 3), rounded(error, 2));
-    format!("{time} ns{spread}\nerror {error} {}", outputs.unit())
+    format!("{time} ns{spread}\nerror {error} {}", unit_of(outputs))
 }
 
 fn headline(outputs: Outputs) -> &'static str {

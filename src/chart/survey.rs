@@ -6,7 +6,7 @@ use suspension_core::Named;
 
 use super::course::Course;
 use super::latency::{Latencies, under_load};
-use super::method::Outputs;
+use super::method::{ALL_OUTPUTS, Outputs, name_of};
 use super::methods::Methods;
 use super::reference::Reference;
 use super::rows::Row;
@@ -90,7 +90,7 @@ impl<'a, D: Named<f64>, const N: usize> Plan<'a, D, N> {
     /// Puts every method through the motion at every time step, then times all of them.
     pub fn survey(&self) -> Survey {
         let steps = self.effort.steps.len();
-        let each = 1 + Outputs::ALL.len() * self.effort.rounds;
+        let each = 1 + ALL_OUTPUTS.len() * self.effort.rounds;
         let mut progress = Progress::new(self.methods.rows.len() * steps * each, "measurements");
         let (mut tried, missing) = self.try_all(&mut progress);
         self.time_all(&mut tried, &mut progress);
@@ -210,7 +210,7 @@ fn rows(tried: Tried<'_>) -> Vec<Row> {
         errors,
         batches,
     } = tried;
-    let timed = Outputs::ALL.into_iter().zip(batches);
+    let timed = ALL_OUTPUTS.into_iter().zip(batches);
     let row = |(outputs, (_, times)): (Outputs, (_, Vec<f64>))| {
         let time = Measured::of(times)?;
         let error = |order: Outputs| (order <= outputs).then_some(errors[order as usize]);
@@ -219,7 +219,7 @@ fn rows(tried: Tried<'_>) -> Vec<Row> {
             scalar: label.scalar.to_owned(),
             lanes: label.lanes,
             step_s: step,
-            outputs: outputs.name().to_owned(),
+            outputs: name_of(outputs).to_owned(),
             nanoseconds: hundredth(time.median),
             spread_ns: hundredth(time.between_quartiles),
             error_position_m: error(Outputs::Position),

@@ -8,7 +8,7 @@ use suspension_core::Named;
 
 use super::course::Course;
 use super::latency::latencies;
-use super::method::{Method, Outputs};
+use super::method::{ALL_OUTPUTS, Method, Outputs};
 use super::reference::Reference;
 use super::timing::{Batch, Start, Steps, Timed};
 
@@ -30,7 +30,7 @@ pub struct Label {
 pub struct Trial<'a> {
     /// The worst error of position, velocity and acceleration: m, m/s, m/s^2.
     pub errors: [f64; 3],
-    /// Steps to time, one batch for each of [`Outputs::ALL`].
+    /// Steps to time, one batch for each of [`ALL_OUTPUTS`].
     pub batches: [Box<dyn Batch + 'a>; 3],
 }
 
@@ -143,7 +143,7 @@ where
                 };
             }
         }
-        let batches = Outputs::ALL.map(|outputs| -> Box<dyn Batch + 'a> {
+        let batches = ALL_OUTPUTS.map(|outputs| -> Box<dyn Batch + 'a> {
             Box::new(Timed::<M, D, N>(Steps {
                 method,
                 outputs,

@@ -8,18 +8,10 @@ use super::{Formulation, State};
 use crate::chart::course::cast_drives;
 
 /// A linkage as it is listed.
-#[derive(Debug)]
-pub struct Points<'a, L>(pub &'a L);
+#[derive(Clone, Copy, Debug)]
+pub struct Points<R>(pub R);
 
-impl<L> Clone for Points<'_, L> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<L> Copy for Points<'_, L> {}
-
-impl<T, L, D, const N: usize> Formulation<T, D, N, N> for Points<'_, L>
+impl<T, L, D, const N: usize> Formulation<T, D, N, N> for Points<&L>
 where
     T: Real,
     L: Linkage<N, Scalar = T>,
