@@ -33,7 +33,7 @@ use crate::failure::Failure;
 use crate::input::setup;
 use crate::input::source::Source;
 use crate::job;
-use crate::number::number;
+use crate::number::{number, rounded};
 use crate::output::files::{refuse_input, write_file};
 use crate::study::{Assembled, Suspension, cause};
 use course::Course;
@@ -60,6 +60,9 @@ pub struct Wanted {
 /// singularity.
 const LAST_OF_PUBLISHED: f64 = 1.9;
 
+/// Steps of the shortest length that fit into memory.
+const MOST_STEPS: f64 = 2e5;
+
 /// Measures all methods and draws the chart.
 ///
 /// # Errors
@@ -79,6 +82,18 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let (study, instants) = setup::load(&source)?;
     let [first, last] = instants.ends();
     let last = wanted.file.as_ref().map_or(LAST_OF_PUBLISHED, |_| last);
+    let steps = (last - first).abs() / wanted.effort.steps[0];
+    if !(1.0..MOST_STEPS).contains(&steps) {
+        return Err(Failure::Input(format!(
+            "{}: a motion from t = {} s to {} s has {} steps of {} s; a chart takes from 1 to {}",
+            source.name(),
+            number(first),
+            number(last),
+            rounded(steps.floor(), 3),
+            number(wanted.effort.steps[0]),
+            number(MOST_STEPS)
+        )));
+    }
     let survey = study.chart([first, last], &wanted.effort, interrupted)?;
     let motion = format!(
         "{}, {} of t = {} s to {} s",
@@ -94,6 +109,9 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
         rivals,
     };
     write(&findings, &wanted.folder, csv)?;
+    for missing in &findings.survey.missing {
+        eprintln!("note: {missing}");
+    }
     if interrupted.load(Ordering::Relaxed) {
         let kept = findings.survey.rows.len();
         return Err(Failure::Interrupted(format!(

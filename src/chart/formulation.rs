@@ -42,7 +42,7 @@ pub trait Formulation<T: Real, D, const M: usize, const N: usize> {
     ) -> SVector<T, M>;
 
     /// The coordinates near the given ones of the free points.
-    fn from_points(&self, position: &SVector<f64, N>) -> SVector<T, M>;
+    fn near_points(&self, position: &SVector<f64, N>) -> SVector<T, M>;
 
     /// The coordinates of the free points.
     fn points(&self, state: &State<T, M>) -> [SVector<f64, N>; 3];

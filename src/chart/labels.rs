@@ -38,7 +38,7 @@ pub const LINE: f64 = 13.0;
 
 /// The width of a text in the figures' size, on the safe side.
 pub fn width(text: &str) -> f64 {
-    6.4 * text.chars().count() as f64
+    7.0 * text.chars().count() as f64
 }
 
 /// Puts each text beside its point: the nearest of many places around it that is inside `frame`

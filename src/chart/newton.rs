@@ -121,7 +121,7 @@ where
     }
 
     fn rest(&self, position: &SVector<f64, N>) -> State<T, M> {
-        let x = self.formulation.from_points(position);
+        let x = self.formulation.near_points(position);
         [x, SVector::zeros(), SVector::zeros()]
     }
 

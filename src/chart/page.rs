@@ -48,8 +48,13 @@ impl Findings {
         let rivals = self.rivals.iter().filter_map(|rival| {
             let (time, error) = rival.point(name_of(outputs), step)?;
             Some(Mark {
-                name: rival.name(),
-                details: details(time, rival.spread_ns, error, outputs),
+                name: rival.method.clone(),
+                details: [
+                    rival.version.clone(),
+                    rival.flags.clone(),
+                    details(time, rival.spread_ns, error, outputs),
+                ]
+                .join("\n"),
                 time,
                 spread: rival.spread_ns.unwrap_or_default(),
                 error,

@@ -88,22 +88,33 @@ impl Row {
 }
 
 impl Rival {
-    /// The name in figures.
-    pub fn name(&self) -> String {
-        format!("{} {}", self.method, self.flags).trim().to_owned()
-    }
-
-    /// Time and error, where it computes just what `outputs` ask in steps of `step_s`.
+    /// Time and error, where it computes just what `outputs` ask in steps of `step_s`. The row
+    /// that the rivals are measured beside is none of them.
     pub fn point(&self, outputs: &str, step_s: f64) -> Option<(f64, f64)> {
+        let is_rival = self.method != "ours";
         let error = match (self.quantity.as_str(), outputs) {
             ("position", "position") => self.error_position_m,
             ("step", "acceleration") => self.error_acceleration_m_s2,
             _ => None,
         };
         let same_step = (self.step_s? - step_s).abs() < 1e-6 * step_s;
-        same_step.then_some((self.nanoseconds?, error?))
+        (is_rival && same_step).then_some((self.nanoseconds?, error?))
     }
 }
+
+/// The columns: the fields of a [`Row`].
+const COLUMNS: [&str; 10] = [
+    "method",
+    "scalar",
+    "lanes",
+    "step_s",
+    "outputs",
+    "nanoseconds",
+    "spread_ns",
+    "error_position_m",
+    "error_velocity_m_s",
+    "error_acceleration_m_s2",
+];
 
 /// The rows as comma-separated values.
 ///
@@ -111,8 +122,12 @@ impl Rival {
 ///
 /// [`Failure::Output`].
 pub fn to_csv(rows: &[Row]) -> Result<String, Failure> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let written = rows.iter().try_for_each(|row| writer.serialize(row));
+    // Without rows there are columns all the same.
+    let mut writer = csv::WriterBuilder::new()
+        .has_headers(false)
+        .from_writer(Vec::new());
+    let header = writer.write_record(COLUMNS);
+    let written = header.and_then(|()| rows.iter().try_for_each(|row| writer.serialize(row)));
     let text = written
         .map_err(|error| error.to_string())
         .and_then(|()| writer.into_inner().map_err(|error| error.to_string()))

@@ -117,7 +117,7 @@ impl<T: Real, D: Named<f64>, const N: usize> Formulation<T, D, 7, N> for Absolut
         rows
     }
 
-    fn from_points(&self, _: &SVector<f64, N>) -> SVector<T, 7> {
+    fn near_points(&self, _: &SVector<f64, N>) -> SVector<T, 7> {
         let at_rest = Vector4::new(T::one(), T::zero(), T::zero(), T::zero());
         SVector::from_fn(|row, _| match row {
             0..3 => self.0.origin[row],

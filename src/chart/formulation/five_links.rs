@@ -27,8 +27,7 @@ impl<T: Real> FiveLinks<T> {
     ) -> Option<Self> {
         let chassis: [Vector3<f64>; 5] = collect(model.fixed().values())?;
         let free = position.as_slice().chunks_exact(3);
-        let free: [Vector3<DoubleDouble>; 5] =
-            collect(free.map(|point| Vector3::from_column_slice(point)))?;
+        let free: [Vector3<DoubleDouble>; 5] = collect(free.map(Vector3::from_column_slice))?;
         let lengths: [f64; 5] = collect(model.lengths().values().take(5))?;
         let nearest = |v: Vector3<DoubleDouble>| v.map(DoubleDouble::nearest);
         let are_links = (0..5).all(|i| {

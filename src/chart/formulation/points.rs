@@ -57,7 +57,7 @@ where
         driven - self.0.curvature(velocity, rate, velocity, rate)
     }
 
-    fn from_points(&self, position: &SVector<f64, N>) -> SVector<T, N> {
+    fn near_points(&self, position: &SVector<f64, N>) -> SVector<T, N> {
         position.map(T::constant)
     }
 

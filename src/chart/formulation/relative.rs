@@ -197,7 +197,7 @@ impl<T: Real, D: Named<f64>, const N: usize> Formulation<T, D, 5, N> for Relativ
         rows
     }
 
-    fn from_points(&self, _: &SVector<f64, N>) -> SVector<T, 5> {
+    fn near_points(&self, _: &SVector<f64, N>) -> SVector<T, 5> {
         let [azimuth, angle] = self.start;
         SVector::from([azimuth, angle, T::zero(), T::zero(), T::zero()])
     }
