@@ -1,0 +1,96 @@
+//! A listing expanded here, by the macro's own code: how long it takes, and what the header of the
+//! generated module says.
+
+use std::time::Instant;
+
+use proc_macro2::TokenStream;
+
+use crate::{eliminate, expand, listing, lower, parse};
+
+/// What an expansion takes and says.
+pub(crate) struct Expansion {
+    pub(crate) unknowns: usize,
+    pub(crate) non_zeros: usize,
+    pub(crate) factor_non_zeros: usize,
+    pub(crate) factor_chain: usize,
+    /// Of residual, factorisation and solution.
+    pub(crate) operations: [usize; 3],
+    pub(crate) expansion_s: f64,
+    pub(crate) order_s: f64,
+}
+
+impl Expansion {
+    /// The median of three expansions of the ladder of `bodies` bodies.
+    pub(crate) fn of(bodies: usize) -> Result<Self, String> {
+        let text = format!("pub mod ladder {{ {} }}", listing::statements(bodies));
+        let tokens: TokenStream = text.parse().map_err(|error| format!("{error}"))?;
+        let expansion = expand::expand(tokens.clone()).to_string();
+        let header = Header(&expansion);
+        let expansion_s = median(|| drop(expand::expand(tokens.clone())));
+        let (listing, _) = parse::listing(tokens.clone()).map_err(|error| error.to_string())?;
+        let system = lower::system(&listing);
+        let order_s = median(|| drop(eliminate::order(system.size(), &system.entries())));
+        Ok(Self {
+            unknowns: system.size(),
+            non_zeros: header.number_before("non-zeros of")?,
+            factor_non_zeros: header.number_after("its factors have")?,
+            factor_chain: header.number_after("in the factorisation is")?,
+            operations: [
+                header.operations("residual")?,
+                header.operations("factor")?,
+                header.operations("solve")?,
+            ],
+            expansion_s,
+            order_s,
+        })
+    }
+}
+
+fn median(work: impl Fn()) -> f64 {
+    let mut times = [(); 3].map(|()| {
+        let start = Instant::now();
+        work();
+        start.elapsed().as_secs_f64()
+    });
+    times.sort_by(f64::total_cmp);
+    times[1]
+}
+
+/// The text of an expansion, of which the docs are read.
+struct Header<'a>(&'a str);
+
+impl Header<'_> {
+    fn number_before(&self, words: &str) -> Result<usize, String> {
+        let before = self.0.split_once(words).map(|(before, _)| before);
+        number(
+            before.and_then(|text| text.split_whitespace().next_back()),
+            words,
+        )
+    }
+
+    fn number_after(&self, words: &str) -> Result<usize, String> {
+        let after = self.0.split_once(words).map(|(_, after)| after);
+        let digits = |text: &'_ str| text.trim_start().find(|c: char| !c.is_ascii_digit());
+        let after = after.map(str::trim_start);
+        number(after.and_then(|text| text.get(..digits(text)?)), words)
+    }
+
+    /// The sum of a row of the table of operations.
+    fn operations(&self, what: &str) -> Result<usize, String> {
+        let row = format!("| {what} |");
+        let row = self
+            .0
+            .split_once(&row)
+            .and_then(|(_, after)| after.split_once('"'));
+        let (cells, _) = row.ok_or_else(|| format!("the header does not count `{what}`"))?;
+        Ok(cells
+            .split('|')
+            .filter_map(|cell| cell.trim().parse::<usize>().ok())
+            .sum())
+    }
+}
+
+fn number(text: Option<&str>, words: &str) -> Result<usize, String> {
+    text.and_then(|text| text.parse().ok())
+        .ok_or_else(|| format!("the header has no number at `{words}`"))
+}
