@@ -1,123 +1,107 @@
-//! What a look-up in a baked curve costs: ids are `baked/FUNCTION/LINKAGE/f64` with `position`,
-//! `velocity` and `acceleration`, each including the ones before it. Wheel pose to 1e-6 m.
+//! What a look-up in a baked curve costs, over the published motion.
+//!
+//! Ids are `baked/FUNCTION/LINKAGE/f64` with `position`, `velocity` and `acceleration`, each
+//! including the ones before it: the wheel's pose (six outputs) to 1e-6 m, with a first derivative
+//! that does not jump. `baked/velocity_1e-4` and `baked/velocity_1e-8` are `velocity` to those
+//! tolerances. Each call looks up another place.
 
 use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use suspension::bake::{Continuity, Path, Wanted, Wish, bake};
-use suspension_core::baked::Curve;
-use suspension_core::linkages::five_link;
-use suspension_core::{Build, HasWheel, Inputs, Motion, Still};
+use suspension::bake::{Baked, Continuity, Path, Wanted, Wish, bake};
+use suspension_core::baked::{Curve, Place};
+use suspension_core::{Build, HasWheel, Inputs, Still};
 
 #[path = "../tests/support/mod.rs"]
 mod support;
 
 const PLACES: usize = 1024;
+const RANGE: [f64; 2] = [0.7, 2.150_312_5];
+
+/// Times what is read at one place after the other.
+fn time<R>(
+    criterion: &mut Criterion,
+    id: String,
+    baked: &Baked,
+    read: impl Fn(Place<'_, f64, 6, 6>) -> R,
+) {
+    let segments = baked.table().expect("six outputs");
+    let curve = Curve {
+        range: RANGE,
+        segments_per_unit: baked.segments_per_unit(),
+        segments: &segments,
+    };
+    // Multiples of the golden ratio, modulo 1: all over the range, no two in a row near.
+    let part = |k: usize| (k as f64 * 0.618_033_988_749_895).fract();
+    let places: Vec<f64> = (0..PLACES)
+        .map(|k| RANGE[0] + (RANGE[1] - RANGE[0]) * part(k))
+        .collect();
+    let mut places = places.iter().cycle();
+    criterion
+        .benchmark_group("baked")
+        .bench_function(id, |bencher| {
+            bencher.iter(|| {
+                let place = places.next().expect("endless");
+                black_box(&curve).at(*place).map(&read)
+            });
+        });
+}
 
 fn linkage<L>(
     criterion: &mut Criterion,
     name: &str,
-    model: L,
+    model: &L,
     rough: &L::Points,
     inputs: fn(f64) -> Inputs<Still, L::Drives>,
 ) where
     L: Build<15, Scalar = f64, Points: HasWheel<f64>>,
 {
-    let motion: Motion<f64, 15> = support::motions(&model, rough, inputs)[0];
-    let range = [0.7, 2.125];
-    let path = Path::new(
-        &model,
-        &motion,
-        inputs(0.0).drives.value,
-        0,
-        range,
-        Wish::Wheel,
-    )
-    .expect("a regular range");
-    for continuity in [
-        Continuity::Position,
-        Continuity::Velocity,
-        Continuity::Acceleration,
-    ] {
-        for tolerance in [1e-4, 1e-6, 1e-8] {
-            let wanted = Wanted {
-                range,
-                tolerance,
-                metre: 1.0,
-                continuity,
-            };
-            match bake(&wanted, &path.outputs(), &|at| path.at(at)) {
-                Ok(baked) => println!(
-                    "{name} {continuity:?} {tolerance:e}: {} segments {:?}",
-                    baked.segments.len(),
-                    baked.reached
-                ),
-                Err(e) => println!("{e:?}"),
-            }
-        }
-    }
-    let wanted = Wanted {
-        range,
-        tolerance: 1e-6,
-        metre: 1.0,
-        continuity: Continuity::Velocity,
+    let start = support::motions(model, rough, inputs)[0];
+    let held = inputs(0.0).drives.value;
+    let path = Path::new(model, &start, held, 0, RANGE, Wish::Wheel).expect("a regular range");
+    let to = |tolerance| {
+        let wanted = Wanted {
+            range: RANGE,
+            tolerance,
+            metre: 1.0,
+            continuity: Continuity::Velocity,
+        };
+        bake(&wanted, &path).expect("within the tolerance")
     };
-    let baked = bake(&wanted, &path.outputs(), &|at| path.at(at)).expect("baked");
-    let mut table = vec![[[0.0; 6]; 4]; baked.segments.len()];
-    for (row, segment) in table.iter_mut().zip(&baked.segments) {
-        for (o, output) in segment.iter().enumerate() {
-            for (k, c) in output.iter().enumerate() {
-                for a in 0..3 {
-                    row[k][3 * o + a] = c[a];
-                }
-            }
-        }
+    let id = |function: &str| format!("{function}/{name}/f64");
+    let baked = to(1e-6);
+    let [rate, second_rate] = [1.5, -0.7];
+    time(criterion, id("position"), &baked, |place| place.position());
+    time(criterion, id("velocity"), &baked, |place| {
+        place.velocity(black_box(rate))
+    });
+    time(criterion, id("acceleration"), &baked, |place| {
+        place.acceleration(black_box(rate), black_box(second_rate))
+    });
+    for tolerance in [1e-4, 1e-8] {
+        let id = id(&format!("velocity_{tolerance:e}"));
+        time(criterion, id, &to(tolerance), |place| {
+            place.velocity(black_box(rate))
+        });
     }
-    let curve = Curve {
-        range,
-        segments_per_unit: table.len() as f64 / (range[1] - range[0]),
-        segments: &table,
-    };
-    let mut seed = 0x1234_5678_u64;
-    let places: Vec<f64> = (0..PLACES)
-        .map(|_| {
-            seed = seed
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
-            range[0] + (range[1] - range[0]) * ((seed >> 11) as f64 / (1u64 << 53) as f64)
-        })
-        .collect();
-    let mut group = criterion.benchmark_group("baked");
-    let mut next = places.iter().cycle();
-    group.bench_function(format!("position/{name}/f64"), |b| {
-        b.iter(|| curve.at(*next.next().unwrap()).map(|p| p.position()))
-    });
-    group.bench_function(format!("velocity/{name}/f64"), |b| {
-        b.iter(|| {
-            curve
-                .at(*next.next().unwrap())
-                .map(|p| p.velocity(black_box(1.0)))
-        })
-    });
-    group.bench_function(format!("acceleration/{name}/f64"), |b| {
-        b.iter(|| {
-            curve
-                .at(*next.next().unwrap())
-                .map(|p| p.acceleration(black_box(1.0), black_box(1.0)))
-        })
-    });
 }
 
-fn published(criterion: &mut Criterion) {
+fn published_motion(criterion: &mut Criterion) {
+    linkage(
+        criterion,
+        "attia2003",
+        &support::attia_model(),
+        &support::attia_rough(),
+        support::attia_inputs,
+    );
     linkage(
         criterion,
         "five_link",
-        support::five_link_model(),
+        &support::five_link_model(),
         &support::five_link_rough(),
         support::five_link_inputs,
     );
-    let _ = five_link::Points::<f64>::default();
 }
 
 criterion_group! {
@@ -125,6 +109,6 @@ criterion_group! {
     config = Criterion::default()
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_secs(2));
-    targets = published
+    targets = published_motion
 }
 criterion_main!(baked);

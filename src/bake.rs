@@ -1,20 +1,24 @@
-//! Bakes a motion into a piecewise polynomial of one drive, for
-//! [`suspension_core::baked::Curve`].
+//! Bakes motions into piecewise polynomials, for [`suspension_core::baked`].
 //!
-//! The solver gives the exact motion and its derivatives with respect to the drive at any place
+//! The solver gives the exact motion and its derivatives with respect to a drive at any place
 //! ([`path`]); each segment is the polynomial that meets them at given places ([`scheme`]); the
 //! difference from the solver is then measured between those places ([`certify`]). The number of
-//! segments is the smallest with which the tolerance is met ([`fit`]).
+//! segments is the smallest with which the tolerance is met ([`fit`]); two drives make a
+//! [`surface`]. Curves are written as files that people read ([`source`]).
 
 pub mod certify;
+mod driven;
 pub mod fit;
 pub mod order;
 pub mod path;
 pub mod scheme;
 pub mod source;
+pub mod surface;
 
 pub use certify::Reached;
+pub use driven::{Derivatives, Output, Wish};
 pub use fit::{Baked, Unmet, Wanted, bake};
 pub use order::Order;
-pub use path::{Exact, OutOfReach, Output, Path, Wish};
+pub use path::{Exact, OutOfReach, Path};
 pub use scheme::{Continuity, TERMS};
+pub use surface::{BakedSurface, UnmetSurface, WantedSurface, bake_surface};

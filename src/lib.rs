@@ -11,6 +11,7 @@ struct Readme;
 pub mod bake;
 pub mod chart;
 pub mod cli;
+pub mod detail;
 pub mod failure;
 pub mod input;
 pub mod job;

@@ -4,10 +4,14 @@ mod support;
 
 use nalgebra::Vector3;
 use support::{INSTANTS, Reference, theta};
-use suspension::bake::{Baked, Continuity, Exact, Path, TERMS, Wanted, Wish, bake};
-use suspension_core::baked::Curve;
+use suspension::bake::{
+    Baked, Continuity, Exact, Path, TERMS, Wanted, WantedSurface, Wish, bake, bake_surface,
+};
+use suspension_core::baked::{Curve, Surface};
 use suspension_core::linkages::five_link;
-use suspension_core::{Build, HasWheel, Inputs, Named, Still};
+use suspension_core::{
+    Build, HasWheel, Inputs, Linkage, Motion, Named, Signal, Still, Tracker, linkage,
+};
 
 const CONTINUITIES: [Continuity; 3] = [
     Continuity::Position,
@@ -69,7 +73,7 @@ fn mixed(seed: u64) -> impl Iterator<Item = f64> {
     })
 }
 
-fn points<const OUT: usize>(numbers: &[f64; OUT]) -> Vec<Vector3<f64>> {
+fn vectors<const OUT: usize>(numbers: &[f64; OUT]) -> Vec<Vector3<f64>> {
     numbers.chunks(3).map(Vector3::from_column_slice).collect()
 }
 
@@ -89,7 +93,7 @@ fn check_against_the_solver(baked: &Baked, exact: &dyn Exact) {
         let found = curve.at(at).expect("inside").acceleration(1.0, 0.0);
         let exact = exact.at(at).expect("regular");
         for (order, found) in found.iter().enumerate() {
-            for (found, exact) in points(found).iter().zip(&exact) {
+            for (found, exact) in vectors(found).iter().zip(&exact) {
                 largest[order] = largest[order].max((found - exact[order]).norm());
             }
         }
@@ -153,7 +157,7 @@ fn baked_points_agree_with_the_reference() {
                 reached.second * drive.rate.powi(2) + reached.first * drive.second_rate,
             ];
             for ((found, kind), allowed) in found.iter().zip(["", "v", "a"]).zip(allowed) {
-                for (index, found) in points(found).iter().take(5).enumerate() {
+                for (index, found) in vectors(found).iter().take(5).enumerate() {
                     let prefix = format!("p{}_{kind}", index + 6);
                     let off = (found - reference.vector(instant, &prefix)).norm();
                     assert!(
@@ -190,7 +194,7 @@ fn segments_join_as_smoothly_as_asked() {
                         .acceleration(1.0, 0.0)
                 });
                 for order in 0..=continuous {
-                    let moved = after.get(order + 1).map_or(1e4, |next| norm(next)) * 4e-9 * length;
+                    let moved = after.get(order + 1).map_or(1e4, norm) * 4e-9 * length;
                     let jump = norm(&std::array::from_fn(|i| after[order][i] - before[order][i]));
                     assert!(jump <= moved + rounding[order], "{order} at {at}: {jump:e}");
                 }
@@ -264,4 +268,155 @@ fn names_of_points_are_those_of_the_listing() {
         &wanted(1e-4, Continuity::Position),
         check,
     );
+}
+
+linkage! {
+    /// A user's own listing, of two drives. Axes as ISO 8855.
+    mod double_wishbone {
+        fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
+        free:  lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+
+        link lower_fore: lower_front -> lower_ball;
+        link lower_aft:  lower_rear  -> lower_ball;
+        link upper_fore: upper_front -> upper_ball;
+        link upper_aft:  upper_rear  -> upper_ball;
+        link tie_rod:    rack        -> tie_ball;
+        body upright:    lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+
+        drive bump:  axle_outer.z;
+        drive steer: rack.y;
+
+        wheel:   axle_inner -> axle_outer;
+        kingpin: lower_ball -> upper_ball;
+    }
+}
+
+fn wishbone() -> double_wishbone::Points<f64> {
+    let at = Vector3::new;
+    double_wishbone::Points {
+        lower_front: at(0.15, 0.40, 0.18),
+        lower_rear: at(-0.20, 0.42, 0.19),
+        upper_front: at(0.10, 0.45, 0.55),
+        upper_rear: at(-0.15, 0.48, 0.56),
+        rack: at(-0.16, 0.38, 0.30),
+        lower_ball: at(0.01, 0.75, 0.15),
+        upper_ball: at(-0.02, 0.68, 0.56),
+        tie_ball: at(-0.14, 0.74, 0.31),
+        axle_inner: at(0.0, 0.66, 0.33),
+        axle_outer: at(0.0, 0.76, 0.33),
+    }
+}
+
+/// Travel of 80 mm and steering of 40 mm at the rack, either way, from the design.
+const TRAVEL: f64 = 0.08;
+const RACK: f64 = 0.04;
+
+fn check_surface(tolerance: f64, smooth: bool, velocity_within: f64) {
+    const SEED: u64 = 5;
+    let design = wishbone();
+    let model = double_wishbone::Model::new(&design).expect("a double wishbone");
+    let at_rest = Motion::at_rest(double_wishbone::Model::unknowns(&design));
+    let held = model.drives_at(&design);
+    let ranges = [
+        [held.bump - TRAVEL, held.bump + TRAVEL],
+        [held.steer - RACK, held.steer + RACK],
+    ];
+    let wanted = WantedSurface {
+        drives: [0, 1],
+        ranges,
+        tolerance,
+        metre: 1.0,
+        smooth,
+        wish: Wish::Wheel,
+    };
+    let baked = bake_surface(&model, &at_rest, held, &wanted).expect("within the tolerance");
+    assert!(baked.reached <= tolerance);
+    let table = baked.table::<6>().expect("six outputs");
+    let surface = Surface {
+        ranges,
+        patches_per_unit: baked.patches_per_unit(),
+        across: baked.counts[1],
+        patches: &table,
+    };
+    let mut motion = at_rest;
+    let mut worst = [0.0_f64; 3];
+    let numbers: Vec<f64> = mixed(SEED).take(4000).collect();
+    let mut last = held;
+    for pair in numbers.chunks_exact(2) {
+        let [bump, steer] = [0, 1].map(|way| {
+            let [from, to] = ranges[way];
+            (from + (to - from) * pair[way]).min(to)
+        });
+        let drives = double_wishbone::Drives { bump, steer };
+        let inputs = |part: f64| {
+            let rate = |from: f64, to: f64| to - from;
+            Inputs::still(Signal {
+                value: double_wishbone::Drives {
+                    bump: last.bump + rate(last.bump, bump) * part,
+                    steer: last.steer + rate(last.steer, steer) * part,
+                },
+                rate: double_wishbone::Drives {
+                    bump: 0.3,
+                    steer: -0.2,
+                },
+                second_rate: double_wishbone::Drives {
+                    bump: 2.0,
+                    steer: 1.0,
+                },
+            })
+        };
+        let still = Motion::at_rest(motion.position);
+        motion = still;
+        Tracker::default()
+            .advance(&model, inputs, 0.0, 1.0, &mut motion)
+            .expect("regular");
+        let points = motion.points(&model, &inputs(1.0));
+        let found = surface.at([bump, steer]).expect("inside");
+        let found = found.acceleration([0.3, -0.2], [2.0, 1.0]);
+        for (order, exact) in [&points.value, &points.rate, &points.second_rate]
+            .into_iter()
+            .enumerate()
+        {
+            let axis = (exact.axle_outer - exact.axle_inner) / 0.1;
+            let exact = [exact.axle_outer, axis];
+            for (found, exact) in points_of(&found[order]).iter().zip(&exact) {
+                worst[order] = worst[order].max((found - exact).norm());
+            }
+        }
+        last = drives;
+    }
+    assert!(
+        worst[0] <= baked.reached,
+        "seed {SEED}: {worst:?} > {:e}",
+        baked.reached
+    );
+    assert!(
+        worst[0] > 0.2 * baked.reached,
+        "{worst:?} is far less than {:e}",
+        baked.reached
+    );
+    assert!(
+        worst[1] <= velocity_within,
+        "{worst:?}, {:?} patches",
+        baked.counts
+    );
+    assert!(surface.at([ranges[0][0] - 1e-9, held.steer]).is_err());
+    let outside = surface
+        .at([held.bump, ranges[1][1] + 1e-9])
+        .expect_err("outside");
+    assert_eq!(outside.nearest, ranges[1][1]);
+    eprintln!("{:?} patches, worst {worst:?}", baked.counts);
+}
+
+fn points_of(numbers: &[f64; 6]) -> [Vector3<f64>; 2] {
+    let [a, b, c, d, e, f] = *numbers;
+    [Vector3::new(a, b, c), Vector3::new(d, e, f)]
+}
+
+#[test]
+fn a_surface_of_travel_and_steering_is_as_close_to_the_solver_as_it_says() {
+    for (tolerance, velocity_within) in [(1e-4, 1e-2), (1e-6, 3e-4), (1e-8, 1e-5)] {
+        check_surface(tolerance, true, velocity_within);
+        check_surface(tolerance, false, 3.0 * velocity_within);
+    }
 }

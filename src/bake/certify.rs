@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 use suspension_core::baked::polynomial;
 
-use crate::bake::path::Derivatives;
+use crate::bake::driven::Derivatives;
 
 /// Samples a segment.
 pub const SAMPLES: usize = 32;
@@ -96,5 +96,26 @@ fn largest(samples: &[Vector3<f64>]) -> f64 {
         terms.sum::<Vector3<f64>>().norm() * 2.0 / count
     };
     let beyond: f64 = (DEGREE + 1..samples.len()).map(coefficient).sum();
-    (seen + beyond) / (PI * DEGREE as f64 / (2.0 * count)).cos() + beyond
+    (seen + beyond) * between_samples() + beyond
+}
+
+/// Bounds a difference over a square from its values at [`places`] in both directions: along each
+/// line of samples, then across the lines.
+pub fn bound_over_square<E>(
+    exact: &[Vec<E>],
+    difference: impl Fn(f64, f64, &E) -> Vector3<f64>,
+) -> f64 {
+    let places = places();
+    let at = |u: usize, v: usize| difference(places[u], places[v], &exact[u][v]);
+    let lines = (0..SAMPLES).map(|fixed| {
+        let along: Vec<_> = (0..SAMPLES).map(|free| at(fixed, free)).collect();
+        let across: Vec<_> = (0..SAMPLES).map(|free| at(free, fixed)).collect();
+        largest(&along).max(largest(&across))
+    });
+    lines.fold(0.0, f64::max) * between_samples()
+}
+
+/// By how much a polynomial of degree [`DEGREE`] may exceed its samples.
+fn between_samples() -> f64 {
+    (PI * DEGREE as f64 / (2.0 * SAMPLES as f64)).cos().recip()
 }

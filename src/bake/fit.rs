@@ -1,7 +1,8 @@
 //! The smallest number of segments with which a tolerance is met.
 
 use crate::bake::certify::{Reached, bound, places};
-use crate::bake::path::{Derivatives, Exact, OutOfReach, Output};
+use crate::bake::driven::{Derivatives, Output};
+use crate::bake::path::{Exact, OutOfReach};
 use crate::bake::scheme::{Coefficients, Continuity, TERMS};
 
 /// What to bake.
@@ -82,7 +83,7 @@ impl From<OutOfReach> for Unmet {
 }
 
 /// Segments that a curve may have: with more, it no longer lies in the fast caches.
-pub const MOST_SEGMENTS: usize = 512;
+pub const MOST_SEGMENTS: usize = 256;
 
 /// Bakes a motion.
 ///
@@ -108,14 +109,14 @@ pub fn bake(wanted: &Wanted, exact: &dyn Exact) -> Result<Baked, Unmet> {
     Err(Unmet::TooManySegments { at })
 }
 
-/// The widest part of the range, to a 256th, that can be baked; `None` where not even the smallest
+/// The widest part of the range, to a 64th, that can be baked; `None` where not even the smallest
 /// about the middle can.
 ///
 /// # Errors
 ///
 /// [`OutOfReach`].
 pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Result<Option<[f64; 2]>, OutOfReach> {
-    const PARTS: u32 = 256;
+    const PARTS: u32 = 64;
     let [from, to] = wanted.range;
     let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
     let possible = |first: u32, last: u32| {
@@ -210,13 +211,77 @@ impl Fit<'_> {
             };
             let polynomial = continuity.fit(length, &of_output(&met));
             let bound = bound(&polynomial, length, &of_output(&seen));
-            let scale = match output {
-                Output::SpinAxis => self.wanted.metre,
-                Output::Point(_) | Output::WheelCentre => 1.0,
-            };
+            let scale = output.lever(self.wanted.metre);
             reached = reached.larger(bound.scaled(scale));
             polynomials.push(polynomial);
         }
         Ok((reached.position <= self.wanted.tolerance).then_some((polynomials, reached)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+
+    /// A point on a circle of radius one.
+    struct Circle;
+
+    impl Exact for Circle {
+        fn outputs(&self) -> Vec<Output> {
+            vec![Output::WheelCentre]
+        }
+
+        fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach> {
+            let (y, x) = at.sin_cos();
+            Ok(vec![[
+                Vector3::new(x, y, 0.0),
+                Vector3::new(-y, x, 0.0),
+                Vector3::new(-x, -y, 0.0),
+            ]])
+        }
+    }
+
+    /// Every derivative of the circle has length one: over a segment of length `h` the error is
+    /// `|product of (x - node)| / 6!` at most, for `h = 1` as given here, and that times `h^6`.
+    #[test]
+    fn no_fewer_segments_would_do() {
+        for (continuity, product) in [
+            (Continuity::Position, 1.0 / 1024.0),
+            (Continuity::Velocity, 1.6546e-3),
+            (Continuity::Acceleration, 1.0 / 64.0),
+        ] {
+            for tolerance in [1e-4_f64, 1e-7, 1e-10] {
+                let wanted = Wanted {
+                    range: [0.0, 6.0],
+                    tolerance,
+                    metre: 1.0,
+                    continuity,
+                };
+                let length = (tolerance * 720.0 / product).powf(1.0 / 6.0);
+                let expected = 6.0 / length;
+                let found = bake(&wanted, &Circle).expect("smooth").segments.len() as f64;
+                // The bound takes a few hundredths more than the difference seen.
+                let allowed = 0.98 * expected..1.02 * expected + 1.0;
+                assert!(
+                    allowed.contains(&found),
+                    "{continuity:?} {tolerance:e}: {found}, {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_too_fine_is_refused() {
+        let wanted = Wanted {
+            range: [0.0, 6.0],
+            tolerance: 1e-18,
+            metre: 1.0,
+            continuity: Continuity::Velocity,
+        };
+        let refused = bake(&wanted, &Circle);
+        assert!(matches!(refused, Err(Unmet::TooManySegments { .. })));
+        assert_eq!(widest(&wanted, &Circle), Ok(None));
     }
 }

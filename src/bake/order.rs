@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 
 use suspension_core::{DriveKind, Inputs, Named, Still};
 
+use crate::bake::driven::Wish;
 use crate::bake::fit::{Baked, MOST_SEGMENTS, Unmet, Wanted, bake, widest};
-use crate::bake::path::{OutOfReach, Path, Wish};
+use crate::bake::path::{OutOfReach, Path};
 use crate::bake::scheme::Continuity;
 use crate::bake::source::Sheet;
 use crate::failure::Failure;

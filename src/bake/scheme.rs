@@ -6,7 +6,7 @@
 
 use nalgebra::Vector3;
 
-use crate::bake::path::Derivatives;
+use crate::bake::driven::Derivatives;
 
 /// How smooth a curve is where segments join.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,8 +5,8 @@ mod rust;
 mod toml;
 
 use crate::bake::certify::SAMPLES;
+use crate::bake::driven::Output;
 use crate::bake::fit::Baked;
-use crate::bake::path::Output;
 use crate::bake::scheme::{Continuity, TERMS};
 use crate::number::{number, rounded};
 
@@ -122,7 +122,8 @@ impl Sheet {
             lines.push(format!("Held: {held}."));
         }
         lines.extend([
-            format!("Lengths in {unit}; axes x forward, y left, z up. Continuous where segments join: {joined}."),
+            format!("Lengths in {unit}; axes x forward, y left, z up."),
+            format!("Continuous where segments join: {joined}."),
             format!("Tolerance asked: {} {unit}; reached: {position} {unit}.", rounded(baked.wanted.tolerance, 3)),
             format!("First derivative within {first} {unit}/{drive_unit}, second within {second} {unit}/{drive_unit}^2."),
             format!("The spin axis counts as a point 1 m from the wheel centre. Checked against the solver at {SAMPLES}"),

@@ -182,7 +182,7 @@ fn a_range_that_is_refused_comes_with_one_that_is_possible() {
         (["0.5", "2.5"], "the mechanism takes theta from 0.662460552"),
         (
             ["0.663", "2"],
-            "512 segments do not meet 1e-6 m about theta = 0.66",
+            "256 segments do not meet 1e-6 m about theta = 0.66",
         ),
         (["1", "3"], "the mechanism takes theta from 1 to 2.1784262"),
     ] {

@@ -3,6 +3,8 @@
 
 #[cfg(feature = "assembly")]
 mod assembly;
+#[cfg(feature = "solving")]
+mod baked;
 #[cfg(feature = "construction")]
 mod construction;
 #[cfg(feature = "series")]

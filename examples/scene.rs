@@ -1,0 +1,202 @@
+//! A scene of 40 cars at 1 kHz: one detail for all corners, and what each needs.
+//!
+//! The player's car is exact, acceleration included. The rest need 0.1 mm and no acceleration; how
+//! they are computed is chosen from measured figures (`suspension::detail`).
+//!
+//! `cargo run --release --example scene`
+
+use std::error::Error;
+use std::time::{Duration, Instant};
+
+use nalgebra::Vector3;
+use suspension::bake::{Continuity, Path, TERMS, Wanted, Wish, bake};
+use suspension::detail::{Detail, Method, Need, Outputs, choose};
+use suspension_core::baked::Curve;
+use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
+
+linkage! {
+    /// Front-left double wishbone. Axes of ISO 8855.
+    mod double_wishbone {
+        fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
+        free:  lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+
+        link lower_fore: lower_front -> lower_ball;
+        link lower_aft:  lower_rear  -> lower_ball;
+        link upper_fore: upper_front -> upper_ball;
+        link upper_aft:  upper_rear  -> upper_ball;
+        link tie_rod:    rack        -> tie_ball;
+        body upright:    lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+
+        drive bump:  axle_outer.z;
+        drive steer: rack.y;
+
+        wheel:   axle_inner -> axle_outer;
+        kingpin: lower_ball -> upper_ball;
+    }
+}
+use double_wishbone::{Drives, Model, Points};
+
+const CORNERS: usize = 4 * 40;
+const PLAYERS: usize = 4;
+const TICKS: usize = 2000;
+const STEP: f64 = 1e-3;
+/// Travel of a wheel up and down, m.
+const TRAVEL: f64 = 0.08;
+
+/// What is read of a corner: the wheel centre and its velocity.
+type Read = [Vector3<f64>; 2];
+
+/// How a corner is computed. More methods are more variants.
+#[derive(Clone)]
+enum Corner<'a> {
+    Exact(Box<Motion<f64, 15>>),
+    Baked(Curve<'a, f64, 6, TERMS>),
+}
+
+impl Corner<'_> {
+    fn tick(
+        &mut self,
+        model: &Model<f64>,
+        drives: &Signal<Drives<f64>>,
+    ) -> Result<Read, Box<dyn Error>> {
+        match self {
+            Self::Exact(motion) => {
+                let inputs = Inputs::still(*drives);
+                Tracker::default().step(model, &inputs, STEP, motion)?;
+                let points = motion.points(model, &inputs);
+                Ok([points.value.axle_outer, points.rate.axle_outer])
+            }
+            Self::Baked(curve) => {
+                let outputs = curve.at(drives.value.bump)?.velocity(drives.rate.bump);
+                Ok(outputs.map(|[x, y, z, ..]| Vector3::new(x, y, z)))
+            }
+        }
+    }
+}
+
+/// The scene: one geometry, a corner's own road under each wheel.
+struct Scene {
+    model: Model<f64>,
+    design: Points<f64>,
+}
+
+impl Scene {
+    fn new() -> Result<Self, Box<dyn Error>> {
+        let at = Vector3::new;
+        let design = Points {
+            lower_front: at(0.20, 0.35, 0.16),
+            lower_rear: at(-0.20, 0.35, 0.16),
+            upper_front: at(0.15, 0.42, 0.42),
+            upper_rear: at(-0.15, 0.42, 0.42),
+            rack: at(0.11, 0.34, 0.20),
+            lower_ball: at(0.005, 0.70, 0.17),
+            upper_ball: at(-0.015, 0.66, 0.44),
+            tie_ball: at(0.12, 0.68, 0.21),
+            axle_inner: at(0.0, 0.65, 0.30),
+            axle_outer: at(0.0, 0.75, 0.30),
+        };
+        let model = Model::new(&design)?;
+        Ok(Self { model, design })
+    }
+
+    fn start(&self) -> Motion<f64, 15> {
+        Motion::at_rest(Model::unknowns(&self.design))
+    }
+
+    /// Waves under the wheels, each at its own pace, from the design position.
+    fn drives(&self, corner: usize, tick: usize) -> Signal<Drives<f64>> {
+        let pace = 4.0 + 0.2 * corner as f64;
+        let phase = pace * STEP * tick as f64;
+        let bump = |bump: f64| Drives { bump, steer: 0.0 };
+        let straight = self.model.drives_at(&self.design);
+        Signal {
+            value: Drives {
+                bump: straight.bump + 0.9 * TRAVEL * phase.sin(),
+                ..straight
+            },
+            rate: bump(0.9 * TRAVEL * pace * phase.cos()),
+            second_rate: bump(-0.9 * TRAVEL * pace * pace * phase.sin()),
+        }
+    }
+
+    /// A tick's median time, and what was read in all ticks.
+    fn run(&self, corners: &[Corner<'_>]) -> Result<(Duration, Vec<Read>), Box<dyn Error>> {
+        let mut corners = corners.to_vec();
+        let (mut times, mut read) = (Vec::new(), Vec::new());
+        for tick in 0..TICKS {
+            let drives: Vec<_> = (0..CORNERS)
+                .map(|corner| self.drives(corner, tick))
+                .collect();
+            let mut wheels = [Read::default(); CORNERS];
+            let began = Instant::now();
+            for ((corner, drives), wheel) in corners.iter_mut().zip(&drives).zip(&mut wheels) {
+                *wheel = corner.tick(&self.model, drives)?;
+            }
+            times.push(began.elapsed());
+            read.extend(wheels);
+        }
+        times.sort_unstable();
+        Ok((times[TICKS / 2], read))
+    }
+
+    /// The wheel's curve for a tolerance.
+    fn segments(&self, tolerance: f64) -> Result<([f64; 2], Segments), Box<dyn Error>> {
+        let straight = self.model.drives_at(&self.design);
+        let range = [straight.bump - TRAVEL, straight.bump + TRAVEL];
+        let wanted = Wanted {
+            range,
+            tolerance,
+            metre: 1.0,
+            continuity: Continuity::Velocity,
+        };
+        let path = Path::new(&self.model, &self.start(), straight, 0, range, Wish::Wheel);
+        let path = path.map_err(|error| format!("{error:?}"))?;
+        let baked = bake(&wanted, &path).map_err(|error| format!("{error:?}"))?;
+        Ok((range, baked.table().ok_or("a wheel has six outputs")?))
+    }
+}
+
+type Segments = Vec<[[f64; 6]; TERMS]>;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let scene = Scene::new()?;
+    let need = Need {
+        tolerance: 1e-4,
+        outputs: Outputs::Velocity,
+        step: STEP,
+    };
+    let Detail { method, .. } = choose(&need).ok_or("no method meets the need")?;
+    let exact = Corner::Exact(Box::new(scene.start()));
+    let segments;
+    let others = match method {
+        Method::Baked { tolerance } => {
+            let range;
+            (range, segments) = scene.segments(tolerance)?;
+            Corner::Baked(Curve {
+                range,
+                segments_per_unit: segments.len() as f64 / (range[1] - range[0]),
+                segments: &segments,
+            })
+        }
+        Method::Exact | Method::Bounded { .. } | Method::Series { .. } => exact.clone(),
+    };
+    let mut chosen = vec![exact.clone(); PLAYERS];
+    chosen.resize(CORNERS, others);
+
+    let (all_exact, truth) = scene.run(&vec![exact; CORNERS])?;
+    let (with_chosen, read) = scene.run(&chosen)?;
+    let mut worst = [0.0_f64; 2];
+    for (found, exact) in read.iter().zip(&truth) {
+        for (order, worst) in worst.iter_mut().enumerate() {
+            *worst = worst.max((found[order] - exact[order]).norm());
+        }
+    }
+    println!("{CORNERS} corners, {TICKS} ticks of {STEP} s; {method} for all but the player's car");
+    println!("all exact:  {all_exact:>10.1?} a tick");
+    println!(
+        "as chosen:  {with_chosen:>10.1?} a tick, {:.1} times faster",
+        all_exact.as_secs_f64() / with_chosen.as_secs_f64()
+    );
+    println!("error made: {:.2e} m, {:.2e} m/s", worst[0], worst[1]);
+    Ok(())
+}

@@ -1,0 +1,160 @@
+//! The exact motion of a mechanism whose drives move on straight lines.
+
+use nalgebra::Vector3;
+use suspension_core::{
+    Build, HasWheel, Inputs, Motion, Named, Signal, SolveError, Still, Stopped, Tangent, Tracker,
+};
+
+/// Which points are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// Every free point and marker.
+    AllPoints,
+    /// The wheel: its centre and its spin axis.
+    Wheel,
+}
+
+/// Three coordinates of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// A point's position.
+    Point(&'static str),
+    /// The wheel centre's position.
+    WheelCentre,
+    /// The spin axis, of unit length, outboard.
+    SpinAxis,
+}
+
+impl Output {
+    /// Its name: a point's, or what it is of the wheel.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Point(name) => name,
+            Self::WheelCentre => "wheel_centre",
+            Self::SpinAxis => "spin_axis",
+        }
+    }
+
+    /// What a difference of one in it counts as, in lengths, where a metre is `metre`: a spin axis
+    /// counts as a point one metre from the wheel centre.
+    pub fn lever(self, metre: f64) -> f64 {
+        match self {
+            Self::SpinAxis => metre,
+            Self::Point(_) | Self::WheelCentre => 1.0,
+        }
+    }
+}
+
+/// A value with its first and second derivative with respect to a drive.
+pub type Derivatives = [Vector3<f64>; 3];
+
+/// A mechanism and what is read of it.
+#[derive(Clone, Debug)]
+pub(super) struct Driven<'a, L> {
+    pub(super) model: &'a L,
+    pub(super) wish: Wish,
+}
+
+impl<L> Driven<'_, L> {
+    /// Moves the drives from one set of values to another.
+    pub(super) fn follow<const N: usize>(
+        &self,
+        [from, to]: [&L::Drives; 2],
+        motion: &mut Motion<f64, N>,
+    ) -> Result<(), Stopped<f64>>
+    where
+        L: Build<N, Scalar = f64>,
+    {
+        let tracker = Tracker {
+            max_steps: 10_000,
+            ..Tracker::default()
+        };
+        // The rates of the last motion are those of another way.
+        *motion = Motion {
+            positive_determinant: motion.positive_determinant,
+            ..Motion::at_rest(motion.position)
+        };
+        let rate: L::Drives = combined(from, to, |from, to| to - from);
+        let inputs = |part: f64| {
+            let value = combined(from, &rate, |from, way| from + way * part);
+            moving(value, rate)
+        };
+        let followed = tracker.advance(self.model, inputs, 0.0, 1.0, motion);
+        followed.map(|_| ())
+    }
+
+    /// The outputs with their derivatives in the direction in which drives move at `rate`.
+    pub(super) fn derivatives<const N: usize>(
+        &self,
+        motion: &Motion<f64, N>,
+        at: L::Drives,
+        rate: L::Drives,
+    ) -> Result<Vec<Derivatives>, SolveError<f64>>
+    where
+        L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
+    {
+        let inputs = moving(at, rate);
+        let motion = Tangent::new(self.model, &inputs, &motion.position)?.motion()?;
+        let points = motion.points(self.model, &inputs);
+        let by_order = [&points.value, &points.rate, &points.second_rate];
+        Ok(match self.wish {
+            Wish::Wheel => {
+                let [inner, centre] = [0, 1].map(|end| by_order.map(|points| points.wheel()[end]));
+                let axis = [0, 1, 2].map(|order| centre[order] - inner[order]);
+                // Both points belong to one body: their distance does not change.
+                let length = axis[0].norm();
+                vec![centre, axis.map(|axis| axis / length)]
+            }
+            Wish::AllPoints => {
+                let each = by_order.map(|points| points.values().collect::<Vec<_>>());
+                let count = each[0].len();
+                let point = |point: usize| [0, 1, 2].map(|order| each[order][point]);
+                (first_free::<L, N>()..count).map(point).collect()
+            }
+        })
+    }
+
+    /// What the outputs are.
+    pub(super) fn outputs<const N: usize>(&self) -> Vec<Output>
+    where
+        L: Build<N, Scalar = f64>,
+    {
+        match self.wish {
+            Wish::Wheel => vec![Output::WheelCentre, Output::SpinAxis],
+            Wish::AllPoints => {
+                let names = <L::Points as Named<Vector3<f64>>>::NAMES;
+                let free = names[first_free::<L, N>()..].iter();
+                free.map(|name| Output::Point(name)).collect()
+            }
+        }
+    }
+}
+
+/// Chassis points come first, then all that moves.
+fn first_free<L: Build<N, Scalar = f64>, const N: usize>() -> usize {
+    <L::Fixed as Named<Vector3<f64>>>::NAMES.len()
+}
+
+fn moving<D: Named<f64> + Default>(value: D, rate: D) -> Inputs<Still, D> {
+    Inputs::still(Signal {
+        value,
+        rate,
+        second_rate: D::default(),
+    })
+}
+
+/// Two sets of drives, name by name.
+fn combined<D: Named<f64>>(a: &D, b: &D, with: impl Fn(f64, f64) -> f64) -> D {
+    let mut pairs = a.values().zip(b.values());
+    D::from_fn(|_| pairs.next().map_or(0.0, |(a, b)| with(a, b)))
+}
+
+/// A set of drives with one value replaced.
+pub(super) fn with<D: Named<f64>>(drives: &D, index: usize, value: f64) -> D {
+    let mut values = drives.values().enumerate();
+    D::from_fn(|_| match values.next() {
+        Some((at, _)) if at == index => value,
+        Some((_, kept)) => kept,
+        None => 0.0,
+    })
+}

@@ -1,0 +1,307 @@
+//! Baking the motion of two drives, as travel and steer, into
+//! [`suspension_core::baked::Surface`].
+
+use nalgebra::Vector3;
+use suspension_core::baked::Patch;
+use suspension_core::{Build, HasWheel, Motion, SolveError, Stopped};
+
+use crate::bake::certify;
+use crate::bake::driven::{Driven, Output, Wish, with};
+use crate::bake::scheme::{Continuity, TERMS};
+
+/// What to bake.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WantedSurface {
+    /// The numbers of the two drives.
+    pub drives: [usize; 2],
+    /// Each drive's first and last value.
+    pub ranges: [[f64; 2]; 2],
+    /// How far a point may be off, in the unit of the hardpoints.
+    pub tolerance: f64,
+    /// A metre in that unit: the spin axis may be off by as much as a point a metre away.
+    pub metre: f64,
+    /// Whether velocities may jump where patches join. Accelerations do.
+    pub smooth: bool,
+    /// Which points.
+    pub wish: Wish,
+}
+
+/// A baked motion of two drives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BakedSurface {
+    /// What was asked for.
+    pub wanted: WantedSurface,
+    /// The outputs, three numbers each.
+    pub outputs: Vec<Output>,
+    /// A bound of what a position is off by, from samples as [`certify`] has them in each
+    /// direction.
+    pub reached: f64,
+    /// The numbers of patches along each drive.
+    pub counts: [usize; 2],
+    /// The polynomials by patch, output and powers of both drives.
+    pub patches: Vec<Vec<Patch<f64, 3, TERMS>>>,
+}
+
+impl BakedSurface {
+    /// The patches of a [`suspension_core::baked::Surface`]; `None` where `OUT` is not the number
+    /// of outputs.
+    pub fn table<const OUT: usize>(&self) -> Option<Vec<Patch<f64, OUT, TERMS>>> {
+        let fixed = |outputs: &Vec<Patch<f64, 3, TERMS>>| {
+            let mut patch = [[[0.0; OUT]; TERMS]; TERMS];
+            for (first, row) in patch.iter_mut().enumerate() {
+                for (second, numbers) in row.iter_mut().enumerate() {
+                    let all = outputs.iter().flat_map(|output| output[first][second]);
+                    *numbers = all.collect::<Vec<_>>().try_into().ok()?;
+                }
+            }
+            Some(patch)
+        };
+        self.patches.iter().map(fixed).collect()
+    }
+
+    /// The numbers of patches in each direction, divided by the lengths of the ranges.
+    pub fn patches_per_unit(&self) -> [f64; 2] {
+        [0, 1].map(|way| {
+            let [from, to] = self.wanted.ranges[way];
+            self.counts[way] as f64 / (to - from)
+        })
+    }
+}
+
+/// Why a motion of two drives was not baked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum UnmetSurface {
+    /// The mechanism does not reach these values of the drives.
+    OutOfReach {
+        /// The values.
+        drives: [f64; 2],
+        /// Why.
+        cause: Option<SolveError<f64>>,
+    },
+    /// The tolerance is not met with [`MOST_PATCHES`].
+    TooManyPatches,
+}
+
+/// Patches that a surface may have.
+pub const MOST_PATCHES: usize = 144;
+
+/// Bakes the motion of two drives, the others held at `held`, the configuration `start`.
+///
+/// The number of patches is the smallest with which the tolerance is met, in whichever way they
+/// are laid out.
+///
+/// # Errors
+///
+/// See [`UnmetSurface`].
+pub fn bake_surface<L, const N: usize>(
+    model: &L,
+    start: &Motion<f64, N>,
+    held: L::Drives,
+    wanted: &WantedSurface,
+) -> Result<BakedSurface, UnmetSurface>
+where
+    L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
+{
+    let wish = wanted.wish;
+    let plane = Plane {
+        driven: Driven { model, wish },
+        start,
+        held,
+        wanted,
+    };
+    let mut layouts: Vec<[usize; 2]> = (1..=MOST_PATCHES)
+        .flat_map(|along| (1..=MOST_PATCHES / along).map(move |across| [along, across]))
+        .collect();
+    layouts.sort_by_key(|[along, across]| (along * across, along.abs_diff(*across)));
+    for counts in layouts {
+        if let Some((patches, reached)) = plane.patches(counts)? {
+            return Ok(BakedSurface {
+                wanted: *wanted,
+                outputs: plane.driven.outputs(),
+                reached,
+                counts,
+                patches,
+            });
+        }
+    }
+    Err(UnmetSurface::TooManyPatches)
+}
+
+struct Plane<'a, L: Build<N, Scalar = f64>, const N: usize> {
+    driven: Driven<'a, L>,
+    start: &'a Motion<f64, N>,
+    held: L::Drives,
+    wanted: &'a WantedSurface,
+}
+
+/// An output with its derivatives by the first drive, the second, and both.
+#[derive(Clone, Copy)]
+struct Mixed {
+    value: Vector3<f64>,
+    by_first: Vector3<f64>,
+    by_second: Vector3<f64>,
+    by_both: Vector3<f64>,
+}
+
+type Patches = Vec<Vec<Patch<f64, 3, TERMS>>>;
+
+impl<L, const N: usize> Plane<'_, L, N>
+where
+    L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
+{
+    /// All patches and what they are off by; `None` where the tolerance is not met.
+    fn patches(&self, counts: [usize; 2]) -> Result<Option<(Patches, f64)>, UnmetSurface> {
+        let mut patches = Vec::new();
+        let mut reached = 0.0_f64;
+        for index in 0..counts[0] * counts[1] {
+            let place = [index / counts[1], index % counts[1]];
+            let corner = [0, 1].map(|way| self.edge(way, counts, place[way]));
+            let lengths = [0, 1].map(|way| self.edge(way, counts, place[way] + 1) - corner[way]);
+            let (patch, off) = self.patch(corner, lengths)?;
+            if off > self.wanted.tolerance {
+                return Ok(None);
+            }
+            reached = reached.max(off);
+            patches.push(patch);
+        }
+        Ok(Some((patches, reached)))
+    }
+
+    fn edge(&self, way: usize, counts: [usize; 2], number: usize) -> f64 {
+        let [from, to] = self.wanted.ranges[way];
+        from + (to - from) * number as f64 / counts[way] as f64
+    }
+
+    fn patch(
+        &self,
+        corner: [f64; 2],
+        lengths: [f64; 2],
+    ) -> Result<(Vec<Patch<f64, 3, TERMS>>, f64), UnmetSurface> {
+        let continuity = if self.wanted.smooth {
+            Continuity::Velocity
+        } else {
+            Continuity::Position
+        };
+        let met = self.grid(corner, lengths, &continuity.places())?;
+        let seen = self.grid(corner, lengths, &certify::places())?;
+        let mut reached = 0.0_f64;
+        let mut patches = Vec::new();
+        for (number, output) in self.driven.outputs().into_iter().enumerate() {
+            let patch = fit(continuity, lengths, &met, number);
+            let off =
+                |u: f64, v: f64, exact: &Vec<Mixed>| evaluate(&patch, u, v) - exact[number].value;
+            let lever = output.lever(self.wanted.metre);
+            reached = reached.max(lever * certify::bound_over_square(&seen, off));
+            patches.push(patch);
+        }
+        Ok((patches, reached))
+    }
+
+    /// The outputs at places, 0 to 1 in each direction, by place along the first drive.
+    fn grid(
+        &self,
+        corner: [f64; 2],
+        lengths: [f64; 2],
+        places: &[f64],
+    ) -> Result<Vec<Vec<Vec<Mixed>>>, UnmetSurface> {
+        let mut motion = *self.start;
+        let mut last = self.held;
+        let mut grid = Vec::new();
+        for u in places {
+            let mut row = Vec::new();
+            let mut turned = (motion, last);
+            for v in places {
+                let at = [corner[0] + lengths[0] * u, corner[1] + lengths[1] * v];
+                let drives = self.drives(self.held, at);
+                let followed = self.driven.follow([&last, &drives], &mut motion);
+                followed.map_err(|Stopped { refused, .. }| UnmetSurface::OutOfReach {
+                    drives: at,
+                    cause: refused.map(|(_, cause)| cause),
+                })?;
+                last = drives;
+                if row.is_empty() {
+                    turned = (motion, last);
+                }
+                row.push(self.mixed(&motion, at)?);
+            }
+            // Each row begins where the last one began.
+            (motion, last) = turned;
+            grid.push(row);
+        }
+        Ok(grid)
+    }
+
+    fn drives(&self, of: L::Drives, [first, second]: [f64; 2]) -> L::Drives {
+        let [first_drive, second_drive] = self.wanted.drives;
+        with(&with(&of, first_drive, first), second_drive, second)
+    }
+
+    /// The mixed derivative is half of what the second derivative along the diagonal has beyond
+    /// those along both drives.
+    fn mixed(&self, motion: &Motion<f64, N>, at: [f64; 2]) -> Result<Vec<Mixed>, UnmetSurface> {
+        let along = |direction: [f64; 2]| {
+            let rate = self.drives(L::Drives::default(), direction);
+            let read = self
+                .driven
+                .derivatives(motion, self.drives(self.held, at), rate);
+            read.map_err(|cause| UnmetSurface::OutOfReach {
+                drives: at,
+                cause: Some(cause),
+            })
+        };
+        let [first, second, both] = [along([1.0, 0.0])?, along([0.0, 1.0])?, along([1.0, 1.0])?];
+        let each = first.iter().zip(&second).zip(&both);
+        Ok(each
+            .map(|((first, second), both)| Mixed {
+                value: first[0],
+                by_first: first[1],
+                by_second: second[1],
+                by_both: (both[2] - first[2] - second[2]) / 2.0,
+            })
+            .collect())
+    }
+}
+
+/// The polynomial of an output: fitted along the second drive, then its coefficients along the
+/// first.
+fn fit(
+    continuity: Continuity,
+    [along, across]: [f64; 2],
+    met: &[Vec<Vec<Mixed>>],
+    output: usize,
+) -> Patch<f64, 3, TERMS> {
+    let none = Vector3::zeros();
+    let rows: Vec<_> = met
+        .iter()
+        .map(|row| {
+            let each = row.iter().map(|outputs| outputs[output]);
+            let values: Vec<_> = each
+                .clone()
+                .map(|at| [at.value, at.by_second, none])
+                .collect();
+            let slopes: Vec<_> = each.map(|at| [at.by_first, at.by_both, none]).collect();
+            [values, slopes].map(|values| continuity.fit(across, &values))
+        })
+        .collect();
+    let mut patch = [[[0.0; 3]; TERMS]; TERMS];
+    for second in 0..TERMS {
+        let values: Vec<_> = rows
+            .iter()
+            .map(|[value, slope]| [value[second].into(), slope[second].into(), none])
+            .collect();
+        for (first, coefficient) in continuity.fit(along, &values).into_iter().enumerate() {
+            patch[first][second] = coefficient;
+        }
+    }
+    patch
+}
+
+fn evaluate(patch: &Patch<f64, 3, TERMS>, u: f64, v: f64) -> Vector3<f64> {
+    use suspension_core::baked::polynomial;
+    let terms = patch.map(|row| {
+        let [value] = polynomial(&row, v);
+        value
+    });
+    let [value] = polynomial(&terms, u);
+    Vector3::from(value)
+}
