@@ -7,8 +7,9 @@ use suspension_core::{Named, Real, Signal};
 use super::course::{Course, Given};
 use super::formulation::{first_drive, to_f64};
 use super::method::{Coordinates, Method, Outputs};
-use crate::bake::path::Derivatives;
-use crate::bake::{Continuity, Exact, OutOfReach, Output, Path, TERMS, Wanted, Wish, bake};
+use crate::bake::{
+    Continuity, Derivatives, Exact, OutOfReach, Output, Path, TERMS, Wanted, Wish, bake,
+};
 use crate::study::columns::PointNames;
 use crate::study::{Assembled, Suspension};
 
