@@ -29,7 +29,6 @@ use crate::factored::{is_healthy, smallest_pivot, with_pivoting};
 use crate::linkage::{Factors, Linkage};
 use crate::magnitude::sum_of_squares;
 use crate::motion::{Motion, Prescribed, input_terms};
-use crate::newton::DEFAULT_TOLERANCE;
 use crate::scalar::{Real, Scalar};
 use crate::signal::{ChassisMotion, Inputs};
 
@@ -38,6 +37,10 @@ mod predict;
 
 pub use judge::{Measures, Refusal, Settled};
 use predict::Prediction;
+
+/// See [`Bounded::tolerance`]: the norm of fifteen residuals that [`Newton`](crate::Newton) would
+/// just accept.
+const DEFAULT_TOLERANCE: f64 = 64.0;
 
 /// Which rates a step solves for. What it does not solve for it estimates from what it does: good
 /// for the next prediction, not for reading off.
@@ -59,8 +62,8 @@ pub enum Outputs {
 /// macro's order are healthy and the step is accepted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounded<T, const SWEEPS: usize = 1, const ORDER: usize = 2> {
-    /// The largest residual that is accepted, as a multiple of rounding: it is compared with
-    /// `tolerance * EPSILON * size of the linkage`.
+    /// The largest norm of the residual that is accepted, as a multiple of rounding: it is compared
+    /// with `tolerance * EPSILON * size of the linkage`.
     pub tolerance: T,
     /// See [`Tracker::correction_of_move`](crate::Tracker::correction_of_move).
     pub correction_of_move: T,
@@ -122,16 +125,46 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
     {
         let prescribed = Prescribed::new(linkage, inputs);
         let step = Step::<L, C, N, SWEEPS, ORDER>::new(linkage, &prescribed, motion, dt);
-        let (mut next, mut measures) = step.in_fixed_order(outputs);
-        if !is_healthy(measures.growth_squared) {
-            (next, measures) = step.with_pivoting(outputs)?;
+        let (next, measures) = step.in_fixed_order(outputs);
+        let before = motion.positive_determinant;
+        match self.judge(linkage.size(), &measures, before) {
+            Ok(settled) if is_healthy(measures.growth_squared) => {
+                *motion = measures.signed(next);
+                Ok(settled)
+            }
+            // From the start again: what the fast path keeps to itself stays in registers.
+            _ => self.step_anew(outputs, linkage, inputs, dt, motion),
         }
+    }
+
+    /// The step with partial pivoting where that is needed, or why it is refused.
+    #[cold]
+    #[inline(never)]
+    fn step_anew<L, C, const N: usize>(
+        &self,
+        outputs: Outputs,
+        linkage: &L,
+        inputs: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Settled<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let prescribed = Prescribed::new(linkage, inputs);
+        let step = Step::<L, C, N, SWEEPS, ORDER>::new(linkage, &prescribed, motion, dt);
+        let (at, fixed) = (&step.prediction.position, &prescribed.fixed.value);
+        let factors = linkage.factor(at, fixed);
+        let (next, measures) = if is_healthy(factors.growth_squared()) {
+            step.settle(&factors, outputs)
+        } else {
+            let lu = with_pivoting(linkage, at, fixed, smallest_pivot())?;
+            step.settle(&lu, outputs)
+        };
         match self.judge(linkage.size(), &measures, motion.positive_determinant) {
             Ok(settled) => {
-                *motion = Motion {
-                    positive_determinant: Some(measures.determinant_sign > T::zero()),
-                    ..next
-                };
+                *motion = measures.signed(next);
                 Ok(settled)
             }
             Err(refusal) => Err(step.explain(self, refusal, &next, &measures)),
@@ -286,24 +319,5 @@ where
     ) -> SVector<L::Scalar, N> {
         let at_rest = L::Fixed::default();
         self.linkage.curvature(v, &at_rest, w, &at_rest)
-    }
-}
-
-impl<T, L, C, const N: usize, const SWEEPS: usize, const ORDER: usize>
-    Step<'_, L, C, N, SWEEPS, ORDER>
-where
-    T: Real,
-    L: Linkage<N, Scalar = T>,
-    C: ChassisMotion<L::Fixed>,
-{
-    #[cold]
-    #[inline(never)]
-    fn with_pivoting(
-        &self,
-        outputs: Outputs,
-    ) -> Result<(Motion<T, N>, Measures<T>), SolveError<T>> {
-        let (at, fixed) = (&self.prediction.position, &self.prescribed.fixed.value);
-        let lu = with_pivoting(self.linkage, at, fixed, smallest_pivot())?;
-        Ok(self.settle(&lu, outputs))
     }
 }

@@ -12,7 +12,7 @@ use crate::signal::{ChassisMotion, Inputs};
 
 /// See [`Newton::tolerance`]: of 12,000 random geometries none was left by rounding with more
 /// than 4.2.
-pub(crate) const DEFAULT_TOLERANCE: f64 = 16.0;
+const DEFAULT_TOLERANCE: f64 = 16.0;
 
 /// How to iterate.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -17,12 +17,13 @@ use partial::Partial;
 pub(crate) use partial::THRESHOLD;
 
 /// One entry of the Jacobian.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Entry {
     pub(crate) row: usize,
     pub(crate) column: usize,
-    /// Its value in the design position, where that is known.
-    pub(crate) value: Option<f64>,
+    /// Its values in the design position and in others of the motion; none where the design is not
+    /// known.
+    pub(crate) values: Vec<f64>,
     /// Whether it is 1 in every position: a pivot that cannot go bad.
     pub(crate) unit: bool,
 }
@@ -37,7 +38,7 @@ pub(crate) struct Order {
     pub(crate) operations: usize,
     /// The longest chain of operations of which each needs the one before.
     pub(crate) chain: usize,
-    /// The largest multiplier or inverse of a pivot in the design position; zero where nothing is
+    /// The largest multiplier or inverse of a pivot in any of the positions; zero where nothing is
     /// known.
     pub(crate) growth: f64,
 }
@@ -58,16 +59,21 @@ pub(crate) struct Step {
 /// A division takes as long as this many multiplications.
 pub(crate) const DIVISION: usize = 4;
 
-/// The best order found for an `n x n` matrix of full structural rank. Where the design position
-/// is singular, it is chosen by structure alone.
+/// The best order found for an `n x n` matrix of full structural rank. Where none has large pivots
+/// in all positions, it is chosen by the design position; where that is singular, by structure
+/// alone.
 pub(crate) fn order(n: usize, entries: &[Entry]) -> Order {
-    cheapest(n, entries).unwrap_or_else(|| {
-        let structure = entries.iter().map(|entry| Entry {
-            value: None,
-            ..*entry
+    let first = |positions: usize| {
+        let entries = entries.iter().map(|entry| Entry {
+            values: entry.values.iter().copied().take(positions).collect(),
+            ..entry.clone()
         });
-        cheapest(n, &structure.collect::<Vec<_>>()).unwrap_or_default()
-    })
+        cheapest(n, &entries.collect::<Vec<_>>())
+    };
+    [usize::MAX, 1, 0]
+        .into_iter()
+        .find_map(first)
+        .unwrap_or_default()
 }
 
 /// The cheapest of many attempts; `None` where no attempt finds a pivot for each step.
@@ -133,8 +139,8 @@ impl Order {
         unknown_ready.into_iter().max().unwrap_or_default()
     }
 
-    fn grow(&mut self, by: Option<f64>) {
-        self.growth = by.map_or(self.growth, |by| self.growth.max(by.abs()));
+    fn grow(&mut self, by: impl Iterator<Item = f64>) {
+        self.growth = by.fold(self.growth, |growth, by| growth.max(by.abs()));
     }
 
     /// Orders the terms of back substitution. Unknowns are found from the last step to the first:

@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 
-use crate::{check, eliminate, emit, lower, parse};
+use crate::{check, eliminate, emit, lower, parse, sample};
 
 /// Expands a listing. Where it has mistakes, all of them are reported, and the types are still
 /// emitted so that code which uses them raises no further errors.
@@ -19,7 +19,10 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
         check::determined(&system, &mut errors);
     }
     match errors.into_result() {
-        Ok(()) => emit::module(&system, &eliminate::order(system.size(), &system.entries())),
+        Ok(()) => {
+            let entries = system.entries(&sample::positions(&system));
+            emit::module(&system, &eliminate::order(system.size(), &entries))
+        }
         Err(error) => emit::stub(&listing, &system, &error),
     }
 }

@@ -1,11 +1,15 @@
-//! The Jacobian's numbers in the design position that a listing states: what the choice of pivots
-//! goes by. Nothing of it is emitted.
+//! The Jacobian's numbers in the design position that a listing states, and around it: what the
+//! choice of pivots goes by. Nothing of it is emitted.
+
+mod path;
 
 use std::collections::BTreeMap;
 
 use syn::Ident;
 
 use crate::system::{Equation, Site};
+
+pub(crate) use path::positions;
 
 type Vector = [f64; 3];
 

@@ -177,6 +177,18 @@ impl Equation {
     }
 }
 
+/// An entry of the Jacobian: which row of which equation depends on which coordinate.
+pub(crate) struct Place<'a> {
+    pub(crate) equation: &'a Equation,
+    pub(crate) row_of_equation: usize,
+    pub(crate) point: &'a Ident,
+    pub(crate) axis: usize,
+    pub(crate) row: usize,
+    pub(crate) column: usize,
+    /// Whether it is 1 in every position.
+    unit: bool,
+}
+
 /// That a row depends on a coordinate of a free point.
 struct Dependence<'a> {
     point: &'a Ident,
@@ -211,33 +223,60 @@ impl System {
     /// The column of each entry of each row that is not always zero.
     pub(crate) fn pattern(&self) -> Vec<Vec<usize>> {
         let mut pattern = vec![Vec::new(); self.rows().len()];
-        for entry in self.entries() {
-            pattern[entry.row].push(entry.column);
+        for place in self.places() {
+            pattern[place.row].push(place.column);
         }
         pattern
     }
 
-    /// The entries of the Jacobian that are not always zero.
-    pub(crate) fn entries(&self) -> Vec<Entry> {
-        let mut entries = Vec::new();
+    /// The entries of the Jacobian that are not always zero, with their values in some positions.
+    pub(crate) fn entries(&self, positions: &[Design]) -> Vec<Entry> {
+        let places = self.places();
+        let entries = places.iter().map(|place| {
+            let &Place {
+                equation,
+                row_of_equation,
+                point,
+                axis,
+                ..
+            } = place;
+            let values = positions
+                .iter()
+                .map(|design| derivative(equation, row_of_equation, point, axis, design));
+            Entry {
+                row: place.row,
+                column: place.column,
+                unit: place.unit,
+                values: values.collect::<Option<Vec<f64>>>().unwrap_or_default(),
+            }
+        });
+        entries.collect()
+    }
+
+    /// Where the Jacobian is not always zero.
+    pub(crate) fn places(&self) -> Vec<Place<'_>> {
+        let mut places = Vec::new();
         let mut first_row = 0;
         for equation in &self.equations {
             let rows = equation.columns();
             for (row, columns) in rows.iter().enumerate() {
-                for Dependence { point, axis, unit } in columns {
-                    let Some(index) = self.free.iter().position(|free| free.name == **point) else {
+                for &Dependence { point, axis, unit } in columns {
+                    let Some(index) = self.free.iter().position(|free| free.name == *point) else {
                         continue;
                     };
-                    entries.push(Entry {
+                    places.push(Place {
+                        equation,
+                        row_of_equation: row,
+                        point,
+                        axis,
                         row: first_row + row,
                         column: 3 * index + axis,
-                        unit: *unit,
-                        value: derivative(equation, row, point, *axis, &self.design),
+                        unit,
                     });
                 }
             }
             first_row += rows.len();
         }
-        entries
+        places
     }
 }

@@ -27,6 +27,17 @@ pub struct Measures<T> {
     pub determinant_sign: T,
 }
 
+impl<T: Real> Measures<T> {
+    /// The motion with the sign of the determinant.
+    #[inline(always)]
+    pub(super) fn signed<const N: usize>(&self, motion: Motion<T, N>) -> Motion<T, N> {
+        Motion {
+            positive_determinant: Some(self.determinant_sign > T::zero()),
+            ..motion
+        }
+    }
+}
+
 /// A step that was accepted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settled<T> {

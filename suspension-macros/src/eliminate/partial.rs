@@ -4,20 +4,29 @@ use super::preference::Preference;
 use super::{DIVISION, Entry, Order, Step};
 
 /// A pivot must be at least this part of the largest entry of its column in the design position,
-/// so that multipliers stay below 5 there, and moderate in the positions around it.
+/// so that multipliers stay below 5 there.
 pub(crate) const THRESHOLD: f64 = 0.2;
+
+/// The same in the other positions of the motion.
+const THRESHOLD_OF_MOTION: f64 = 0.05;
 
 /// Nor may it be smaller than this: entries are of order 1, and what is left of one that cancels
 /// is rounding.
 const TINY: f64 = 1e-6;
 
 /// What is known of an entry during elimination.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Cell {
-    value: Option<f64>,
+    /// In each position; none where they are not known.
+    values: Vec<f64>,
     unit: bool,
     /// When it is ready, in operations from the start.
     ready: usize,
+}
+
+/// Position by position; none where one of them is not known.
+fn combined(a: &[f64], b: &[f64], combine: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| combine(*a, *b)).collect()
 }
 
 /// A partly eliminated matrix.
@@ -42,7 +51,7 @@ impl Partial {
         };
         for entry in entries {
             let cell = Cell {
-                value: entry.value,
+                values: entry.values.clone(),
                 unit: entry.unit,
                 ready: 0,
             };
@@ -66,7 +75,7 @@ impl Partial {
         let mut preference = Preference::of(attempt);
         for _ in 0..self.cells.len() {
             let (row, column) = self.pivot(&mut preference)?;
-            let pivot = self.cells[row][column]?;
+            let pivot = self.cells[row][column].clone()?;
             self.step(row, column, pivot);
         }
         self.order.sort_substitution();
@@ -77,15 +86,17 @@ impl Partial {
     fn pivot(&self, preference: &mut Preference) -> Option<(usize, usize)> {
         let mut best = None;
         for (column, rows) in self.rows_of.iter().enumerate() {
-            let sizes = rows.iter().filter_map(|&row| self.size(row, column));
-            let least = TINY.max(THRESHOLD * sizes.fold(0.0, f64::max));
+            let least = self.least_pivots(rows, column);
             for &row in rows {
-                // One whose value is not known is large enough because it is there.
-                if self.size(row, column).is_some_and(|size| size < least) {
+                // One whose values are not known is large enough because it is there.
+                let is_small = |(value, least): (&f64, &f64)| value.abs() < *least;
+                if self.values(row, column).iter().zip(&least).any(is_small) {
                     continue;
                 }
                 let markowitz = (rows.len() - 1) * (self.columns_of[row].len() - 1);
-                let ready = self.cells[row][column].map_or(0, |cell| cell.ready);
+                let ready = self.cells[row][column]
+                    .as_ref()
+                    .map_or(0, |cell| cell.ready);
                 let rank = preference.rank(markowitz, ready);
                 if best.is_none_or(|(lowest, _)| rank < lowest) {
                     best = Some((rank, (row, column)));
@@ -95,10 +106,29 @@ impl Partial {
         best.map(|(_, pivot)| pivot)
     }
 
-    /// How large an entry is in the design position.
-    fn size(&self, row: usize, column: usize) -> Option<f64> {
-        let cell = self.cells[row][column]?;
-        cell.value.map(f64::abs)
+    /// How large a pivot of a column must be, in each position.
+    fn least_pivots(&self, rows: &[usize], column: usize) -> Vec<f64> {
+        let mut least: Vec<f64> = Vec::new();
+        for &row in rows {
+            let values = self.values(row, column);
+            least.resize(least.len().max(values.len()), TINY);
+            for (position, (least, value)) in least.iter_mut().zip(values).enumerate() {
+                let threshold = if position == 0 {
+                    THRESHOLD
+                } else {
+                    THRESHOLD_OF_MOTION
+                };
+                *least = least.max(threshold * value.abs());
+            }
+        }
+        least
+    }
+
+    /// An entry's values.
+    fn values(&self, row: usize, column: usize) -> &[f64] {
+        self.cells[row][column]
+            .as_ref()
+            .map_or(&[], |cell| &cell.values)
     }
 
     /// Eliminates the pivot's column from the other rows that have an entry in it.
@@ -110,19 +140,20 @@ impl Partial {
         let divided = scaled * (below.len() + right.len());
         self.order.operations += scaled + divided + below.len() * right.len();
         self.order.chain = self.order.chain.max(inverse_ready);
-        self.order.grow(pivot.value.map(f64::recip));
+        self.order
+            .grow(pivot.values.iter().map(|value| value.recip()));
         for &other in &below {
-            let Some(entry) = self.cells[other][column] else {
+            let Some(entry) = &self.cells[other][column] else {
                 continue;
             };
             let multiplier = Cell {
-                value: entry.value.zip(pivot.value).map(|(a, p)| a / p),
+                values: combined(&entry.values, &pivot.values, |a, p| a / p),
                 unit: false,
                 ready: inverse_ready.max(entry.ready) + scaled,
             };
             self.order.chain = self.order.chain.max(multiplier.ready);
-            self.order.grow(multiplier.value);
-            self.subtract(multiplier, row, other, &right);
+            self.order.grow(multiplier.values.iter().copied());
+            self.subtract(&multiplier, row, other, &right);
         }
         self.order.steps.push(Step {
             row,
@@ -156,20 +187,24 @@ impl Partial {
     }
 
     /// Subtracts a multiple of the pivot's row, in the given columns, from another.
-    fn subtract(&mut self, multiplier: Cell, pivot: usize, other: usize, columns: &[usize]) {
+    fn subtract(&mut self, multiplier: &Cell, pivot: usize, other: usize, columns: &[usize]) {
         for &column in columns {
-            let Some(of_pivot) = self.cells[pivot][column] else {
+            let Some(of_pivot) = &self.cells[pivot][column] else {
                 continue;
             };
-            let before = self.cells[other][column];
-            let product = multiplier.value.zip(of_pivot.value).map(|(m, u)| m * u);
+            let product = combined(&multiplier.values, &of_pivot.values, |m, u| m * u);
             let product_ready = multiplier.ready.max(of_pivot.ready) + 1;
-            let minuend = before.map_or(Some(0.0), |cell| cell.value);
-            let cell = Cell {
-                value: minuend.zip(product).map(|(a, b)| a - b),
-                unit: false,
-                // What fills in is the product itself.
-                ready: before.map_or(product_ready, |cell| cell.ready.max(product_ready) + 1),
+            let cell = match &self.cells[other][column] {
+                Some(before) => Cell {
+                    values: combined(&before.values, &product, |a, b| a - b),
+                    unit: false,
+                    ready: before.ready.max(product_ready) + 1,
+                },
+                None => Cell {
+                    values: product.iter().map(|value| -value).collect(),
+                    unit: false,
+                    ready: product_ready,
+                },
             };
             self.order.chain = self.order.chain.max(cell.ready);
             if self.put(other, column, cell) {

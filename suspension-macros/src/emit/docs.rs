@@ -69,7 +69,7 @@ fn eliminations(order: &Order, jacobian: Operations) -> [Operations; 2] {
 
 pub(super) fn header(system: &System, order: &Order) -> TokenStream {
     let n = system.size();
-    let non_zeros = system.entries().len();
+    let non_zeros = system.places().len();
     let unknowns = list(system.free.iter().map(|point| &point.name));
     let equations = list(system.rows().iter());
     let [residual, jacobian, curvature] = evaluations(system);

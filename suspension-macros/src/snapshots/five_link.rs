@@ -7,14 +7,14 @@
 ///
 /// 15 equations `F(q) = 0`: `lower_front`, `upper_front`, `upper_rear`, `lower_rear`, `track_rod`, `knuckle_lower_front_outer_upper_front_outer`, `knuckle_lower_front_outer_upper_rear_outer`, `knuckle_upper_front_outer_upper_rear_outer`, `knuckle_lower_rear_outer_x`, `knuckle_lower_rear_outer_y`, `knuckle_lower_rear_outer_z`, `knuckle_track_rod_outer_x`, `knuckle_track_rod_outer_y`, `knuckle_track_rod_outer_z`, `theta`.
 ///
-/// Jacobian: 15 x 15, 94 non-zeros of 225; its factors have 99. The longest chain of operations in the factorisation is 32, a division counted as 4; in a solution it is 21.
+/// Jacobian: 15 x 15, 94 non-zeros of 225; its factors have 99. The longest chain of operations in the factorisation is 36, a division counted as 4; in a solution it is 22.
 ///
 /// | no branch | multiplications | additions | divisions |
 /// |---|---|---|---|
 /// | residual | 78 | 86 | 0 |
 /// | Jacobian | 36 | 40 | 0 |
 /// | curvature | 62 | 94 | 0 |
-/// | factor | 173 | 121 | 10 |
+/// | factor | 175 | 123 | 10 |
 /// | solve | 94 | 84 | 0 |
 #[allow(dead_code, unreachable_pub)]
 pub mod five_link {
@@ -966,55 +966,135 @@ pub mod five_link {
                 / track_rod_by_track_rod_outer_y;
             let knuckle_track_rod_outer_y_by_track_rod_outer_y = knuckle_track_rod_outer_y_by_track_rod_outer_y
                 * track_rod_by_track_rod_outer_y;
-            let knuckle_track_rod_outer_y_by_track_rod_outer_x = -(knuckle_track_rod_outer_y_by_track_rod_outer_y
-                * track_rod_by_track_rod_outer_x);
             let knuckle_track_rod_outer_y_by_track_rod_outer_z = -(knuckle_track_rod_outer_y_by_track_rod_outer_y
                 * track_rod_by_track_rod_outer_z);
-            let track_rod_by_track_rod_outer_x = track_rod_by_track_rod_outer_x
-                * track_rod_by_track_rod_outer_y;
+            let knuckle_track_rod_outer_y_by_track_rod_outer_x = -(knuckle_track_rod_outer_y_by_track_rod_outer_y
+                * track_rod_by_track_rod_outer_x);
             let track_rod_by_track_rod_outer_z = track_rod_by_track_rod_outer_z
                 * track_rod_by_track_rod_outer_y;
+            let track_rod_by_track_rod_outer_x = track_rod_by_track_rod_outer_x
+                * track_rod_by_track_rod_outer_y;
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_y = knuckle_track_rod_outer_y_by_upper_front_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                );
+            let knuckle_track_rod_outer_y_by_lower_front_outer_y = knuckle_track_rod_outer_y_by_lower_front_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                );
             let lower_rear_by_lower_rear_outer_x = T::one()
                 / lower_rear_by_lower_rear_outer_x;
             let knuckle_lower_rear_outer_x_by_lower_rear_outer_x = knuckle_lower_rear_outer_x_by_lower_rear_outer_x
                 * lower_rear_by_lower_rear_outer_x;
-            let knuckle_lower_rear_outer_x_by_lower_rear_outer_z = -(knuckle_lower_rear_outer_x_by_lower_rear_outer_x
-                * lower_rear_by_lower_rear_outer_z);
             let knuckle_lower_rear_outer_x_by_lower_rear_outer_y = -(knuckle_lower_rear_outer_x_by_lower_rear_outer_x
                 * lower_rear_by_lower_rear_outer_y);
-            let lower_rear_by_lower_rear_outer_z = lower_rear_by_lower_rear_outer_z
-                * lower_rear_by_lower_rear_outer_x;
+            let knuckle_lower_rear_outer_x_by_lower_rear_outer_z = -(knuckle_lower_rear_outer_x_by_lower_rear_outer_x
+                * lower_rear_by_lower_rear_outer_z);
             let lower_rear_by_lower_rear_outer_y = lower_rear_by_lower_rear_outer_y
                 * lower_rear_by_lower_rear_outer_x;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+            let lower_rear_by_lower_rear_outer_z = lower_rear_by_lower_rear_outer_z
+                * lower_rear_by_lower_rear_outer_x;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
                 );
             let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
                 .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_y = knuckle_lower_rear_outer_x_by_lower_front_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                .minus_product(
                     knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
                 );
             let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
                 .minus_product(
                     knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
                     knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                );
             let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
                 .minus_product(
                     knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
                     knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
                 .minus_product(
                     knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                    knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_front_outer_z,
                 );
             let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
                 .minus_product(
@@ -1025,46 +1105,6 @@ pub mod five_link {
                 .minus_product(
                     knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
                     knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                );
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_front_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_rear_outer_y,
-                );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_front_outer_z,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_y = knuckle_track_rod_outer_y_by_upper_front_outer_y
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                );
-            let knuckle_track_rod_outer_y_by_lower_front_outer_y = knuckle_track_rod_outer_y_by_lower_front_outer_y
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_lower_front_outer_y,
                 );
             let lower_front_by_lower_front_outer_y = T::one()
                 / lower_front_by_lower_front_outer_y;
@@ -1089,20 +1129,6 @@ pub mod five_link {
                     knuckle_lower_rear_outer_x_by_lower_front_outer_y,
                     lower_front_by_lower_front_outer_x,
                 );
-            let knuckle_lower_rear_outer_z_by_lower_front_outer_y = knuckle_lower_rear_outer_z_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let knuckle_lower_rear_outer_z_by_lower_front_outer_x = knuckle_lower_rear_outer_z_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
-            let knuckle_track_rod_outer_x_by_lower_front_outer_y = knuckle_track_rod_outer_x_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let knuckle_track_rod_outer_x_by_lower_front_outer_x = knuckle_track_rod_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
             let knuckle_track_rod_outer_y_by_lower_front_outer_y = knuckle_track_rod_outer_y_by_lower_front_outer_y
                 * lower_front_by_lower_front_outer_y;
             let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
@@ -1110,78 +1136,15 @@ pub mod five_link {
                     knuckle_track_rod_outer_y_by_lower_front_outer_y,
                     lower_front_by_lower_front_outer_x,
                 );
+            let knuckle_track_rod_outer_z_by_lower_front_outer_y = knuckle_track_rod_outer_z_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_track_rod_outer_z_by_lower_front_outer_x = knuckle_track_rod_outer_z_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_z_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
             let lower_front_by_lower_front_outer_x = lower_front_by_lower_front_outer_x
                 * lower_front_by_lower_front_outer_y;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                );
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_y = knuckle_track_rod_outer_y_by_upper_front_outer_y
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                );
             let upper_front_by_upper_front_outer_y = T::one()
                 / upper_front_by_upper_front_outer_y;
             let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
@@ -1232,212 +1195,259 @@ pub mod five_link {
                     knuckle_track_rod_outer_y_by_upper_front_outer_y,
                     upper_front_by_upper_front_outer_z,
                 );
+            let knuckle_track_rod_outer_z_by_upper_front_outer_y = knuckle_track_rod_outer_z_by_upper_front_outer_y
+                * upper_front_by_upper_front_outer_y;
+            let knuckle_track_rod_outer_z_by_upper_front_outer_x = knuckle_track_rod_outer_z_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_x,
+                );
+            let knuckle_track_rod_outer_z_by_upper_front_outer_z = knuckle_track_rod_outer_z_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_z,
+                );
             let upper_front_by_upper_front_outer_x = upper_front_by_upper_front_outer_x
                 * upper_front_by_upper_front_outer_y;
             let upper_front_by_upper_front_outer_z = upper_front_by_upper_front_outer_z
                 * upper_front_by_upper_front_outer_y;
-            let upper_rear_by_upper_rear_outer_z = T::one()
-                / upper_rear_by_upper_rear_outer_z;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                * upper_rear_by_upper_rear_outer_z;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    upper_rear_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    upper_rear_by_upper_rear_outer_x,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                * upper_rear_by_upper_rear_outer_z;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    upper_rear_by_upper_rear_outer_y,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    upper_rear_by_upper_rear_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                * upper_rear_by_upper_rear_outer_z;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
-                    upper_rear_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
-                    upper_rear_by_upper_rear_outer_x,
-                );
             let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                * upper_rear_by_upper_rear_outer_z;
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                );
             let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                    upper_rear_by_upper_rear_outer_y,
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_rear_outer_y,
                 );
             let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                    upper_rear_by_upper_rear_outer_x,
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_rear_outer_x,
                 );
-            let upper_rear_by_upper_rear_outer_y = upper_rear_by_upper_rear_outer_y
-                * upper_rear_by_upper_rear_outer_z;
-            let upper_rear_by_upper_rear_outer_x = upper_rear_by_upper_rear_outer_x
-                * upper_rear_by_upper_rear_outer_z;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x = T::one()
-                / knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x);
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
                 .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_front_outer_x,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
             let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_lower_front_outer_x,
                 );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    knuckle_track_rod_outer_z_by_upper_front_outer_z,
                 );
-            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
             let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = T::one()
                 / knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
                 * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                );
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
                 .minus_product(
                     knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
                 );
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
+                * knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x);
             let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
                 * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                );
             let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
                 .minus_product(
                     knuckle_lower_rear_outer_x_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
                 );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
                 );
+            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
             let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
                 .minus_product(
                     knuckle_track_rod_outer_y_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
                 );
-            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                );
             let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x
                 * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = T::one()
+                / knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                );
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let knuckle_track_rod_outer_y_by_upper_front_outer_x = T::one()
+                / knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
+                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
+                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                );
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
+                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
+                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
+            let upper_rear_by_upper_rear_outer_x = T::one()
+                / upper_rear_by_upper_rear_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                * upper_rear_by_upper_rear_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_z,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                * upper_rear_by_upper_rear_outer_x;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_y,
+                );
+            let upper_rear_by_upper_rear_outer_z = upper_rear_by_upper_rear_outer_z
+                * upper_rear_by_upper_rear_outer_x;
+            let upper_rear_by_upper_rear_outer_y = upper_rear_by_upper_rear_outer_y
+                * upper_rear_by_upper_rear_outer_x;
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = T::one()
                 / knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
             let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
                 * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
                 .minus_product(
                     knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
                 * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            let knuckle_track_rod_outer_y_by_upper_front_outer_x = T::one()
-                / knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
-                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = T::one()
-                / knuckle_lower_rear_outer_x_by_lower_front_outer_x;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = T::one()
+                / knuckle_lower_rear_outer_x_by_upper_rear_outer_z;
             Factors {
                 growth_squared: sum_of_squares([
                     track_rod_by_track_rod_outer_y,
                     lower_rear_by_lower_rear_outer_x,
                     lower_front_by_lower_front_outer_y,
                     upper_front_by_upper_front_outer_y,
-                    upper_rear_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
                     knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
                     knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    upper_rear_by_upper_rear_outer_x,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
                 ]),
                 determinant_sign: product([
                     track_rod_by_track_rod_outer_y,
                     lower_rear_by_lower_rear_outer_x,
                     lower_front_by_lower_front_outer_y,
                     upper_front_by_upper_front_outer_y,
-                    upper_rear_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
                     knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
                     knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    upper_rear_by_upper_rear_outer_x,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
                 ]),
                 lower_front_by_lower_front_outer_z,
                 knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z,
@@ -1449,55 +1459,47 @@ pub mod five_link {
                 knuckle_track_rod_outer_y_by_lower_front_outer_z,
                 knuckle_track_rod_outer_z_by_lower_front_outer_z,
                 track_rod_by_track_rod_outer_y,
-                track_rod_by_track_rod_outer_x,
                 track_rod_by_track_rod_outer_z,
+                track_rod_by_track_rod_outer_x,
                 knuckle_track_rod_outer_y_by_track_rod_outer_y,
+                knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                knuckle_track_rod_outer_y_by_track_rod_outer_x,
                 lower_rear_by_lower_rear_outer_x,
-                lower_rear_by_lower_rear_outer_z,
                 lower_rear_by_lower_rear_outer_y,
+                lower_rear_by_lower_rear_outer_z,
                 knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
-                knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
                 knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                knuckle_lower_rear_outer_y_by_upper_front_outer_z,
                 knuckle_lower_rear_outer_y_by_upper_front_outer_y,
                 knuckle_lower_rear_outer_y_by_lower_front_outer_y,
                 knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                knuckle_track_rod_outer_z_by_upper_front_outer_x,
-                knuckle_track_rod_outer_z_by_upper_rear_outer_y,
-                knuckle_track_rod_outer_z_by_upper_front_outer_z,
-                knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                knuckle_track_rod_outer_z_by_lower_front_outer_y,
-                knuckle_track_rod_outer_y_by_track_rod_outer_z,
                 lower_front_by_lower_front_outer_y,
                 lower_front_by_lower_front_outer_x,
                 knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
                 knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
                 knuckle_lower_rear_outer_x_by_lower_front_outer_y,
-                knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                knuckle_track_rod_outer_x_by_lower_front_outer_y,
                 knuckle_track_rod_outer_y_by_lower_front_outer_y,
-                knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                knuckle_track_rod_outer_z_by_lower_front_outer_y,
                 upper_front_by_upper_front_outer_y,
                 upper_front_by_upper_front_outer_x,
                 upper_front_by_upper_front_outer_z,
@@ -1505,34 +1507,42 @@ pub mod five_link {
                 knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
                 knuckle_lower_rear_outer_x_by_upper_front_outer_y,
                 knuckle_track_rod_outer_y_by_upper_front_outer_y,
-                upper_rear_by_upper_rear_outer_z,
-                upper_rear_by_upper_rear_outer_y,
-                upper_rear_by_upper_rear_outer_x,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
-                knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                knuckle_track_rod_outer_z_by_upper_front_outer_x,
+                knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                knuckle_track_rod_outer_z_by_upper_front_outer_z,
+                knuckle_track_rod_outer_y_by_track_rod_outer_z,
                 knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
                 knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
                 knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
                 knuckle_lower_rear_outer_x_by_upper_front_outer_z,
                 knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
                 knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                knuckle_lower_rear_outer_x_by_upper_front_outer_x,
                 knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                knuckle_track_rod_outer_y_by_upper_front_outer_x,
+                knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                upper_rear_by_upper_rear_outer_x,
+                upper_rear_by_upper_rear_outer_z,
+                upper_rear_by_upper_rear_outer_y,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
             }
         }
 
@@ -1810,55 +1820,47 @@ pub mod five_link {
         knuckle_track_rod_outer_y_by_lower_front_outer_z: T,
         knuckle_track_rod_outer_z_by_lower_front_outer_z: T,
         track_rod_by_track_rod_outer_y: T,
-        track_rod_by_track_rod_outer_x: T,
         track_rod_by_track_rod_outer_z: T,
+        track_rod_by_track_rod_outer_x: T,
         knuckle_track_rod_outer_y_by_track_rod_outer_y: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_z: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_x: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_x_by_lower_front_outer_x: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_z: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_y: T,
+        knuckle_track_rod_outer_x_by_lower_front_outer_y: T,
+        knuckle_track_rod_outer_y_by_track_rod_outer_x: T,
         lower_rear_by_lower_rear_outer_x: T,
-        lower_rear_by_lower_rear_outer_z: T,
         lower_rear_by_lower_rear_outer_y: T,
+        lower_rear_by_lower_rear_outer_z: T,
         knuckle_lower_rear_outer_x_by_lower_rear_outer_x: T,
-        knuckle_lower_rear_outer_y_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_y_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_y_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_z: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_y: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_z_by_lower_front_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_z: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_y: T,
+        knuckle_lower_rear_outer_z_by_lower_front_outer_y: T,
+        knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T,
         knuckle_lower_rear_outer_y_by_upper_rear_outer_z: T,
+        knuckle_lower_rear_outer_y_by_upper_rear_outer_y: T,
+        knuckle_lower_rear_outer_y_by_upper_rear_outer_x: T,
+        knuckle_lower_rear_outer_y_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_y_by_lower_front_outer_x: T,
+        knuckle_lower_rear_outer_y_by_upper_front_outer_z: T,
         knuckle_lower_rear_outer_y_by_upper_front_outer_y: T,
         knuckle_lower_rear_outer_y_by_lower_front_outer_y: T,
         knuckle_lower_rear_outer_x_by_lower_rear_outer_y: T,
-        knuckle_track_rod_outer_z_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_z_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_z_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_x: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_z_by_upper_front_outer_y: T,
-        knuckle_track_rod_outer_z_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_y_by_track_rod_outer_z: T,
         lower_front_by_lower_front_outer_y: T,
         lower_front_by_lower_front_outer_x: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y: T,
         knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y: T,
         knuckle_lower_rear_outer_x_by_lower_front_outer_y: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_y: T,
         knuckle_track_rod_outer_y_by_lower_front_outer_y: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_y: T,
-        knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_y: T,
-        knuckle_track_rod_outer_y_by_track_rod_outer_x: T,
+        knuckle_track_rod_outer_z_by_lower_front_outer_y: T,
         upper_front_by_upper_front_outer_y: T,
         upper_front_by_upper_front_outer_x: T,
         upper_front_by_upper_front_outer_z: T,
@@ -1866,41 +1868,42 @@ pub mod five_link {
         knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y: T,
         knuckle_lower_rear_outer_x_by_upper_front_outer_y: T,
         knuckle_track_rod_outer_y_by_upper_front_outer_y: T,
-        upper_rear_by_upper_rear_outer_z: T,
-        upper_rear_by_upper_rear_outer_y: T,
-        upper_rear_by_upper_rear_outer_x: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_z: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_x: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_x: T,
+        knuckle_track_rod_outer_z_by_upper_front_outer_y: T,
+        knuckle_track_rod_outer_z_by_upper_rear_outer_z: T,
+        knuckle_track_rod_outer_z_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_z_by_upper_rear_outer_x: T,
+        knuckle_track_rod_outer_z_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_z_by_lower_front_outer_x: T,
+        knuckle_track_rod_outer_z_by_upper_front_outer_z: T,
+        knuckle_track_rod_outer_y_by_track_rod_outer_z: T,
         knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z: T,
-        knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x: T,
         knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x: T,
+        knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x: T,
         knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z: T,
         knuckle_lower_rear_outer_x_by_upper_front_outer_z: T,
         knuckle_track_rod_outer_y_by_upper_front_outer_z: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
         knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_y_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_y_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_x_by_upper_front_outer_x: T,
         knuckle_lower_rear_outer_x_by_lower_front_outer_x: T,
-    }
-
-    impl<T: Scalar> Elimination<T, 15> for Factors<T> {
-        #[inline(always)]
-        fn growth_squared(&self) -> T {
-            self.growth_squared
-        }
+        knuckle_track_rod_outer_y_by_lower_front_outer_x: T,
+        knuckle_track_rod_outer_y_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_y_by_upper_rear_outer_z: T,
+        knuckle_track_rod_outer_y_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_y_by_upper_rear_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_x_by_upper_front_outer_x: T,
+        upper_rear_by_upper_rear_outer_x: T,
+        upper_rear_by_upper_rear_outer_z: T,
+        upper_rear_by_upper_rear_outer_y: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
+        knuckle_lower_rear_outer_x_by_upper_rear_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
+        knuckle_lower_rear_outer_x_by_upper_rear_outer_y: T,
+        knuckle_lower_rear_outer_x_by_upper_rear_outer_z: T,
     }
 
     impl<T: Scalar> JacobianFactors<T, 15> for Factors<T> {
@@ -1960,6 +1963,11 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_y_by_track_rod_outer_y,
                     rows[equation::TRACK_ROD],
                 );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
@@ -1967,13 +1975,13 @@ pub mod five_link {
                 );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
                     self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
                     rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
                 );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 .minus_product(
@@ -1992,30 +2000,15 @@ pub mod five_link {
                     self.knuckle_lower_rear_outer_x_by_lower_front_outer_y,
                     rows[equation::LOWER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 .minus_product(
                     self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
                     rows[equation::LOWER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
                 );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 .minus_product(
@@ -2039,43 +2032,15 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
                     rows[equation::UPPER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
                 .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    rows[equation::UPPER_REAR],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    rows[equation::UPPER_REAR],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
-                    rows[equation::UPPER_REAR],
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                    rows[equation::UPPER_FRONT],
                 );
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                    rows[equation::UPPER_REAR],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
                 );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
@@ -2093,75 +2058,136 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
                     rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
                     rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x)
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    rows[equation::UPPER_REAR],
                 );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    rows[equation::UPPER_REAR],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                * self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z;
             unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y)
                 .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = (rows[equation::UPPER_REAR]
+                * self.upper_rear_by_upper_rear_outer_x)
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x)
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x)
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
                 )
                 .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 * self
                     .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z)
                 .minus_product(
                     self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self
                         .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
                     unknowns[unknown::UPPER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x)
+                )
                 .minus_product(
                     self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
                     unknowns[unknown::LOWER_FRONT_OUTER_X],
                 )
                 .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::UPPER_REAR]
-                * self.upper_rear_by_upper_rear_outer_z)
-                .minus_product(
-                    self.upper_rear_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.upper_rear_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Y] = (rows[equation::UPPER_FRONT]
                 * self.upper_front_by_upper_front_outer_y)
@@ -2173,127 +2199,36 @@ pub mod five_link {
                     self.upper_front_by_upper_front_outer_z,
                     unknowns[unknown::UPPER_FRONT_OUTER_Z],
                 );
-            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                );
             unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
                 * self.lower_front_by_lower_front_outer_y)
                 .minus_product(
                     self.lower_front_by_lower_front_outer_x,
                     unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
-            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
             unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
                 )
                 .minus_product(
                     self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
                 )
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
                     self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
                     unknowns[unknown::UPPER_REAR_OUTER_X],
                 )
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
                 )
                 .minus_product(
                     self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
@@ -2303,25 +2238,91 @@ pub mod five_link {
                     self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
                     unknowns[unknown::LOWER_FRONT_OUTER_Y],
                 );
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
+                );
             unknowns[unknown::LOWER_REAR_OUTER_X] = (rows[equation::LOWER_REAR]
                 * self.lower_rear_by_lower_rear_outer_x)
                 .minus_product(
-                    self.lower_rear_by_lower_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                )
-                .minus_product(
                     self.lower_rear_by_lower_rear_outer_y,
                     unknowns[unknown::LOWER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.lower_rear_by_lower_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
                 );
             unknowns[unknown::TRACK_ROD_OUTER_Y] = (rows[equation::TRACK_ROD]
                 * self.track_rod_by_track_rod_outer_y)
                 .minus_product(
-                    self.track_rod_by_track_rod_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                )
-                .minus_product(
                     self.track_rod_by_track_rod_outer_z,
                     unknowns[unknown::TRACK_ROD_OUTER_Z],
+                )
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
             SVector::from(unknowns)
@@ -2357,15 +2358,20 @@ pub mod five_link {
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = -(self
                 .knuckle_track_rod_outer_z_by_lower_front_outer_z
                 * rows[equation::THETA]);
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
                     rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
                 );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 .minus_product(
@@ -2384,50 +2390,24 @@ pub mod five_link {
                     self.knuckle_lower_rear_outer_x_by_lower_front_outer_y,
                     rows[equation::LOWER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 .minus_product(
                     self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
                     rows[equation::LOWER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
                 );
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
                 );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -(self
-                .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]);
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
+                .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
+                * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]);
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
@@ -2438,72 +2418,122 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
                     rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
                     rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x)
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                * self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z;
             unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y)
                 .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = (-(self
+                .upper_rear_by_upper_rear_outer_z
+                * unknowns[unknown::UPPER_REAR_OUTER_Z]))
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x)
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x)
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
                 )
                 .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 * self
                     .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z)
                 .minus_product(
                     self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self
                         .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
                     unknowns[unknown::UPPER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x)
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 )
                 .minus_product(
                     self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = (-(self
-                .upper_rear_by_upper_rear_outer_y
-                * unknowns[unknown::UPPER_REAR_OUTER_Y]))
+            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
                 .minus_product(
-                    self.upper_rear_by_upper_rear_outer_x,
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
                     unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Y] = (-(self
                 .upper_front_by_upper_front_outer_x
@@ -2512,127 +2542,36 @@ pub mod five_link {
                     self.upper_front_by_upper_front_outer_z,
                     unknowns[unknown::UPPER_FRONT_OUTER_Z],
                 );
-            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                );
             unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
                 * self.lower_front_by_lower_front_outer_y)
                 .minus_product(
                     self.lower_front_by_lower_front_outer_x,
                     unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
-            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
             unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
                 )
                 .minus_product(
                     self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
                 )
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
                     self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
                     unknowns[unknown::UPPER_REAR_OUTER_X],
                 )
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
                 )
                 .minus_product(
                     self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
@@ -2642,18 +2581,84 @@ pub mod five_link {
                     self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
                     unknowns[unknown::LOWER_FRONT_OUTER_Y],
                 );
-            unknowns[unknown::LOWER_REAR_OUTER_X] = (-(self
-                .lower_rear_by_lower_rear_outer_z
-                * unknowns[unknown::LOWER_REAR_OUTER_Z]))
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
                 .minus_product(
-                    self.lower_rear_by_lower_rear_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
                 );
-            unknowns[unknown::TRACK_ROD_OUTER_Y] = (-(self.track_rod_by_track_rod_outer_x
-                * unknowns[unknown::TRACK_ROD_OUTER_X]))
+            unknowns[unknown::LOWER_REAR_OUTER_X] = (-(self
+                .lower_rear_by_lower_rear_outer_y
+                * unknowns[unknown::LOWER_REAR_OUTER_Y]))
                 .minus_product(
-                    self.track_rod_by_track_rod_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                    self.lower_rear_by_lower_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_Y] = (-(self.track_rod_by_track_rod_outer_z
+                * unknowns[unknown::TRACK_ROD_OUTER_Z]))
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
             SVector::from(unknowns)
@@ -2663,34 +2668,109 @@ pub mod five_link {
         fn solve_transposed(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut unknowns] = right.data.0;
             let mut rows = [T::zero(); 15];
-            unknowns[unknown::TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Y],
-                );
             unknowns[unknown::TRACK_ROD_OUTER_Z] = unknowns[unknown::TRACK_ROD_OUTER_Z]
                 .minus_product(
                     self.track_rod_by_track_rod_outer_z,
                     unknowns[unknown::TRACK_ROD_OUTER_Y],
                 );
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z]
+            unknowns[unknown::TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X]
                 .minus_product(
-                    self.lower_rear_by_lower_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_X],
+                    self.track_rod_by_track_rod_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_Y] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
                 );
             unknowns[unknown::LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y]
                 .minus_product(
                     self.lower_rear_by_lower_rear_outer_y,
                     unknowns[unknown::LOWER_REAR_OUTER_X],
                 );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                    self.lower_rear_by_lower_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_Y] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
                     unknowns[unknown::LOWER_REAR_OUTER_Y],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
@@ -2698,19 +2778,24 @@ pub mod five_link {
                     self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
                     unknowns[unknown::LOWER_REAR_OUTER_Y],
                 );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
             unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
                     unknowns[unknown::LOWER_REAR_OUTER_Y],
                 );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
                     unknowns[unknown::LOWER_REAR_OUTER_Y],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
@@ -2725,118 +2810,8 @@ pub mod five_link {
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_Y] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
                     self.lower_front_by_lower_front_outer_x,
                     unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
                 .minus_product(
@@ -2848,33 +2823,35 @@ pub mod five_link {
                     self.upper_front_by_upper_front_outer_z,
                     unknowns[unknown::UPPER_FRONT_OUTER_Y],
                 );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
             unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
                 .minus_product(
-                    self.upper_rear_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
                 .minus_product(
-                    self.upper_rear_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
                 );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
                 .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
                 .minus_product(
@@ -2885,59 +2862,125 @@ pub mod five_link {
             unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
                 );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
                 .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
                     unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
                 );
             rows[equation::THETA] = unknowns[unknown::LOWER_FRONT_OUTER_Z];
             rows[equation::TRACK_ROD] = unknowns[unknown::TRACK_ROD_OUTER_Y]
                 * self.track_rod_by_track_rod_outer_y;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X];
             rows[equation::LOWER_REAR] = unknowns[unknown::LOWER_REAR_OUTER_X]
                 * self.lower_rear_by_lower_rear_outer_x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z];
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = unknowns[unknown::TRACK_ROD_OUTER_Z];
             rows[equation::LOWER_FRONT] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
                 * self.lower_front_by_lower_front_outer_y;
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X];
             rows[equation::UPPER_FRONT] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
                 * self.upper_front_by_upper_front_outer_y;
-            rows[equation::UPPER_REAR] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                * self.upper_rear_by_upper_rear_outer_z;
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = unknowns[unknown::TRACK_ROD_OUTER_Z];
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
                 * self
                     .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_X]
                 * self.knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
+            rows[equation::UPPER_REAR] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                * self.upper_rear_by_upper_rear_outer_x;
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                * self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z;
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
                     rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
                 );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
                     rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
@@ -2956,42 +2999,9 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
                     rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
                 .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
                     rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
             rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
@@ -3016,15 +3026,10 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
                     rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
                 );
             rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
                 .minus_product(
@@ -3045,33 +3050,33 @@ pub mod five_link {
                 );
             rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
                     self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
                     rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
                 );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
                     rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
                 );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
             rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
                     rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
             rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
@@ -3131,6 +3136,11 @@ pub mod five_link {
         #[inline(always)]
         fn determinant_sign(&self) -> T {
             self.determinant_sign
+        }
+
+        #[inline(always)]
+        fn growth_squared(&self) -> T {
+            self.growth_squared
         }
     }
 
