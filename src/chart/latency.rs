@@ -85,18 +85,18 @@ pub fn latencies<M: Method<D, N>, D, const N: usize>(
     Some(times)
 }
 
-/// Does `work` beside as many threads as the machine has cores, all of which compute and copy
-/// memory. Returns their number too.
-pub fn under_load<R>(work: impl FnOnce() -> R) -> (usize, R) {
+/// Does `work`, which is told their number, beside as many threads as the machine has cores, all
+/// of which compute and copy memory.
+pub fn under_load<R>(work: impl FnOnce(usize) -> R) -> R {
     let cores = thread::available_parallelism().map_or(1, Into::into);
     let done = AtomicBool::new(false);
     thread::scope(|scope| {
         for _ in 0..cores {
             scope.spawn(|| keep_busy(&done));
         }
-        let result = work();
+        let result = work(cores);
         done.store(true, Ordering::Relaxed);
-        (cores, result)
+        result
     })
 }
 

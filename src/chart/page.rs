@@ -64,7 +64,8 @@ impl Findings {
         Figure {
             title: format!("{}, step of {}", headline(outputs), milliseconds(step)),
             quantity: format!("worst error of {}, {}", a(outputs), unit_of(outputs)),
-            marks: ours.chain(rivals).collect(),
+            // Ours are drawn on top.
+            marks: rivals.chain(ours).collect(),
         }
     }
 
@@ -149,7 +150,7 @@ impl Findings {
                     @for row in rows {
                         tr {
                             td { (row.method) } td { (row.scalar) } td { (row.lanes) } td { (row.outputs) }
-                            (number(Some(row.nanoseconds))) (number(Some(row.spread_ns)))
+                            (time(Some(row.nanoseconds))) (time(Some(row.spread_ns)))
                             (number(row.error_position_m)) (number(row.error_velocity_m_s))
                             (number(row.error_acceleration_m_s2))
                         }
@@ -163,6 +164,8 @@ impl Findings {
         html! {
             @if !self.rivals.is_empty() {
                 h2 { "Rivals" }
+                details {
+                summary { "Table" }
                 table {
                     tr {
                         th { "rival" } th { "version" } th { "flags" } th { "quantity" } th { "step, s" }
@@ -172,11 +175,12 @@ impl Findings {
                     @for rival in &self.rivals {
                         tr {
                             td { (rival.method) } td { (rival.version) } td { (rival.flags) } td { (rival.quantity) }
-                            (number(rival.step_s)) (number(rival.nanoseconds)) (number(rival.spread_ns))
+                            (number(rival.step_s)) (time(rival.nanoseconds)) (time(rival.spread_ns))
                             (number(rival.error_position_m)) (number(rival.error_velocity_m_s))
                             (number(rival.error_acceleration_m_s2)) td { (rival.note) }
                         }
                     }
+                }
                 }
             }
         }
@@ -195,6 +199,10 @@ fn document(width: f64, height: f64, content: &Markup) -> Markup {
 
 fn number(value: Option<f64>) -> Markup {
     html! { td.number { @if let Some(value) = value { (rounded(value, 3)) } } }
+}
+
+fn time(nanoseconds: Option<f64>) -> Markup {
+    html! { td.number { @if let Some(time) = nanoseconds { (format!("{time:.1}")) } } }
 }
 
 fn details(time: f64, spread: Option<f64>, error: f64, outputs: Outputs) -> String {

@@ -54,7 +54,7 @@ impl Style {
     /// Of a rival.
     pub fn rival() -> Self {
         Self {
-            colour: INK,
+            colour: "#5a5a5a",
             shape: Shape::Cross,
             is_filled: false,
         }

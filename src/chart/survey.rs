@@ -154,42 +154,32 @@ impl<'a, D: Named<f64>, const N: usize> Plan<'a, D, N> {
     /// With the time step that is nearest to a millisecond.
     fn latencies(&self) -> (f64, Vec<Latencies>) {
         let step = nearest_to(MILLISECOND, self.effort.steps.iter().copied());
-        let Some((step, stride)) = step.and_then(|step| Some((step, self.course.stride(step)?)))
-        else {
-            return (MILLISECOND, Vec::new());
+        let step = step.unwrap_or(MILLISECOND);
+        let Some(stride) = self.course.stride(step) else {
+            return (step, Vec::new());
         };
-        let all = || {
-            let rows = self.methods.rows.iter();
-            let chosen = rows.filter(|row| {
-                let Label {
-                    method,
-                    scalar,
-                    lanes,
-                } = row.label();
-                ONE_BY_ONE.contains(&method.as_str()) && (*scalar, *lanes) == ("f64", 1)
-            });
-            let (count, stop) = (self.effort.latencies, self.interrupted);
-            let times = chosen.filter_map(|row| {
-                let times = row.latencies(self.course, stride, self.reference, count, stop)?;
-                Some((row.label().method.clone(), times))
-            });
-            times
-                .filter(|(_, times)| !times.is_empty())
-                .collect::<Vec<_>>()
-        };
-        let (alone, (threads, loaded)) = (all(), under_load(all));
-        let with = |load: usize| {
-            move |(method, times)| Latencies {
+        let mut all = self.one_by_one(stride, 0);
+        all.extend(under_load(|threads| self.one_by_one(stride, threads)));
+        (step, all)
+    }
+
+    fn one_by_one(&self, stride: usize, load: usize) -> Vec<Latencies> {
+        let (count, stop) = (self.effort.latencies, self.interrupted);
+        let rows = self.methods.rows.iter().filter(|row| {
+            let label = row.label();
+            let is_plain = (label.scalar, label.lanes) == ("f64", 1);
+            is_plain && ONE_BY_ONE.contains(&label.method.as_str())
+        });
+        let latencies = rows.filter_map(|row| {
+            let times = row.latencies(self.course, stride, self.reference, count, stop)?;
+            let method = row.label().method.clone();
+            (!times.is_empty()).then_some(Latencies {
                 method,
                 load,
                 times,
-            }
-        };
-        let alone = alone.into_iter().map(with(0));
-        (
-            step,
-            alone.chain(loaded.into_iter().map(with(threads))).collect(),
-        )
+            })
+        });
+        latencies.collect()
     }
 }
 

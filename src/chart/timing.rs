@@ -14,41 +14,43 @@ pub trait Batch {
     fn steps(&self) -> usize;
 }
 
-/// Single steps of one method, from motions spread over the course.
-#[derive(Debug)]
-pub struct Steps<M, S> {
-    /// The method.
-    pub method: M,
-    /// What each step computes.
-    pub outputs: Outputs,
-    /// Where each step starts.
-    pub starts: Vec<S>,
-}
-
 /// Where a step starts and what it is given.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<S, I> {
     /// The motion before the step.
     pub from: S,
-    /// The inputs after it.
+    /// The inputs.
     pub input: I,
-    /// The time between, s.
+    /// The length of the step, s.
     pub dt: f64,
 }
 
-/// Runs of [`Steps`] over drives `D` and `N` coordinates.
-pub struct Timed<M: Method<D, N>, D, const N: usize>(pub Steps<M, Start<M::State, M::Input>>);
+impl<S: Copy, I: Copy> Start<S, I> {
+    /// Makes the step; `None` where the method finds no configuration.
+    #[inline(always)]
+    pub fn step<M, D, const N: usize>(&self, method: &M, outputs: Outputs) -> Option<S>
+    where
+        M: Method<D, N, State = S, Input = I>,
+    {
+        method.step(outputs, &self.input, self.dt, &self.from)
+    }
+}
 
-impl<M: Method<D, N>, D, const N: usize> Batch for Timed<M, D, N> {
+/// Single steps of one method, from motions spread over the course.
+pub struct Steps<M: Method<D, N>, D, const N: usize> {
+    /// The method.
+    pub method: M,
+    /// What each step computes.
+    pub outputs: Outputs,
+    /// Where each step starts.
+    pub starts: Vec<Start<M::State, M::Input>>,
+}
+
+impl<M: Method<D, N>, D, const N: usize> Batch for Steps<M, D, N> {
     fn run(&self) -> Duration {
-        let Steps {
-            method,
-            outputs,
-            starts,
-        } = &self.0;
         let pass = || {
-            for Start { from, input, dt } in black_box(starts) {
-                black_box(method.step(*outputs, input, *dt, from));
+            for start in black_box(&self.starts) {
+                black_box(start.step(&self.method, self.outputs));
             }
         };
         pass(); // Caches and branch predictors get to know the method.
@@ -58,7 +60,7 @@ impl<M: Method<D, N>, D, const N: usize> Batch for Timed<M, D, N> {
     }
 
     fn steps(&self) -> usize {
-        self.0.starts.len() * M::LANES
+        self.starts.len() * M::LANES
     }
 }
 

@@ -10,7 +10,7 @@ use super::course::Course;
 use super::latency::latencies;
 use super::method::{ALL_OUTPUTS, Method, Outputs};
 use super::reference::Reference;
-use super::timing::{Batch, Start, Steps, Timed};
+use super::timing::{Batch, Start, Steps};
 
 /// Steps in a batch, at most: from motions spread evenly over the course.
 const BATCH: usize = 96;
@@ -39,12 +39,11 @@ pub trait Candidate<'a, D, const N: usize> {
     /// Its name.
     fn label(&self) -> &Label;
 
-    /// Goes through the course in strides. The error is the index of the instant at which the
-    /// method finds no configuration.
+    /// Goes through the course in strides.
     ///
     /// # Errors
     ///
-    /// The index of the instant that is out of the method's reach.
+    /// The index of the instant at which the method finds no configuration.
     fn try_at(
         &self,
         course: &Course<D>,
@@ -92,6 +91,52 @@ impl<M, D> Entry<M, D> {
     }
 }
 
+/// The worst errors of a method over a course, and where steps of it start.
+struct Followed<S, I> {
+    errors: [f64; 3],
+    starts: Vec<Start<S, I>>,
+}
+
+/// Goes through a course in strides. The error is the index of the instant at which the method
+/// finds no configuration.
+fn follow<M: Method<D, N>, D, const N: usize>(
+    method: &M,
+    course: &Course<D>,
+    stride: usize,
+    reference: &Reference<N>,
+) -> Result<Followed<M::State, M::Input>, usize> {
+    let instants: Vec<usize> = (0..course.times.len()).step_by(stride).collect();
+    let every = instants.len().div_ceil(BATCH);
+    let (mut errors, mut starts) = ([0.0_f64; 3], Vec::new());
+    let first = course.drives.first().ok_or(0_usize)?;
+    let begin = Start {
+        from: method.rest(&reference.start()),
+        input: method.input(first, first),
+        dt: 0.0,
+    };
+    let mut from = begin.step(method, Outputs::Acceleration).ok_or(0_usize)?;
+    for (number, ends) in instants.windows(2).enumerate() {
+        let [last, next] = [ends[0], ends[1]];
+        let start = Start {
+            from,
+            input: method.input(&course.drives[last], &course.drives[next]),
+            dt: course.times[next] - course.times[last],
+        };
+        if number.is_multiple_of(every) {
+            starts.push(start);
+        }
+        from = start.step(method, Outputs::Acceleration).ok_or(next)?;
+        let found = reference.distance(next, &method.coordinates(&from));
+        if !found.iter().all(|error| error.is_finite()) {
+            return Err(next);
+        }
+        for (worst, error) in errors.iter_mut().zip(found) {
+            *worst = worst.max(error);
+        }
+    }
+    Ok(Followed { errors, starts })
+}
+
 impl<'a, M, D, const N: usize> Candidate<'a, D, N> for Entry<M, D>
 where
     M: Method<D, N> + Copy + 'a,
@@ -107,48 +152,13 @@ where
         stride: usize,
         reference: &Reference<N>,
     ) -> Result<Trial<'a>, usize> {
-        let method = self.method;
-        let mut errors = [0.0_f64; 3];
-        let mut starts = Vec::new();
-        let instants: Vec<usize> = (0..course.times.len()).step_by(stride).collect();
-        let every = instants.len().div_ceil(BATCH);
-        let [first, ..] = &course.drives[..] else {
-            return Err(0);
-        };
-        let at_first = method.input(first, first);
-        let step = |from: &M::State, input: &M::Input, dt: f64, index: usize| {
-            method
-                .step(Outputs::Acceleration, input, dt, from)
-                .ok_or(index)
-        };
-        let mut state = step(&method.rest(&reference.start()), &at_first, 0.0, 0)?;
-        for (step_number, pair) in instants.windows(2).enumerate() {
-            let [last, next] = [pair[0], pair[1]];
-            let input = method.input(&course.drives[last], &course.drives[next]);
-            let dt = course.times[next] - course.times[last];
-            if step_number.is_multiple_of(every) {
-                starts.push(Start {
-                    from: state,
-                    input,
-                    dt,
-                });
-            }
-            state = step(&state, &input, dt, next)?;
-            let found = reference.distance(next, &method.coordinates(&state));
-            for (worst, error) in errors.iter_mut().zip(found) {
-                *worst = if error.is_nan() {
-                    error
-                } else {
-                    worst.max(error)
-                };
-            }
-        }
+        let Followed { errors, starts } = follow(&self.method, course, stride, reference)?;
         let batches = ALL_OUTPUTS.map(|outputs| -> Box<dyn Batch + 'a> {
-            Box::new(Timed::<M, D, N>(Steps {
-                method,
+            Box::new(Steps::<M, D, N> {
+                method: self.method,
                 outputs,
                 starts: starts.clone(),
-            }))
+            })
         });
         Ok(Trial { errors, batches })
     }
