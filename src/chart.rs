@@ -7,6 +7,7 @@ pub mod course;
 pub mod double_double;
 pub mod figure;
 pub mod formulation;
+pub mod in_lanes;
 pub mod labels;
 pub mod latency;
 pub mod latency_page;
@@ -155,7 +156,11 @@ where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
     let model = &assembled.model;
-    let course = Course::new(&assembled.drives, ends, effort.steps[0]);
+    let course = Course::<<L::Listing as Listing<N>>::Drives<f64>>::new(
+        &assembled.drives,
+        ends,
+        effort.steps[0],
+    );
     let exact = L::Listing::gather([model], |[x]: [f64; 1]| DoubleDouble::from(x));
     let reference =
         Reference::new(model, &exact, &assembled.start, &course).map_err(|(t, error)| {
@@ -168,6 +173,8 @@ where
     let mut methods = Methods { rows: Vec::new() };
     methods.add_scalar(model, model, position);
     methods.add_scalar(model, &single, position);
+    methods.add_lanes::<L::Listing, f64>(model);
+    methods.add_lanes::<L::Listing, f32>(&single);
     for (name, tables) in &tables {
         methods.add_baked(name, tables);
     }

@@ -15,6 +15,7 @@ pub mod detail;
 pub mod failure;
 pub mod input;
 pub mod job;
+pub mod lanes;
 pub mod number;
 pub mod output;
 pub mod published;

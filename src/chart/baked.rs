@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use suspension_core::baked::{Curve, Split};
 use suspension_core::{Named, Real, Signal};
 
-use super::course::{Course, Given};
+use super::course::{Course, Given, cast};
 use super::formulation::{first_drive, to_f64};
 use super::method::{Coordinates, Method, Outputs};
 use crate::bake::{
@@ -51,11 +51,11 @@ impl<const N: usize> Tables<N> {
 
 /// Baked curves of a motion by name; none where it has several drives, or a tolerance is out of
 /// reach.
-pub fn tables<L: Suspension<N>, const N: usize>(
+pub fn tables<L: Suspension<N>, D: Named<f64>, const N: usize>(
     assembled: &Assembled<L, N>,
-    course: &Course<L::Drives>,
+    course: &Course<D>,
 ) -> Vec<(&'static str, Tables<N>)> {
-    if <L::Drives as Named<f64>>::NAMES.len() != 1 {
+    if D::NAMES.len() != 1 {
         return Vec::new();
     }
     let metre = assembled.unit.metre();
@@ -64,9 +64,9 @@ pub fn tables<L: Suspension<N>, const N: usize>(
     baked.into_iter().flatten().collect()
 }
 
-fn table<L: Suspension<N>, const N: usize>(
+fn table<L: Suspension<N>, D: Named<f64>, const N: usize>(
     assembled: &Assembled<L, N>,
-    course: &Course<L::Drives>,
+    course: &Course<D>,
     tolerance: f64,
 ) -> Option<Tables<N>> {
     let drives = course.drives.iter().map(|given| given.signal.value);
@@ -74,7 +74,7 @@ fn table<L: Suspension<N>, const N: usize>(
     let range = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
         [value.min(low), value.max(high)]
     });
-    let held = course.drives.first()?.signal.value;
+    let held: L::Drives = cast(&course.drives.first()?.signal.value);
     let Assembled { model, start, .. } = assembled;
     let path = Path::new(model, start, held, 0, range, Wish::AllPoints).ok()?;
     let wanted = Wanted {

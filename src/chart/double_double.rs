@@ -21,11 +21,6 @@ impl DoubleDouble {
     pub fn sine_cosine(self) -> (Self, Self) {
         (Self(self.0.sin()), Self(self.0.cos()))
     }
-
-    /// The magnitude.
-    pub fn abs(self) -> Self {
-        if self.nearest() < 0.0 { -self } else { self }
-    }
 }
 
 impl From<f64> for DoubleDouble {
@@ -87,11 +82,6 @@ impl One for DoubleDouble {
 impl Scalar for DoubleDouble {
     fn constant(value: f64) -> Self {
         Self::from(value)
-    }
-
-    fn larger_magnitude(self, other: Self) -> Self {
-        let (a, b) = (self.abs(), other.abs());
-        if a < b { b } else { a }
     }
 
     fn nearest_integer(self) -> Self {

@@ -1,7 +1,7 @@
 //! The table of methods: one row each.
 
 use nalgebra::{Const, DimMin, SVector};
-use suspension_core::{Build, Linkage, Named, Real};
+use suspension_core::{Build, Linkage, Listing, Named, Real};
 
 use super::baked::{Baked, Tables};
 use super::by_series::BySeries;
@@ -10,10 +10,12 @@ use super::formulation::absolute::Absolute;
 use super::formulation::five_links::FiveLinks;
 use super::formulation::points::Points;
 use super::formulation::relative::Relative;
+use super::in_lanes::InLanes;
 use super::method::Method;
 use super::newton::{Nalgebra, Newton, Own};
 use super::tracked::{Generated, InSweeps};
 use super::trial::{Candidate, Entry};
+use crate::lanes::{Lane, Lanes};
 
 /// The methods of the chart, for drives `D` and `N` coordinates.
 pub struct Methods<'a, D, const N: usize> {
@@ -53,6 +55,36 @@ impl<'a, D: Named<f64> + 'a, const N: usize> Methods<'a, D, N> {
             self.add("absolute", scalar, Newton::new(Absolute(links), Own));
             self.add("relative", scalar, Newton::new(Relative::new(links), Own));
         }
+    }
+
+    /// Bounded steps in lanes, in the number type of `model`. One lane with the best instructions
+    /// of the processor has a name of its own.
+    pub fn add_lanes<G, T>(&mut self, model: &'a G::Model<T>)
+    where
+        G: Listing<N, Drives<f64> = D> + 'static,
+        T: Lane,
+    {
+        self.add_sweeps::<G, T, 1>(model);
+        self.add_sweeps::<G, T, 2>(model);
+        self.add_sweeps::<G, T, 3>(model);
+    }
+
+    fn add_sweeps<G, T, const SWEEPS: usize>(&mut self, model: &'a G::Model<T>)
+    where
+        G: Listing<N, Drives<f64> = D> + 'static,
+        T: Lane,
+    {
+        let name = format!("bounded_{SWEEPS}");
+        let one = InLanes::new(
+            format!("{name}_vector"),
+            model,
+            Lanes::<G, T, N, 1, SWEEPS>::new,
+        );
+        let four = InLanes::new(name.clone(), model, Lanes::<G, T, N, 4, SWEEPS>::new);
+        let eight = InLanes::new(name, model, Lanes::<G, T, N, 8, SWEEPS>::new);
+        self.rows.push(Box::new(one));
+        self.rows.push(Box::new(four));
+        self.rows.push(Box::new(eight));
     }
 
     /// A baked motion, in `f64` and `f32`.

@@ -24,22 +24,28 @@ impl<const N: usize> Reference<N> {
     /// # Errors
     ///
     /// The instant, s, and why there is no motion there.
-    pub fn new<L, M>(
+    pub fn new<L, M, D>(
         model: &L,
         exact: &M,
         start: &Motion<f64, N>,
-        course: &Course<L::Drives>,
+        course: &Course<D>,
     ) -> Result<Self, (f64, SolveError<f64>)>
     where
         L: Linkage<N, Scalar = f64>,
         M: Linkage<N, Scalar = DoubleDouble>,
+        D: Named<f64>,
     {
         let mut motion = *start;
         let mut last = course.times.first().copied().unwrap_or_default();
         let mut instants = Vec::with_capacity(course.times.len());
         for (t, Given { signal, .. }) in course.times.iter().zip(&course.drives) {
             let refined = Tracker::default()
-                .step(model, &Inputs::still(*signal), t - last, &mut motion)
+                .step(
+                    model,
+                    &Inputs::still(cast_drives(signal)),
+                    t - last,
+                    &mut motion,
+                )
                 .and_then(|_| refine(model, exact, &motion, &cast_drives(signal)));
             instants.push(refined.map_err(|cause| (*t, cause))?);
             last = *t;

@@ -128,7 +128,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         let (next, measures) = step.in_fixed_order(outputs);
         let before = motion.positive_determinant;
         match self.judge(linkage.size(), &measures, before) {
-            Ok(settled) if is_healthy(measures.growth_squared) => {
+            Ok(settled) if measures.is_healthy() => {
                 *motion = measures.signed(next);
                 Ok(settled)
             }

@@ -67,13 +67,15 @@ pub trait Listing<const N: usize>: Copy {
             Drives = Self::Drives<T>,
             Points = Self::Points<T>,
             Listing = Self,
-        >;
+        > + Copy
+        + Send
+        + Sync;
     /// Chassis points, named.
-    type Fixed<T: Scalar>: Named<Vector3<T>> + Default;
+    type Fixed<T: Scalar>: Named<Vector3<T>> + Default + Send + Sync;
     /// Drives, named.
-    type Drives<T: Scalar>: Named<T> + Default;
+    type Drives<T: Scalar>: Named<T> + Default + Send + Sync;
     /// Chassis points, free points and markers, named.
-    type Points<T: Scalar>: Named<Vector3<T>> + Default;
+    type Points<T: Scalar>: Named<Vector3<T>> + Default + Send + Sync;
 
     /// One model of many: each of its numbers is made of the same number of each of `models`.
     fn gather<S: Scalar, T: Scalar, const K: usize>(

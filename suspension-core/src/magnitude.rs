@@ -6,7 +6,7 @@ use crate::scalar::{Real, Scalar};
 
 /// The largest magnitude; zero where there are none. Four chains of comparisons run side by side.
 #[inline(always)]
-pub(crate) fn largest<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
+pub(crate) fn largest<T: Real, const K: usize>(numbers: [T; K]) -> T {
     let mut largest = [T::zero(); 4];
     for (index, number) in numbers.into_iter().enumerate() {
         if let Some(chain) = largest.get_mut(index % 4) {

@@ -9,7 +9,7 @@ use crate::error::SolveError;
 use crate::factored::{Factored, smallest_pivot, with_factors};
 use crate::linkage::{Factors, Linkage};
 use crate::magnitude::magnitude;
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::signal::{ChassisMotion, Inputs, Signal};
 
 /// The unknowns and their first and second time derivative.
@@ -26,10 +26,10 @@ pub struct Motion<T, const N: usize> {
     pub positive_determinant: Option<bool>,
 }
 
-impl<T: Real, const N: usize> Motion<T, N> {
+impl<T: Scalar, const N: usize> Motion<T, N> {
     /// At rest in a position.
     pub fn at_rest(position: SVector<T, N>) -> Self {
-        let zero = SVector::zeros();
+        let zero = SVector::from([T::zero(); N]);
         Self {
             position,
             velocity: zero,
@@ -37,7 +37,9 @@ impl<T: Real, const N: usize> Motion<T, N> {
             positive_determinant: None,
         }
     }
+}
 
+impl<T: Real, const N: usize> Motion<T, N> {
     /// The second-order prediction `q + qdot dt + qddot dt^2 / 2`.
     pub fn predict(&self, dt: T) -> SVector<T, N> {
         self.position + (self.velocity + self.acceleration * (dt * T::constant(0.5))) * dt

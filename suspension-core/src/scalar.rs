@@ -9,6 +9,8 @@ use num_traits::{One, Zero};
 pub trait Scalar:
     nalgebra::Scalar
     + Copy
+    + Send
+    + Sync
     + Default
     + Zero
     + One
@@ -20,9 +22,6 @@ pub trait Scalar:
 {
     /// The number nearest to `value`.
     fn constant(value: f64) -> Self;
-
-    /// The larger of two magnitudes.
-    fn larger_magnitude(self, other: Self) -> Self;
 
     /// The nearest whole number, for magnitudes that leave room for a fraction.
     fn nearest_integer(self) -> Self;
@@ -45,17 +44,15 @@ pub trait Scalar:
 pub trait Real: Scalar + RealField {
     /// Distance from one to the next larger number.
     const EPSILON: Self;
+
+    /// The larger of two magnitudes.
+    fn larger_magnitude(self, other: Self) -> Self;
 }
 
 impl Scalar for f32 {
     #[inline(always)]
     fn constant(value: f64) -> Self {
         value as f32
-    }
-
-    #[inline(always)]
-    fn larger_magnitude(self, other: Self) -> Self {
-        f32::max(f32::abs(self), f32::abs(other))
     }
 
     #[inline(always)]
@@ -68,17 +65,17 @@ impl Scalar for f32 {
 
 impl Real for f32 {
     const EPSILON: Self = f32::EPSILON;
+
+    #[inline(always)]
+    fn larger_magnitude(self, other: Self) -> Self {
+        f32::max(f32::abs(self), f32::abs(other))
+    }
 }
 
 impl Scalar for f64 {
     #[inline(always)]
     fn constant(value: f64) -> Self {
         value
-    }
-
-    #[inline(always)]
-    fn larger_magnitude(self, other: Self) -> Self {
-        f64::max(f64::abs(self), f64::abs(other))
     }
 
     #[inline(always)]
@@ -91,4 +88,9 @@ impl Scalar for f64 {
 
 impl Real for f64 {
     const EPSILON: Self = f64::EPSILON;
+
+    #[inline(always)]
+    fn larger_magnitude(self, other: Self) -> Self {
+        f64::max(f64::abs(self), f64::abs(other))
+    }
 }

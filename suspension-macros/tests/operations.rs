@@ -73,9 +73,6 @@ impl Scalar for Counting {
     fn constant(value: f64) -> Self {
         Self(value)
     }
-    fn larger_magnitude(self, other: Self) -> Self {
-        Self(self.0.abs().max(other.0.abs()))
-    }
     fn nearest_integer(self) -> Self {
         Self(self.0.round())
     }

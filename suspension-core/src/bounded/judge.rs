@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::{Bounded, Step};
 use crate::error::SolveError;
+use crate::factored::is_healthy;
 use crate::linkage::Linkage;
 use crate::magnitude::index_of_largest;
 use crate::motion::Motion;
@@ -27,10 +28,31 @@ pub struct Measures<T> {
     pub determinant_sign: T,
 }
 
+impl<T> Measures<T> {
+    /// Each measure of another number: a lane of it, say.
+    #[inline(always)]
+    pub fn map<U>(self, number: impl Fn(T) -> U) -> Measures<U> {
+        Measures {
+            residual_squared: number(self.residual_squared),
+            error_squared: number(self.error_squared),
+            move_squared: number(self.move_squared),
+            rates_squared: number(self.rates_squared),
+            growth_squared: number(self.growth_squared),
+            determinant_sign: number(self.determinant_sign),
+        }
+    }
+}
+
 impl<T: Real> Measures<T> {
+    /// Whether the pivots of the macro's order will do.
+    #[inline]
+    pub fn is_healthy(&self) -> bool {
+        is_healthy(self.growth_squared)
+    }
+
     /// The motion with the sign of the determinant.
     #[inline(always)]
-    pub(super) fn signed<const N: usize>(&self, motion: Motion<T, N>) -> Motion<T, N> {
+    pub fn signed<const N: usize>(&self, motion: Motion<T, N>) -> Motion<T, N> {
         Motion {
             positive_determinant: Some(self.determinant_sign > T::zero()),
             ..motion

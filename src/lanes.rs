@@ -1,0 +1,223 @@
+//! Steps in lanes: four corners of a car, or eight variants, for about the price of one.
+//!
+//! The code that `linkage!` writes runs on vectors of numbers. Which instructions a processor has
+//! is found out when [`Lanes`] are made, so that a default build is fast wherever it runs.
+
+mod engine;
+mod number;
+mod plain;
+
+use engine::{Engine, Vectors};
+use fearless_simd::{Avx2, Avx512, Level};
+pub use number::Lane;
+use plain::Plain;
+use suspension_core::{
+    Bounded, Inputs, Linkage, Listing, Motion, Outputs, Settled, Signal, SolveError,
+};
+
+/// Which instructions run the lanes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instructions {
+    /// Those that every processor of the target has: one lane after the other.
+    Plain,
+    /// Vectors of 256 bits, and products that are added without rounding in between.
+    Avx2,
+    /// Vectors of 512 bits.
+    Avx512,
+}
+
+impl Instructions {
+    /// The best that this processor has.
+    pub fn best() -> Self {
+        let level = Level::new();
+        #[cfg(target_arch = "x86_64")]
+        if level.as_avx512().is_some() {
+            return Self::Avx512;
+        } else if level.as_avx2().is_some() {
+            return Self::Avx2;
+        }
+        let _ = level;
+        Self::Plain
+    }
+}
+
+/// `LANES` models of the listing `G`, each with its motion, on still chassis.
+///
+/// A lane that fails keeps its motion and says why; its neighbours are not affected. See
+/// [`Bounded`] for `SWEEPS` and `ORDER`. Numbers in vectors round a product and a sum together,
+/// so that results differ from those of [`Bounded::step`] by rounding.
+pub struct Lanes<
+    G: Listing<N>,
+    T: Lane,
+    const N: usize,
+    const LANES: usize,
+    const SWEEPS: usize = 1,
+    const ORDER: usize = 2,
+> {
+    settings: Bounded<T, SWEEPS, ORDER>,
+    models: [G::Model<T>; LANES],
+    signs: [Option<bool>; LANES],
+    engine: Box<dyn Engine<G, T, N, LANES>>,
+}
+
+/// How many lanes there can be, and what they are made of.
+macro_rules! lanes {
+    ($lanes:literal, $avx2:ty, $avx512:ty) => {
+        impl<G, T, const N: usize, const SWEEPS: usize, const ORDER: usize>
+            Lanes<G, T, N, $lanes, SWEEPS, ORDER>
+        where
+            G: Listing<N> + 'static,
+            T: Lane,
+        {
+            /// For the best instructions that this processor has.
+            pub fn new(models: [G::Model<T>; $lanes], motions: &[Motion<T, N>; $lanes]) -> Self {
+                Self::with(Instructions::best(), models, motions)
+            }
+
+            /// For instructions of choice, or as many of them as this processor has.
+            pub fn with(
+                instructions: Instructions,
+                models: [G::Model<T>; $lanes],
+                motions: &[Motion<T, N>; $lanes],
+            ) -> Self {
+                let engine = Self::vectors(instructions, &models).unwrap_or_else(|| {
+                    Box::new(Plain::<G, T, N, $lanes, SWEEPS, ORDER>::new(models))
+                });
+                Self::around(engine, models, motions)
+            }
+
+            #[cfg(target_arch = "x86_64")]
+            fn vectors(
+                instructions: Instructions,
+                models: &[G::Model<T>; $lanes],
+            ) -> Option<Box<dyn Engine<G, T, N, $lanes>>> {
+                let level = Level::new();
+                let models = models.each_ref();
+                let wide = level
+                    .as_avx512()
+                    .filter(|_| instructions == Instructions::Avx512);
+                let narrow = level
+                    .as_avx2()
+                    .filter(|_| instructions != Instructions::Plain);
+                match (wide, narrow) {
+                    (Some(proof), _) => {
+                        Some(Box::new(
+                            Vectors::<G, Avx512, $avx512, N, SWEEPS, ORDER>::new(proof, models),
+                        ))
+                    }
+                    (None, Some(proof)) => {
+                        Some(Box::new(Vectors::<G, Avx2, $avx2, N, SWEEPS, ORDER>::new(
+                            proof, models,
+                        )))
+                    }
+                    (None, None) => None,
+                }
+            }
+
+            #[cfg(not(target_arch = "x86_64"))]
+            fn vectors(
+                _: Instructions,
+                _: &[G::Model<T>; $lanes],
+            ) -> Option<Box<dyn Engine<G, T, N, $lanes>>> {
+                None
+            }
+        }
+    };
+}
+
+lanes!(1, T::One, T::One);
+lanes!(4, T::Four<Avx2>, T::Four<Avx512>);
+lanes!(8, T::Eight<Avx2>, T::Eight<Avx512>);
+
+impl<G, T, const N: usize, const LANES: usize, const SWEEPS: usize, const ORDER: usize>
+    Lanes<G, T, N, LANES, SWEEPS, ORDER>
+where
+    G: Listing<N>,
+    T: Lane,
+{
+    fn around(
+        mut engine: Box<dyn Engine<G, T, N, LANES>>,
+        models: [G::Model<T>; LANES],
+        motions: &[Motion<T, N>; LANES],
+    ) -> Self {
+        for (lane, motion) in motions.iter().enumerate() {
+            engine.set_motion(lane, motion);
+        }
+        Self {
+            settings: Bounded::default(),
+            models,
+            signs: motions.map(|motion| motion.positive_determinant),
+            engine,
+        }
+    }
+
+    /// The motion of a lane.
+    ///
+    /// # Panics
+    ///
+    /// Where there is no such lane.
+    pub fn motion(&self, lane: usize) -> Motion<T, N> {
+        Motion {
+            positive_determinant: self.signs[lane],
+            ..self.engine.motion(lane)
+        }
+    }
+
+    /// One step of length `dt` in every lane, solving for what is asked.
+    ///
+    /// # Errors
+    ///
+    /// For each lane as [`Bounded::step`]; the motion of that lane is then unchanged.
+    pub fn step(
+        &mut self,
+        outputs: Outputs,
+        drives: &[Signal<G::Drives<T>>; LANES],
+        dt: T,
+    ) -> [Result<Settled<T>, SolveError<T>>; LANES] {
+        let measures = self.engine.attempt(outputs, drives, dt);
+        let judged: [_; LANES] = std::array::from_fn(|lane| {
+            let (measures, before) = (&measures[lane], self.signs[lane]);
+            let judged = self
+                .settings
+                .judge(self.models[lane].size(), measures, before);
+            judged.ok().filter(|_| measures.is_healthy())
+        });
+        if judged.iter().all(Option::is_some) {
+            self.engine.accept();
+            self.signs = measures.map(|measures| Some(measures.determinant_sign > T::zero()));
+            return judged.map(|settled| Ok(settled.unwrap_or_default()));
+        }
+        std::array::from_fn(|lane| match judged[lane] {
+            Some(settled) => {
+                let next = measures[lane].signed(self.engine.next(lane));
+                self.set_motion(lane, &next);
+                Ok(settled)
+            }
+            None => self.step_alone(lane, outputs, &drives[lane], dt),
+        })
+    }
+
+    /// A lane whose pivots are unhealthy, or that is refused: by itself, in all ways there are.
+    #[cold]
+    fn step_alone(
+        &mut self,
+        lane: usize,
+        outputs: Outputs,
+        drives: &Signal<G::Drives<T>>,
+        dt: T,
+    ) -> Result<Settled<T>, SolveError<T>> {
+        let mut motion = self.motion(lane);
+        let inputs = Inputs::still(*drives);
+        let model = &self.models[lane];
+        let settled = self
+            .settings
+            .step_to(outputs, model, &inputs, dt, &mut motion)?;
+        self.set_motion(lane, &motion);
+        Ok(settled)
+    }
+
+    fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>) {
+        self.signs[lane] = motion.positive_determinant;
+        self.engine.set_motion(lane, motion);
+    }
+}

@@ -1,0 +1,173 @@
+//! The step in lanes, for one set of instructions each.
+
+use std::marker::PhantomData;
+
+use nalgebra::SVector;
+use suspension_core::bounded::{Measures, Step};
+use suspension_core::motion::Prescribed;
+use suspension_core::{Inputs, Listing, Motion, Named, Outputs, Real, Signal, Still};
+
+use super::number::{Number, Token, Vector};
+
+/// Models and motions in lanes, whatever the instructions.
+pub(super) trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>:
+    Send + Sync
+{
+    /// Computes the next motion of all lanes, to be judged.
+    fn attempt(
+        &mut self,
+        outputs: Outputs,
+        drives: &[Signal<G::Drives<T>>; LANES],
+        dt: T,
+    ) -> [Measures<T>; LANES];
+
+    /// Makes the next motion of all lanes the last.
+    fn accept(&mut self);
+
+    /// The last motion of a lane.
+    fn motion(&self, lane: usize) -> Motion<T, N>;
+
+    /// The motion of a lane that was attempted.
+    fn next(&self, lane: usize) -> Motion<T, N>;
+
+    /// Sets the last motion of a lane.
+    fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>);
+}
+
+/// Lanes as vectors of numbers `V`, in code for the instructions that `S` proves.
+pub(super) struct Vectors<
+    G: Listing<N>,
+    S,
+    V: Vector,
+    const N: usize,
+    const SWEEPS: usize,
+    const ORDER: usize,
+> {
+    model: G::Model<Number<V>>,
+    last: Motion<Number<V>, N>,
+    next: Motion<Number<V>, N>,
+    instructions: PhantomData<S>,
+}
+
+impl<G, S, V, const N: usize, const SWEEPS: usize, const ORDER: usize>
+    Vectors<G, S, V, N, SWEEPS, ORDER>
+where
+    G: Listing<N>,
+    S: Token,
+    V: Vector<Lane: Real>,
+{
+    /// Of one model a lane, at rest. The proof shows that the processor has the instructions.
+    pub(super) fn new<const LANES: usize>(_proof: S, models: [&G::Model<V::Lane>; LANES]) -> Self {
+        let at_rest = Motion::at_rest(SVector::from([Number::default(); N]));
+        Self {
+            model: G::gather(models, packed),
+            last: at_rest,
+            next: at_rest,
+            instructions: PhantomData,
+        }
+    }
+}
+
+/// One number of each lane.
+#[inline(always)]
+fn packed<V: Vector, const LANES: usize>(lanes: [V::Lane; LANES]) -> Number<V> {
+    let mut vector = V::splat(0.0);
+    for (lane, value) in lanes.into_iter().enumerate() {
+        vector.set_lane(lane, value);
+    }
+    Number(vector)
+}
+
+/// A lane of each entry.
+fn lane_of<V: Vector<Lane: Real>, const N: usize>(
+    motion: &Motion<Number<V>, N>,
+    lane: usize,
+) -> Motion<V::Lane, N> {
+    let entries = |vector: &SVector<Number<V>, N>| {
+        let [entries] = vector.data.0;
+        SVector::from(entries.map(|entry| entry.0.lane(lane)))
+    };
+    Motion {
+        position: entries(&motion.position),
+        velocity: entries(&motion.velocity),
+        acceleration: entries(&motion.acceleration),
+        positive_determinant: None,
+    }
+}
+
+/// The drives of all lanes.
+#[inline(always)]
+fn packed_drives<G: Listing<N>, V: Vector<Lane: Real>, const N: usize, const LANES: usize>(
+    lanes: [&G::Drives<V::Lane>; LANES],
+) -> G::Drives<Number<V>> {
+    let mut values = lanes.map(|drives| drives.values());
+    G::Drives::from_fn(|_| {
+        packed(
+            values
+                .each_mut()
+                .map(|values| values.next().unwrap_or_default()),
+        )
+    })
+}
+
+impl<G, S, V, const N: usize, const LANES: usize, const SWEEPS: usize, const ORDER: usize>
+    Engine<G, V::Lane, N, LANES> for Vectors<G, S, V, N, SWEEPS, ORDER>
+where
+    G: Listing<N>,
+    S: Token,
+    V: Vector<Lane: Real>,
+{
+    fn attempt(
+        &mut self,
+        outputs: Outputs,
+        drives: &[Signal<G::Drives<V::Lane>>; LANES],
+        dt: V::Lane,
+    ) -> [Measures<V::Lane>; LANES] {
+        S::assumed().vectorize(
+            #[inline(always)]
+            || {
+                let drives = Signal {
+                    value: packed_drives::<G, V, N, LANES>(drives.each_ref().map(|d| &d.value)),
+                    rate: packed_drives::<G, V, N, LANES>(drives.each_ref().map(|d| &d.rate)),
+                    second_rate: packed_drives::<G, V, N, LANES>(
+                        drives.each_ref().map(|d| &d.second_rate),
+                    ),
+                };
+                let prescribed = Prescribed::new(&self.model, &Inputs::still(drives));
+                let dt = packed([dt; LANES]);
+                let step = Step::<_, Still, N, SWEEPS, ORDER>::new(
+                    &self.model,
+                    &prescribed,
+                    &self.last,
+                    dt,
+                );
+                let (next, measures) = step.in_fixed_order(outputs);
+                self.next = next;
+                std::array::from_fn(|lane| measures.map(|measure| measure.0.lane(lane)))
+            },
+        )
+    }
+
+    fn accept(&mut self) {
+        self.last = self.next;
+    }
+
+    fn motion(&self, lane: usize) -> Motion<V::Lane, N> {
+        lane_of(&self.last, lane)
+    }
+
+    fn next(&self, lane: usize) -> Motion<V::Lane, N> {
+        lane_of(&self.next, lane)
+    }
+
+    fn set_motion(&mut self, lane: usize, motion: &Motion<V::Lane, N>) {
+        let set = |vector: &mut SVector<Number<V>, N>, from: &SVector<V::Lane, N>| {
+            for (entry, value) in vector.iter_mut().zip(from.iter()) {
+                entry.0.set_lane(lane, *value);
+            }
+        };
+        set(&mut self.last.position, &motion.position);
+        set(&mut self.last.velocity, &motion.velocity);
+        set(&mut self.last.acceleration, &motion.acceleration);
+    }
+}

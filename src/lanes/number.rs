@@ -1,0 +1,265 @@
+//! Vectors of numbers as one number: what generated code computes with in lanes.
+//!
+//! A value of these types is made only in code that an [`Engine`](super::engine::Engine) runs
+//! after it has found the processor to have the instructions; the types do not leave this room.
+#![allow(unsafe_code)]
+
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use fearless_simd::{Simd, SimdFloat, f32x4, f32x8, f64x4, f64x8};
+use num_traits::{One, Zero};
+use suspension_core::Scalar;
+
+/// Proof that the processor has certain instructions.
+pub trait Token: Simd {
+    /// The proof, taken for granted: see the module.
+    fn assumed() -> Self;
+}
+
+macro_rules! token {
+    ($token:ident) => {
+        #[cfg(target_arch = "x86_64")]
+        impl Token for fearless_simd::$token {
+            #[inline(always)]
+            fn assumed() -> Self {
+                // SAFETY: numbers that need this proof exist only behind an engine that has it.
+                unsafe { Self::assume_supported() }
+            }
+        }
+    };
+}
+
+token!(Avx2);
+token!(Avx512);
+
+/// Lanes of `f32` or `f64`, and one alone.
+pub trait Vector: Copy + Send + Sync + std::fmt::Debug + 'static {
+    /// A lane.
+    type Lane: Copy;
+
+    /// Beside a number this large there is no room for a fraction.
+    const LARGE: f64;
+
+    fn splat(value: f64) -> Self;
+    fn lane(&self, index: usize) -> Self::Lane;
+    fn set_lane(&mut self, index: usize, value: Self::Lane);
+    fn add(self, other: Self) -> Self;
+    fn subtract(self, other: Self) -> Self;
+    fn multiply(self, other: Self) -> Self;
+    fn divide(self, other: Self) -> Self;
+    fn negative(self) -> Self;
+    /// `self + a b`, rounded once where there are instructions for it.
+    fn plus_product(self, a: Self, b: Self) -> Self;
+}
+
+macro_rules! vector {
+    ($vector:ident, $lane:ty) => {
+        impl<S: Token> Vector for $vector<S> {
+            type Lane = $lane;
+            const LARGE: f64 = 1.5 / <$lane>::EPSILON as f64;
+
+            #[inline(always)]
+            fn splat(value: f64) -> Self {
+                fearless_simd::SimdBase::splat(S::assumed(), value as $lane)
+            }
+            #[inline(always)]
+            fn lane(&self, index: usize) -> $lane {
+                self[index]
+            }
+            #[inline(always)]
+            fn set_lane(&mut self, index: usize, value: $lane) {
+                self[index] = value;
+            }
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                self + other
+            }
+            #[inline(always)]
+            fn subtract(self, other: Self) -> Self {
+                self - other
+            }
+            #[inline(always)]
+            fn multiply(self, other: Self) -> Self {
+                self * other
+            }
+            #[inline(always)]
+            fn divide(self, other: Self) -> Self {
+                self / other
+            }
+            #[inline(always)]
+            fn negative(self) -> Self {
+                -self
+            }
+            #[inline(always)]
+            fn plus_product(self, a: Self, b: Self) -> Self {
+                SimdFloat::mul_add(a, b, self)
+            }
+        }
+    };
+}
+
+vector!(f32x4, f32);
+vector!(f32x8, f32);
+vector!(f64x4, f64);
+vector!(f64x8, f64);
+
+/// One number that rounds `a + b c` once: fast only in code for processors that do.
+#[derive(Clone, Copy, Debug)]
+pub struct Fused<T>(T);
+
+macro_rules! fused {
+    ($lane:ty) => {
+        impl Vector for Fused<$lane> {
+            type Lane = $lane;
+            const LARGE: f64 = 1.5 / <$lane>::EPSILON as f64;
+
+            #[inline(always)]
+            fn splat(value: f64) -> Self {
+                Self(value as $lane)
+            }
+            #[inline(always)]
+            fn lane(&self, _: usize) -> $lane {
+                self.0
+            }
+            #[inline(always)]
+            fn set_lane(&mut self, _: usize, value: $lane) {
+                self.0 = value;
+            }
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                Self(self.0 + other.0)
+            }
+            #[inline(always)]
+            fn subtract(self, other: Self) -> Self {
+                Self(self.0 - other.0)
+            }
+            #[inline(always)]
+            fn multiply(self, other: Self) -> Self {
+                Self(self.0 * other.0)
+            }
+            #[inline(always)]
+            fn divide(self, other: Self) -> Self {
+                Self(self.0 / other.0)
+            }
+            #[inline(always)]
+            fn negative(self) -> Self {
+                Self(-self.0)
+            }
+            #[inline(always)]
+            fn plus_product(self, a: Self, b: Self) -> Self {
+                Self(a.0.mul_add(b.0, self.0))
+            }
+        }
+    };
+}
+
+fused!(f32);
+fused!(f64);
+
+/// A vector with the operators of a number.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Number<V>(pub(super) V);
+
+macro_rules! operator {
+    ($operator:ident, $method:ident, $of_vector:ident, $assign:ident, $assign_method:ident) => {
+        impl<V: Vector> $operator for Number<V> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$of_vector(other.0))
+            }
+        }
+        impl<V: Vector> $assign for Number<V> {
+            #[inline(always)]
+            fn $assign_method(&mut self, other: Self) {
+                self.0 = self.0.$of_vector(other.0);
+            }
+        }
+    };
+}
+
+operator!(Add, add, add, AddAssign, add_assign);
+operator!(Sub, sub, subtract, SubAssign, sub_assign);
+operator!(Mul, mul, multiply, MulAssign, mul_assign);
+operator!(Div, div, divide, DivAssign, div_assign);
+
+impl<V: Vector> Neg for Number<V> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.negative())
+    }
+}
+
+impl<V: Vector> PartialEq for Number<V> {
+    /// Never: lanes are compared one by one.
+    fn eq(&self, _: &Self) -> bool {
+        false
+    }
+}
+
+impl<V: Vector> Default for Number<V> {
+    #[inline(always)]
+    fn default() -> Self {
+        Self(V::splat(0.0))
+    }
+}
+
+impl<V: Vector> Zero for Number<V> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self(V::splat(0.0))
+    }
+    fn is_zero(&self) -> bool {
+        false
+    }
+}
+
+impl<V: Vector> One for Number<V> {
+    #[inline(always)]
+    fn one() -> Self {
+        Self(V::splat(1.0))
+    }
+}
+
+impl<V: Vector> Scalar for Number<V> {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        Self(V::splat(value))
+    }
+    #[inline(always)]
+    fn nearest_integer(self) -> Self {
+        let large = Self(V::splat(V::LARGE));
+        (self + large) - large
+    }
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        Self(self.0.plus_product(a.0, b.0))
+    }
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        Self(self.0.plus_product(a.0.negative(), b.0))
+    }
+}
+
+/// A number that comes in lanes.
+pub trait Lane: suspension_core::Real {
+    /// One alone.
+    type One: Vector<Lane = Self>;
+    /// Four side by side.
+    type Four<S: Token>: Vector<Lane = Self>;
+    /// Eight side by side.
+    type Eight<S: Token>: Vector<Lane = Self>;
+}
+
+impl Lane for f32 {
+    type One = Fused<f32>;
+    type Four<S: Token> = f32x4<S>;
+    type Eight<S: Token> = f32x8<S>;
+}
+
+impl Lane for f64 {
+    type One = Fused<f64>;
+    type Four<S: Token> = f64x4<S>;
+    type Eight<S: Token> = f64x8<S>;
+}

@@ -1,0 +1,80 @@
+//! The step one lane after the other, for processors without instructions for vectors.
+
+use suspension_core::bounded::{Measures, Step};
+use suspension_core::motion::Prescribed;
+use suspension_core::{Inputs, Listing, Motion, Outputs, Real, Signal, Still};
+
+use super::engine::Engine;
+
+/// Lanes of plain numbers.
+pub(super) struct Plain<
+    G: Listing<N>,
+    T: Real,
+    const N: usize,
+    const LANES: usize,
+    const SWEEPS: usize,
+    const ORDER: usize,
+> {
+    models: [G::Model<T>; LANES],
+    last: [Motion<T, N>; LANES],
+    next: [Motion<T, N>; LANES],
+}
+
+impl<
+    G: Listing<N>,
+    T: Real,
+    const N: usize,
+    const LANES: usize,
+    const SWEEPS: usize,
+    const ORDER: usize,
+> Plain<G, T, N, LANES, SWEEPS, ORDER>
+{
+    pub(super) fn new(models: [G::Model<T>; LANES]) -> Self {
+        let at_rest = Motion::at_rest(nalgebra::SVector::zeros());
+        Self {
+            models,
+            last: [at_rest; LANES],
+            next: [at_rest; LANES],
+        }
+    }
+}
+
+impl<G, T, const N: usize, const LANES: usize, const SWEEPS: usize, const ORDER: usize>
+    Engine<G, T, N, LANES> for Plain<G, T, N, LANES, SWEEPS, ORDER>
+where
+    G: Listing<N>,
+    T: Real,
+{
+    fn attempt(
+        &mut self,
+        outputs: Outputs,
+        drives: &[Signal<G::Drives<T>>; LANES],
+        dt: T,
+    ) -> [Measures<T>; LANES] {
+        std::array::from_fn(|lane| {
+            let model = &self.models[lane];
+            let prescribed = Prescribed::new(model, &Inputs::still(drives[lane]));
+            let last = &self.last[lane];
+            let step = Step::<_, Still, N, SWEEPS, ORDER>::new(model, &prescribed, last, dt);
+            let (next, measures) = step.in_fixed_order(outputs);
+            self.next[lane] = next;
+            measures
+        })
+    }
+
+    fn accept(&mut self) {
+        self.last = self.next;
+    }
+
+    fn motion(&self, lane: usize) -> Motion<T, N> {
+        self.last[lane]
+    }
+
+    fn next(&self, lane: usize) -> Motion<T, N> {
+        self.next[lane]
+    }
+
+    fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>) {
+        self.last[lane] = *motion;
+    }
+}
