@@ -12,7 +12,7 @@ use super::formulation::to_f64;
 use super::method::ALL_OUTPUTS;
 use super::reference::Reference;
 use super::timing::Batch;
-use super::trial::{Candidate, Label, Trial};
+use super::trial::{Candidate, Failed, Label, Trial};
 use crate::lanes::{Lane, Lanes};
 
 /// Makes lanes at motions of one model each.
@@ -52,6 +52,47 @@ where
         Self { label, model, make }
     }
 
+    /// Goes through the course: the worst errors, and where runs start. Velocities and
+    /// accelerations that steps do not compute are estimates, from which the next step starts.
+    fn follow(
+        &self,
+        outputs: Outputs,
+        dt: T,
+        course: &Course<G::Drives<f64>>,
+        stride: usize,
+        reference: &Reference<N>,
+    ) -> Result<Followed<G, T, N>, usize> {
+        let instants: Vec<usize> = (0..course.times.len()).step_by(stride).collect();
+        let cast = |index: &usize| cast_drives(&course.drives[*index].signal);
+        let drives: Vec<Signal<G::Drives<T>>> = instants.iter().map(cast).collect();
+        let every = instants.len().div_ceil(RUNS);
+        let (mut errors, mut runs) = ([0.0_f64; 3], Vec::new());
+        let mut lanes = self.at(&Motion::at_rest(reference.start().map(T::constant)));
+        let first = drives.first().ok_or(0_usize)?;
+        let begun = lanes.step(Outputs::Acceleration, &[*first; LANES], T::zero());
+        if begun.iter().any(Result::is_err) {
+            return Err(0);
+        }
+        for (number, (index, given)) in instants.iter().zip(&drives).enumerate().skip(1) {
+            let from = lanes.motion(0);
+            if (number - 1).is_multiple_of(every) {
+                let drives = drives[number..].iter().take(RUN).copied().collect();
+                runs.push(Run { from, drives });
+            }
+            let stepped = lanes.step(outputs, &[*given; LANES], dt);
+            let to = lanes.motion(0);
+            let found = [to.position, to.velocity, to.acceleration].map(to_f64);
+            let found = reference.distance(*index, &found);
+            if stepped.iter().any(Result::is_err) || !found.iter().all(|e| e.is_finite()) {
+                return Err(*index);
+            }
+            for (worst, error) in errors.iter_mut().zip(found) {
+                *worst = worst.max(error);
+            }
+        }
+        Ok((errors, runs))
+    }
+
     fn at(&self, motion: &Motion<T, N>) -> Lanes<G, T, N, LANES, SWEEPS> {
         let models = [(); LANES].map(|()| G::gather([self.model], |[x]: [T; 1]| x));
         (self.make)(models, &[*motion; LANES])
@@ -67,11 +108,13 @@ struct Runs<'a, G: Listing<N>, T: Lane, const N: usize, const LANES: usize, cons
 }
 
 /// Where a run starts, and the drives of each step.
-#[derive(Clone)]
 struct Run<T, D, const N: usize> {
     from: Motion<T, N>,
     drives: Vec<Signal<D>>,
 }
+
+/// Worst errors, and runs to time.
+type Followed<G, T, const N: usize> = ([f64; 3], Vec<Run<T, <G as Listing<N>>::Drives<T>, N>>);
 
 /// Of a batch, and steps of each.
 const RUNS: usize = 8;
@@ -119,44 +162,25 @@ where
         course: &Course<G::Drives<f64>>,
         stride: usize,
         reference: &Reference<N>,
-    ) -> Result<Trial<'a>, usize> {
-        let instants: Vec<usize> = (0..course.times.len()).step_by(stride).collect();
-        let drives: Vec<Signal<G::Drives<T>>> = instants
-            .iter()
-            .map(|index| cast_drives(&course.drives[*index].signal))
-            .collect();
+    ) -> Vec<Result<Trial<'a>, Failed>> {
         let dt = T::constant(course.times[stride] - course.times[0]);
-        let every = instants.len().div_ceil(RUNS);
-        let (mut errors, mut runs) = ([0.0_f64; 3], Vec::new());
-        let at_rest = Motion::at_rest(reference.start().map(T::constant));
-        let mut lanes = self.at(&at_rest);
-        for (number, (index, given)) in instants.iter().zip(&drives).enumerate() {
-            let length = if number == 0 { T::zero() } else { dt };
-            let stepped = lanes.step(Outputs::Acceleration, &[*given; LANES], length);
-            let from = lanes.motion(0);
-            let found = [from.position, from.velocity, from.acceleration].map(to_f64);
-            let found = reference.distance(*index, &found);
-            if stepped.iter().any(Result::is_err) || !found.iter().all(|e| e.is_finite()) {
-                return Err(*index);
-            }
-            for (worst, error) in errors.iter_mut().zip(found) {
-                *worst = worst.max(error);
-            }
-            let following = drives.iter().skip(number + 1).take(RUN).copied();
-            if number.is_multiple_of(every) && number + 1 < drives.len() {
-                let drives = following.collect();
-                runs.push(Run { from, drives });
-            }
-        }
-        let batches = ALL_OUTPUTS.map(|outputs| -> Box<dyn Batch + 'a> {
-            Box::new(Runs {
-                lanes: Self::new(self.label.method.clone(), self.model, self.make),
+        let tried = ALL_OUTPUTS.map(|outputs| {
+            let followed = self.follow(outputs, dt, course, stride, reference);
+            let (errors, runs) = followed.map_err(|at| (outputs, at))?;
+            let lanes = Self::new(self.label.method.clone(), self.model, self.make);
+            let batch: Box<dyn Batch + 'a> = Box::new(Runs {
+                lanes,
                 outputs,
                 dt,
-                runs: runs.clone(),
+                runs,
+            });
+            Ok(Trial {
+                outputs,
+                errors,
+                batch,
             })
         });
-        Ok(Trial { errors, batches })
+        tried.into()
     }
 
     fn latencies(

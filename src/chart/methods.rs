@@ -66,7 +66,6 @@ impl<'a, D: Named<f64> + 'a, const N: usize> Methods<'a, D, N> {
     {
         self.add_sweeps::<G, T, 1>(model);
         self.add_sweeps::<G, T, 2>(model);
-        self.add_sweeps::<G, T, 3>(model);
     }
 
     fn add_sweeps<G, T, const SWEEPS: usize>(&mut self, model: &'a G::Model<T>)

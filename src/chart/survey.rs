@@ -10,8 +10,8 @@ use super::method::{ALL_OUTPUTS, Outputs, name_of};
 use super::methods::Methods;
 use super::reference::Reference;
 use super::rows::Row;
-use super::timing::{Batch, Measured};
-use super::trial::Label;
+use super::timing::Measured;
+use super::trial::{Failed, Label, Trial};
 use crate::number::number;
 use crate::output::progress::Progress;
 
@@ -46,12 +46,12 @@ impl Effort {
     }
 }
 
-/// What is known of a method at a time step.
+/// What is known of a method at a time step, and what a step took in each round.
 struct Tried<'a> {
     label: Label,
     step: f64,
-    errors: [f64; 3],
-    batches: [(Box<dyn Batch + 'a>, Vec<f64>); 3],
+    trial: Trial<'a>,
+    times: Vec<f64>,
 }
 
 /// What was measured.
@@ -97,7 +97,10 @@ impl<'a, D: Named<f64>, const N: usize> Plan<'a, D, N> {
         drop(progress);
         let (latency_step, latencies) = self.latencies();
         Survey {
-            rows: tried.into_iter().flat_map(rows).collect(),
+            rows: tried
+                .into_iter()
+                .filter_map(|tried| row(tried, self.metre))
+                .collect(),
             missing,
             latencies,
             latency_step,
@@ -116,20 +119,17 @@ impl<'a, D: Named<f64>, const N: usize> Plan<'a, D, N> {
                 let Some(stride) = stride.filter(|_| !self.is_interrupted()) else {
                     continue;
                 };
-                let label = candidate.label().clone();
-                match candidate.try_at(self.course, stride, self.reference) {
-                    Ok(trial) => tried.push(Tried {
-                        label,
-                        step: *step,
-                        errors: trial.errors.map(|error| error / self.metre),
-                        batches: trial.batches.map(|batch| (batch, Vec::new())),
-                    }),
-                    Err(index) => missing.push(format!(
-                        "{} in {}, steps of {step} s: no configuration at t = {} s",
-                        label.method,
-                        label.scalar,
-                        number(self.course.times[index])
-                    )),
+                let label = candidate.label();
+                for trial in candidate.try_at(self.course, stride, self.reference) {
+                    match trial {
+                        Ok(trial) => tried.push(Tried {
+                            label: label.clone(),
+                            step: *step,
+                            trial,
+                            times: Vec::new(),
+                        }),
+                        Err(failed) => missing.push(self.failure(label, *step, failed)),
+                    }
                 }
                 progress.step();
             }
@@ -137,15 +137,29 @@ impl<'a, D: Named<f64>, const N: usize> Plan<'a, D, N> {
         (tried, missing)
     }
 
+    fn failure(&self, label: &Label, step: f64, (outputs, index): Failed) -> String {
+        let Label {
+            method,
+            scalar,
+            lanes,
+        } = label;
+        format!(
+            "{method}, {scalar}, {lanes} at once, {} in steps of {step} s: no configuration within \
+             tolerance at t = {} s",
+            name_of(outputs),
+            number(self.course.times[index])
+        )
+    }
+
     /// In rounds, so that what else the machine does is shared out evenly.
     fn time_all(&self, tried: &mut [Tried<'_>], progress: &mut Progress) {
         for _ in 0..self.effort.rounds {
-            for (batch, times) in tried.iter_mut().flat_map(|tried| &mut tried.batches) {
+            for Tried { trial, times, .. } in &mut *tried {
                 if self.is_interrupted() {
                     return;
                 }
-                let nanoseconds = batch.run().as_secs_f64() * 1e9;
-                times.push(nanoseconds / batch.steps() as f64);
+                let nanoseconds = trial.batch.run().as_secs_f64() * 1e9;
+                times.push(nanoseconds / trial.batch.steps() as f64);
                 progress.step();
             }
         }
@@ -192,32 +206,29 @@ pub fn nearest_to(wanted: f64, steps: impl Iterator<Item = f64>) -> Option<f64> 
     steps.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
-/// The rows of a method at a time step, as far as they were timed.
-fn rows(tried: Tried<'_>) -> Vec<Row> {
+/// The row of a trial; `None` where it was not timed.
+fn row(tried: Tried<'_>, metre: f64) -> Option<Row> {
     let Tried {
         label,
         step,
-        errors,
-        batches,
+        trial,
+        times,
     } = tried;
-    let timed = ALL_OUTPUTS.into_iter().zip(batches);
-    let row = |(outputs, (_, times)): (Outputs, (_, Vec<f64>))| {
-        let time = Measured::of(times)?;
-        let error = |order: Outputs| (order <= outputs).then_some(errors[order as usize]);
-        Some(Row {
-            method: label.method.clone(),
-            scalar: label.scalar.to_owned(),
-            lanes: label.lanes,
-            step_s: step,
-            outputs: name_of(outputs).to_owned(),
-            nanoseconds: hundredth(time.median),
-            spread_ns: hundredth(time.between_quartiles),
-            error_position_m: error(Outputs::Position),
-            error_velocity_m_s: error(Outputs::Velocity),
-            error_acceleration_m_s2: error(Outputs::Acceleration),
-        })
-    };
-    timed.filter_map(row).collect()
+    let time = Measured::of(times)?;
+    let error =
+        |order: Outputs| (order <= trial.outputs).then_some(trial.errors[order as usize] / metre);
+    Some(Row {
+        method: label.method,
+        scalar: label.scalar.to_owned(),
+        lanes: label.lanes,
+        step_s: step,
+        outputs: name_of(trial.outputs).to_owned(),
+        nanoseconds: hundredth(time.median),
+        spread_ns: hundredth(time.between_quartiles),
+        error_position_m: error(Outputs::Position),
+        error_velocity_m_s: error(Outputs::Velocity),
+        error_acceleration_m_s2: error(Outputs::Acceleration),
+    })
 }
 
 fn hundredth(number: f64) -> f64 {

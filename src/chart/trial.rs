@@ -28,28 +28,29 @@ pub struct Label {
 
 /// What a method did over a course.
 pub struct Trial<'a> {
-    /// The worst error of position, velocity and acceleration: m, m/s, m/s^2.
+    /// What its steps computed.
+    pub outputs: Outputs,
+    /// The worst error of position, velocity and acceleration, in the unit of the reference.
     pub errors: [f64; 3],
-    /// Steps to time, one batch for each of [`ALL_OUTPUTS`].
-    pub batches: [Box<dyn Batch + 'a>; 3],
+    /// Steps to time.
+    pub batch: Box<dyn Batch + 'a>,
 }
+
+/// What steps were to compute, and the index of the instant at which they found nothing.
+pub type Failed = (Outputs, usize);
 
 /// A method, whatever its types, over drives `D` and `N` coordinates.
 pub trait Candidate<'a, D, const N: usize> {
     /// Its name.
     fn label(&self) -> &Label;
 
-    /// Goes through the course in strides.
-    ///
-    /// # Errors
-    ///
-    /// The index of the instant at which the method finds no configuration.
+    /// Goes through the course in strides, for each of [`ALL_OUTPUTS`].
     fn try_at(
         &self,
         course: &Course<D>,
         stride: usize,
         reference: &Reference<N>,
-    ) -> Result<Trial<'a>, usize>;
+    ) -> Vec<Result<Trial<'a>, Failed>>;
 
     /// Times each of `count` steps to position, velocity and acceleration by itself; `None` where
     /// a step fails.
@@ -151,16 +152,22 @@ where
         course: &Course<D>,
         stride: usize,
         reference: &Reference<N>,
-    ) -> Result<Trial<'a>, usize> {
-        let Followed { errors, starts } = follow(&self.method, course, stride, reference)?;
-        let batches = ALL_OUTPUTS.map(|outputs| -> Box<dyn Batch + 'a> {
-            Box::new(Steps::<M, D, N> {
+    ) -> Vec<Result<Trial<'a>, Failed>> {
+        let followed = follow(&self.method, course, stride, reference);
+        let tried = ALL_OUTPUTS.map(|outputs| {
+            let Followed { errors, starts } = followed.as_ref().map_err(|at| (outputs, *at))?;
+            let batch: Box<dyn Batch + 'a> = Box::new(Steps::<M, D, N> {
                 method: self.method,
                 outputs,
                 starts: starts.clone(),
+            });
+            Ok(Trial {
+                outputs,
+                errors: *errors,
+                batch,
             })
         });
-        Ok(Trial { errors, batches })
+        tried.into()
     }
 
     fn latencies(
