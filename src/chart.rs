@@ -110,8 +110,9 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
         rivals,
     };
     write(&findings, &wanted.folder, csv)?;
-    for missing in &findings.survey.missing {
-        eprintln!("note: {missing}");
+    if !findings.survey.missing.is_empty() {
+        let count = findings.survey.missing.len();
+        eprintln!("note: {count} measurements are not in the chart; the page says why");
     }
     if interrupted.load(Ordering::Relaxed) {
         let kept = findings.survey.rows.len();
