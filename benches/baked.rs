@@ -2,15 +2,15 @@
 //!
 //! Ids are `baked/FUNCTION/LINKAGE/f64` with `position`, `velocity` and `acceleration`, each
 //! including the ones before it: the wheel's pose (six outputs) to 1e-6 m, with a first derivative
-//! that does not jump. `baked/velocity_1e-4` and `baked/velocity_1e-8` are `velocity` to those
-//! tolerances. Each call looks up another place.
+//! that does not jump. `velocity_1e-4` and `velocity_1e-8` are `velocity` to those tolerances,
+//! `velocity_all` is that of all points (18 outputs). Each call looks up another place.
 
 use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use suspension::bake::{Baked, Continuity, Path, Wanted, Wish, bake};
-use suspension_core::baked::{Curve, Place};
+use suspension::bake::{Baked, Continuity, Path, TERMS, Wanted, Wish, bake};
+use suspension_core::baked::Place;
 use suspension_core::{Build, HasWheel, Inputs, Still};
 
 #[path = "../tests/support/mod.rs"]
@@ -19,19 +19,18 @@ mod support;
 const PLACES: usize = 1024;
 const RANGE: [f64; 2] = [0.7, 2.150_312_5];
 
+type Wheel<'a> = Place<'a, f64, 6, TERMS>;
+type AllPoints<'a> = Place<'a, f64, 18, TERMS>;
+
 /// Times what is read at one place after the other.
-fn time<R>(
+fn time<R, const OUT: usize>(
     criterion: &mut Criterion,
     id: String,
     baked: &Baked,
-    read: impl Fn(Place<'_, f64, 6, 6>) -> R,
+    read: impl Fn(Place<'_, f64, OUT, TERMS>) -> R,
 ) {
-    let segments = baked.table().expect("six outputs");
-    let curve = Curve {
-        range: RANGE,
-        segments_per_unit: baked.segments_per_unit(),
-        segments: &segments,
-    };
+    let segments = baked.table::<f64, OUT>().expect("so many outputs");
+    let curve = baked.curve(&segments);
     // Multiples of the golden ratio, modulo 1: all over the range, no two in a row near.
     let part = |k: usize| (k as f64 * 0.618_033_988_749_895).fract();
     let places: Vec<f64> = (0..PLACES)
@@ -59,8 +58,8 @@ fn linkage<L>(
 {
     let start = support::motions(model, rough, inputs)[0];
     let held = inputs(0.0).drives.value;
-    let path = Path::new(model, &start, held, 0, RANGE, Wish::Wheel).expect("a regular range");
-    let to = |tolerance| {
+    let to = |tolerance, wish| {
+        let path = Path::new(model, &start, held, 0, RANGE, wish).expect("a regular range");
         let wanted = Wanted {
             range: RANGE,
             tolerance,
@@ -70,21 +69,33 @@ fn linkage<L>(
         bake(&wanted, &path).expect("within the tolerance")
     };
     let id = |function: &str| format!("{function}/{name}/f64");
-    let baked = to(1e-6);
+    let baked = to(1e-6, Wish::Wheel);
     let [rate, second_rate] = [1.5, -0.7];
-    time(criterion, id("position"), &baked, |place| place.position());
-    time(criterion, id("velocity"), &baked, |place| {
+    time(criterion, id("position"), &baked, |place: Wheel<'_>| {
+        place.position()
+    });
+    time(criterion, id("velocity"), &baked, |place: Wheel<'_>| {
         place.velocity(black_box(rate))
     });
-    time(criterion, id("acceleration"), &baked, |place| {
+    time(criterion, id("acceleration"), &baked, |place: Wheel<'_>| {
         place.acceleration(black_box(rate), black_box(second_rate))
     });
     for tolerance in [1e-4, 1e-8] {
-        let id = id(&format!("velocity_{tolerance:e}"));
-        time(criterion, id, &to(tolerance), |place| {
+        let (id, baked) = (
+            id(&format!("velocity_{tolerance:e}")),
+            to(tolerance, Wish::Wheel),
+        );
+        time(criterion, id, &baked, |place: Wheel<'_>| {
             place.velocity(black_box(rate))
         });
     }
+    let all = to(1e-6, Wish::AllPoints);
+    time(
+        criterion,
+        id("velocity_all"),
+        &all,
+        |place: AllPoints<'_>| place.velocity(black_box(rate)),
+    );
 }
 
 fn published_motion(criterion: &mut Criterion) {

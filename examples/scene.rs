@@ -9,7 +9,7 @@ use std::error::Error;
 use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
-use suspension::bake::{Continuity, Path, TERMS, Wanted, Wish, bake};
+use suspension::bake::{Baked, Continuity, Path, TERMS, Wanted, Wish, bake};
 use suspension::detail::{Detail, Method, Need, Outputs, choose};
 use suspension_core::baked::Curve;
 use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
@@ -139,8 +139,8 @@ impl Scene {
         Ok((times[TICKS / 2], read))
     }
 
-    /// The wheel's curve for a tolerance.
-    fn segments(&self, tolerance: f64) -> Result<([f64; 2], Segments), Box<dyn Error>> {
+    /// The wheel's motion to a tolerance.
+    fn bake(&self, tolerance: f64) -> Result<Baked, Box<dyn Error>> {
         let straight = self.model.drives_at(&self.design);
         let range = [straight.bump - TRAVEL, straight.bump + TRAVEL];
         let wanted = Wanted {
@@ -149,34 +149,27 @@ impl Scene {
             metre: 1.0,
             continuity: Continuity::Velocity,
         };
-        let path = Path::new(&self.model, &self.start(), straight, 0, range, Wish::Wheel);
-        let path = path.map_err(|error| format!("{error:?}"))?;
-        let baked = bake(&wanted, &path).map_err(|error| format!("{error:?}"))?;
-        Ok((range, baked.table().ok_or("a wheel has six outputs")?))
+        let path = Path::new(&self.model, &self.start(), straight, 0, range, Wish::Wheel)?;
+        Ok(bake(&wanted, &path)?)
     }
 }
-
-type Segments = Vec<[[f64; 6]; TERMS]>;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let scene = Scene::new()?;
     let need = Need {
         tolerance: 1e-4,
         outputs: Outputs::Velocity,
+        points: Wish::Wheel,
         step: STEP,
     };
     let Detail { method, .. } = choose(&need).ok_or("no method meets the need")?;
     let exact = Corner::Exact(Box::new(scene.start()));
-    let segments;
+    let table;
     let others = match method {
         Method::Baked { tolerance } => {
-            let range;
-            (range, segments) = scene.segments(tolerance)?;
-            Corner::Baked(Curve {
-                range,
-                segments_per_unit: segments.len() as f64 / (range[1] - range[0]),
-                segments: &segments,
-            })
+            let baked = scene.bake(tolerance)?;
+            table = baked.table().ok_or("a wheel has six outputs")?;
+            Corner::Baked(baked.curve(&table))
         }
         Method::Exact | Method::Bounded { .. } | Method::Series { .. } => exact.clone(),
     };

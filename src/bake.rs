@@ -14,6 +14,7 @@ pub mod path;
 pub mod scheme;
 pub mod source;
 pub mod surface;
+pub mod widest;
 
 pub use certify::Reached;
 pub use driven::{Derivatives, Output, Wish};

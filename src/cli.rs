@@ -67,7 +67,7 @@ impl Command {
                 let csv = csv.map(target);
                 job::motion(&Wanted { file, csv, plots }, interrupted)
             }
-            Self::Bake(arguments) => arguments.run(),
+            Self::Bake(arguments) => arguments.run(interrupted),
             Self::Chart(arguments) => arguments.run(interrupted),
         }
     }

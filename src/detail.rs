@@ -1,78 +1,28 @@
 //! How finely to model: the cheapest method that a scene's needs allow, from measured figures.
 //!
 //! ```
-//! use suspension::detail::{Method, Need, Outputs, choose};
+//! use suspension::detail::{Method, Need, Outputs, Wish, choose};
 //!
 //! // A car far away: 0.1 mm is plenty, and nobody reads accelerations.
-//! let need = Need { tolerance: 1e-4, outputs: Outputs::Velocity, step: 1e-3 };
+//! let need = Need {
+//!     tolerance: 1e-4,
+//!     outputs: Outputs::Velocity,
+//!     points: Wish::Wheel,
+//!     step: 1e-3,
+//! };
 //! let detail = choose(&need).expect("met by a method that was measured");
 //! assert_eq!(detail.method, Method::Baked { tolerance: 1e-4 });
 //! ```
 
-use std::fmt;
-use std::str::FromStr;
+mod method;
+mod row;
 
-use serde::de::{Deserialize, Deserializer, Error};
-
+pub use method::{Method, NotAMethod};
 pub use suspension_core::bounded::Outputs;
 
+pub use crate::bake::Wish;
 use crate::failure::Failure;
-
-/// A way to compute a motion, under the names that tables of figures use.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Method {
-    /// The solver to its tolerance: `generated`.
-    Exact,
-    /// One factorisation and a fixed number of corrections: `bounded_1`, `bounded_2`, ...
-    Bounded {
-        /// Corrections.
-        corrections: u8,
-    },
-    /// Taylor series of this order: `series_2`, ...
-    Series {
-        /// Order.
-        order: u8,
-    },
-    /// A baked curve of this tolerance in metres: `baked_1e-6`, ...
-    Baked {
-        /// Tolerance, m.
-        tolerance: f64,
-    },
-}
-
-/// A name that is not a [`Method`]'s: tables also hold methods that are there for comparison.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NotAMethod;
-
-impl FromStr for Method {
-    type Err = NotAMethod;
-
-    fn from_str(name: &str) -> Result<Self, NotAMethod> {
-        fn number<T: FromStr>(digits: &str) -> Result<T, NotAMethod> {
-            digits.parse().map_err(|_| NotAMethod)
-        }
-        match name.split_once('_') {
-            None if name == "generated" => Ok(Self::Exact),
-            Some(("bounded", digits)) => {
-                number(digits).map(|corrections| Self::Bounded { corrections })
-            }
-            Some(("series", digits)) => number(digits).map(|order| Self::Series { order }),
-            Some(("baked", digits)) => number(digits).map(|tolerance| Self::Baked { tolerance }),
-            _ => Err(NotAMethod),
-        }
-    }
-}
-
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Exact => f.write_str("generated"),
-            Self::Bounded { corrections } => write!(f, "bounded_{corrections}"),
-            Self::Series { order } => write!(f, "series_{order}"),
-            Self::Baked { tolerance } => write!(f, "baked_{tolerance:e}"),
-        }
-    }
-}
+use row::Row;
 
 /// What a part of a scene needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,6 +31,8 @@ pub struct Need {
     pub tolerance: f64,
     /// What is read.
     pub outputs: Outputs,
+    /// Of which points.
+    pub points: Wish,
     /// From one instant to the next, s.
     pub step: f64,
 }
@@ -92,32 +44,12 @@ pub struct Detail {
     pub method: Method,
     /// What it computes.
     pub outputs: Outputs,
+    /// Of which points.
+    pub points: Wish,
     /// Time a step and suspension, ns.
     pub nanoseconds: f64,
     /// The largest error of a position, m.
     pub error: f64,
-}
-
-/// One measurement, as tables have it; columns that are not needed here are left out.
-#[derive(Clone, Debug, serde::Deserialize)]
-struct Row {
-    method: String,
-    scalar: String,
-    lanes: u32,
-    step_s: f64,
-    #[serde(deserialize_with = "outputs")]
-    outputs: Outputs,
-    nanoseconds: f64,
-    error_position_m: f64,
-}
-
-fn outputs<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Outputs, D::Error> {
-    match String::deserialize(deserializer)?.as_str() {
-        "position" => Ok(Outputs::Position),
-        "velocity" => Ok(Outputs::Velocity),
-        "acceleration" => Ok(Outputs::Acceleration),
-        other => Err(D::Error::custom(format!("unknown outputs `{other}`"))),
-    }
 }
 
 /// Measured figures of methods.
@@ -149,16 +81,8 @@ impl Figures {
         let mut reader = csv::Reader::from_reader(text.as_bytes());
         let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
         let rows = rows.map_err(|error| Failure::Input(format!("{name}: {error}")))?;
-        let detail = |row: Row| {
-            let detail = Detail {
-                method: row.method.parse().ok()?,
-                outputs: row.outputs,
-                nanoseconds: row.nanoseconds,
-                error: row.error_position_m,
-            };
-            (row.scalar == "f64" && row.lanes == 1).then_some((row.step_s, detail))
-        };
-        let rows = rows.into_iter().filter_map(detail).collect();
+        let steps = rows.iter().map(|row| Some((row.step_s, row.detail()?)));
+        let rows = steps.flatten().collect();
         Ok(Self { rows })
     }
 
@@ -168,7 +92,10 @@ impl Figures {
     /// longer one.
     pub fn choose(&self, need: &Need) -> Option<Detail> {
         let meets = |(step, detail): &&(f64, Detail)| {
-            *step >= need.step && detail.outputs >= need.outputs && detail.error <= need.tolerance
+            *step >= need.step
+                && detail.outputs >= need.outputs
+                && (detail.points == Wish::AllPoints || need.points == Wish::Wheel)
+                && detail.error <= need.tolerance
         };
         let cheapest = self
             .rows
@@ -189,71 +116,70 @@ mod tests {
     use super::*;
 
     const TABLE: &str = "\
-method,scalar,lanes,step_s,outputs,nanoseconds,spread_ns,error_position_m,error_velocity_m_s,error_acceleration_m_s2
-nalgebra_lu,f64,1,0.001,position,5,1,1e-15,,
-generated,f64,1,0.001,position,400,1,1e-15,,
-generated,f64,1,0.001,acceleration,800,1,1e-15,1e-12,1e-10
-bounded_1,f64,1,0.001,position,150,1,2e-12,,
-bounded_1,f64,1,0.02,position,150,1,1e-5,,
-bounded_1,f64,4,0.001,position,40,1,2e-12,,
-series_4,f32,1,0.001,position,30,1,1e-7,,
-baked_1e-4,f64,1,0.02,velocity,8,1,9e-5,1e-2,
-baked_1e-6,f64,1,0.02,velocity,9,1,9e-7,1e-4,
+method,scalar,lanes,step_s,outputs,nanoseconds,spread_ns,error_position_m,error_velocity_m_s,error_acceleration_m_s2,points
+nalgebra_lu,f64,1,0.001,position,5,1,1e-15,,,
+generated,f64,1,0.001,position,400,1,1e-15,,,
+generated,f64,1,0.001,acceleration,800,1,1e-15,1e-12,1e-10,
+bounded_1,f64,1,0.001,position,150,1,2e-12,,,
+bounded_1,f64,1,0.02,position,150,1,1e-5,,,
+bounded_1,f64,4,0.001,position,40,1,2e-12,,,
+series_4,f32,1,0.001,position,30,1,1e-7,,,
+baked_1e-4,f64,1,0.02,velocity,8,1,9e-5,1e-2,,
+baked_1e-6,f64,1,0.02,velocity,9,1,9e-7,1e-4,,wheel
+baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
 ";
 
-    fn chosen(tolerance: f64, outputs: Outputs, step: f64) -> Option<String> {
+    fn chosen(need: &Need) -> Option<String> {
         let figures = Figures::parse("table", TABLE).expect("a table");
-        let need = Need {
-            tolerance,
-            outputs,
-            step,
-        };
-        figures
-            .choose(&need)
-            .map(|detail| detail.method.to_string())
+        let detail = figures.choose(need);
+        detail.map(|detail| detail.method.to_string())
     }
 
     #[test]
     fn the_cheapest_that_meets_the_need() {
         use Outputs::{Acceleration, Position, Velocity};
-        for (tolerance, outputs, step, expected) in [
-            (1e-4, Position, 1e-3, Some("baked_1e-4")),
-            (1e-4, Velocity, 1e-3, Some("baked_1e-4")),
-            (1e-5, Velocity, 1e-3, Some("baked_1e-6")),
-            (1e-9, Position, 1e-3, Some("bounded_1")),
-            (1e-9, Velocity, 1e-3, Some("generated")),
-            (1e-9, Position, 2e-3, None),
-            (1e-14, Position, 1e-3, Some("generated")),
-            (1e-4, Acceleration, 1e-3, Some("generated")),
-            (1e-16, Position, 1e-3, None),
+        use Wish::{AllPoints, Wheel};
+        for (tolerance, outputs, points, step, expected) in [
+            (1e-4, Position, Wheel, 1e-3, Some("baked_1e-4")),
+            (1e-4, Velocity, Wheel, 1e-3, Some("baked_1e-4")),
+            (1e-7, Velocity, AllPoints, 1e-3, Some("generated")),
+            (1e-7, Position, AllPoints, 1e-3, Some("bounded_1")),
+            (1e-5, Velocity, Wheel, 1e-3, Some("baked_1e-6")),
+            (1e-5, Velocity, AllPoints, 1e-3, Some("baked_1e-6")),
+            (1e-9, Position, Wheel, 1e-3, Some("bounded_1")),
+            (1e-9, Velocity, Wheel, 1e-3, Some("generated")),
+            (1e-9, Position, Wheel, 2e-3, None),
+            (1e-14, Position, Wheel, 1e-3, Some("generated")),
+            (1e-4, Acceleration, Wheel, 1e-3, Some("generated")),
+            (1e-16, Position, Wheel, 1e-3, None),
         ] {
-            let found = chosen(tolerance, outputs, step);
-            assert_eq!(
-                found.as_deref(),
-                expected,
-                "{tolerance:e} {outputs:?} {step}"
-            );
+            let need = Need {
+                tolerance,
+                outputs,
+                points,
+                step,
+            };
+            assert_eq!(chosen(&need).as_deref(), expected, "{need:?}");
         }
     }
 
     #[test]
-    fn names_of_methods_are_read_as_written() {
-        for name in ["generated", "bounded_2", "series_8", "baked_1e-8"] {
-            assert_eq!(
-                name.parse::<Method>().map(|m| m.to_string()),
-                Ok(name.to_owned())
-            );
-        }
-        for name in [
-            "dense_lu",
-            "nalgebra_lu",
-            "absolute",
-            "relative",
-            "baked_",
-            "bounded_-1",
-        ] {
-            assert_eq!(name.parse::<Method>(), Err(NotAMethod));
-        }
+    fn a_table_without_points_is_of_wheels_where_it_is_baked() {
+        let without: String = TABLE
+            .lines()
+            .filter_map(|line| line.rsplit_once(','))
+            .map(|(line, _)| format!("{line}\n"))
+            .collect();
+        let figures = Figures::parse("table", &without).expect("a table");
+        let need = |points| Need {
+            tolerance: 1e-4,
+            outputs: Outputs::Velocity,
+            points,
+            step: 1e-3,
+        };
+        let method = |points| figures.choose(&need(points)).map(|detail| detail.method);
+        assert_eq!(method(Wish::Wheel), Some(Method::Baked { tolerance: 1e-4 }));
+        assert_eq!(method(Wish::AllPoints), Some(Method::Exact));
     }
 
     #[test]
@@ -273,6 +199,7 @@ baked_1e-6,f64,1,0.02,velocity,9,1,9e-7,1e-4,
             let need = Need {
                 tolerance: 1e-14,
                 outputs,
+                points: Wish::AllPoints,
                 step: 1e-3,
             };
             assert_eq!(

@@ -177,9 +177,8 @@ where
         let measures = self.engine.attempt(outputs, drives, dt);
         let judged: [_; LANES] = std::array::from_fn(|lane| {
             let (measures, before) = (&measures[lane], self.signs[lane]);
-            let judged = self
-                .settings
-                .judge(self.models[lane].size(), measures, before);
+            let size = self.models[lane].size();
+            let judged = self.settings.judge(size, measures, before, T::zero);
             judged.ok().filter(|_| measures.is_healthy())
         });
         if judged.iter().all(Option::is_some) {

@@ -1,9 +1,15 @@
 //! The smallest number of segments with which a tolerance is met.
 
+use std::fmt;
+
+use suspension_core::Scalar;
+use suspension_core::baked::Curve;
+
 use crate::bake::certify::{Reached, bound, places};
 use crate::bake::driven::{Derivatives, Output};
 use crate::bake::path::{Exact, OutOfReach};
 use crate::bake::scheme::{Coefficients, Continuity, TERMS};
+use crate::number::number;
 
 /// What to bake.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +44,7 @@ impl Baked {
         self.segments.len() as f64 / (to - from)
     }
 
-    /// Numbers by segment, power and output, as [`suspension_core::baked::Curve`] has them.
+    /// Numbers by segment, power and output, as [`Curve`] has them.
     pub fn rows(&self) -> impl Iterator<Item = [Vec<f64>; TERMS]> {
         self.segments.iter().map(|segment| {
             let mut power = 0;
@@ -50,17 +56,31 @@ impl Baked {
         })
     }
 
-    /// The segments of a [`suspension_core::baked::Curve`]; `None` where `OUT` is not the number
-    /// of outputs.
-    pub fn table<const OUT: usize>(&self) -> Option<Vec<[[f64; OUT]; TERMS]>> {
+    /// The segments of a [`Curve`] in a number type; `None` where `OUT` is not the number of
+    /// outputs. What is reached holds in `f64`; with `f32`, coordinates lose some 1e-7 of their
+    /// size more.
+    pub fn table<T: Scalar, const OUT: usize>(&self) -> Option<Vec<[[T; OUT]; TERMS]>> {
         let fixed = |rows: [Vec<f64>; TERMS]| {
-            let mut table = [[0.0; OUT]; TERMS];
+            let mut table = [[T::zero(); OUT]; TERMS];
             for (fixed, row) in table.iter_mut().zip(rows) {
-                *fixed = row.try_into().ok()?;
+                let row: [f64; OUT] = row.try_into().ok()?;
+                *fixed = row.map(T::constant);
             }
             Some(table)
         };
         self.rows().map(fixed).collect()
+    }
+
+    /// The curve over its [`table`](Self::table).
+    pub fn curve<'a, T: Scalar, const OUT: usize>(
+        &self,
+        table: &'a [[[T; OUT]; TERMS]],
+    ) -> Curve<'a, T, OUT, TERMS> {
+        Curve {
+            range: self.wanted.range.map(T::constant),
+            segments_per_unit: T::constant(self.segments_per_unit()),
+            segments: table,
+        }
     }
 }
 
@@ -81,6 +101,21 @@ impl From<OutOfReach> for Unmet {
         Self::OutOfReach(error)
     }
 }
+
+impl fmt::Display for Unmet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfReach(error) => error.fmt(f),
+            Self::TooManySegments { at } => write!(
+                f,
+                "{MOST_SEGMENTS} segments do not meet the tolerance about {}",
+                number(*at)
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Unmet {}
 
 /// Segments that a curve may have: with more, it no longer lies in the fast caches.
 pub const MOST_SEGMENTS: usize = 256;
@@ -109,64 +144,17 @@ pub fn bake(wanted: &Wanted, exact: &dyn Exact) -> Result<Baked, Unmet> {
     Err(Unmet::TooManySegments { at })
 }
 
-/// The widest part of the range, to a 64th, that can be baked; `None` where not even the smallest
-/// about the middle can.
-///
-/// # Errors
-///
-/// [`OutOfReach`].
-pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Result<Option<[f64; 2]>, OutOfReach> {
-    const PARTS: u32 = 64;
-    let [from, to] = wanted.range;
-    let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
-    let possible = |first: u32, last: u32| {
-        let range = [first, last].map(place);
-        let count = MOST_SEGMENTS;
-        let fit = Fit {
-            wanted: &Wanted { range, ..*wanted },
-            exact,
-            count,
-        };
-        Ok(last > first && fit.all(0.5)?.is_ok())
-    };
-    let middle = PARTS / 2;
-    let half = most(middle, |half| possible(middle - half, middle + half))?;
-    let before = most(middle, |before| {
-        possible(middle - before.max(half), middle + half)
-    })?
-    .max(half);
-    let after = most(middle, |after| {
-        possible(middle - before, middle + after.max(half))
-    })?
-    .max(half);
-    Ok((half > 0).then(|| [middle - before, middle + after].map(place)))
-}
-
-/// The largest number up to `limit` that is possible, where all smaller ones are.
-fn most(limit: u32, possible: impl Fn(u32) -> Result<bool, OutOfReach>) -> Result<u32, OutOfReach> {
-    let (mut good, mut bad) = (0, limit + 1);
-    while bad - good > 1 {
-        let middle = good.midpoint(bad);
-        if possible(middle)? {
-            good = middle;
-        } else {
-            bad = middle;
-        }
-    }
-    Ok(good)
-}
-
 /// A try with a number of segments.
-struct Fit<'a> {
-    wanted: &'a Wanted,
-    exact: &'a dyn Exact,
-    count: usize,
+pub(super) struct Fit<'a> {
+    pub(super) wanted: &'a Wanted,
+    pub(super) exact: &'a dyn Exact,
+    pub(super) count: usize,
 }
 
 impl Fit<'_> {
     /// All segments, or where in the range (0 to 1) the tolerance is not met: tried first where it
     /// was not met before.
-    fn all(&self, suspect: f64) -> Result<Result<Baked, f64>, OutOfReach> {
+    pub(super) fn all(&self, suspect: f64) -> Result<Result<Baked, f64>, OutOfReach> {
         let first = ((suspect * self.count as f64) as usize).min(self.count - 1);
         if self.segment(first)?.is_none() {
             return Ok(Err(suspect));
@@ -224,6 +212,7 @@ mod tests {
     use nalgebra::Vector3;
 
     use super::*;
+    use crate::bake::widest::widest;
 
     /// A point on a circle of radius one.
     struct Circle;

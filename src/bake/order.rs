@@ -5,10 +5,11 @@ use std::f64::consts::PI;
 use suspension_core::{DriveKind, Inputs, Named, Still};
 
 use crate::bake::driven::Wish;
-use crate::bake::fit::{Baked, MOST_SEGMENTS, Unmet, Wanted, bake, widest};
+use crate::bake::fit::{Baked, MOST_SEGMENTS, Unmet, Wanted, bake};
 use crate::bake::path::{OutOfReach, Path};
 use crate::bake::scheme::Continuity;
 use crate::bake::source::Sheet;
+use crate::bake::widest::widest;
 use crate::failure::Failure;
 use crate::input::drives::unit_of;
 use crate::input::instants::Instants;

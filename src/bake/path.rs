@@ -1,8 +1,11 @@
 //! The exact motion as a function of one drive.
 
+use std::fmt;
+
 use suspension_core::{Build, HasWheel, Linkage, Motion, Named, SolveError, Stopped};
 
 use crate::bake::driven::{Derivatives, Driven, Output, Wish, with};
+use crate::number::number;
 
 /// The mechanism moved by one drive, the others held.
 #[derive(Clone, Debug)]
@@ -22,6 +25,16 @@ pub struct OutOfReach {
     /// Why it goes no further.
     pub cause: Option<SolveError<f64>>,
 }
+
+impl fmt::Display for OutOfReach {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [from, to] = self.reached.map(number);
+        write!(f, "the mechanism takes the drive from {from} to {to} only")?;
+        self.cause.map_or(Ok(()), |cause| write!(f, ": {cause}"))
+    }
+}
+
+impl std::error::Error for OutOfReach {}
 
 /// A motion along a drive, whatever its linkage.
 pub trait Exact {

@@ -1,13 +1,19 @@
 //! Baking the motion of two drives, as travel and steer, into
 //! [`suspension_core::baked::Surface`].
 
+mod plane;
+
+use std::fmt;
+
 use nalgebra::Vector3;
 use suspension_core::baked::Patch;
-use suspension_core::{Build, HasWheel, Motion, SolveError, Stopped};
+use suspension_core::{Build, HasWheel, Motion, SolveError};
 
 use crate::bake::certify;
-use crate::bake::driven::{Driven, Output, Wish, with};
+use crate::bake::driven::{Driven, Output, Wish};
 use crate::bake::scheme::{Continuity, TERMS};
+use crate::number::number;
+use plane::{Mixed, Plane};
 
 /// What to bake.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,6 +88,23 @@ pub enum UnmetSurface {
     TooManyPatches,
 }
 
+impl fmt::Display for UnmetSurface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfReach { drives, cause } => {
+                let [first, second] = drives.map(number);
+                write!(f, "the mechanism does not reach {first} and {second}")?;
+                cause.map_or(Ok(()), |cause| write!(f, ": {cause}"))
+            }
+            Self::TooManyPatches => {
+                write!(f, "{MOST_PATCHES} patches do not meet the tolerance")
+            }
+        }
+    }
+}
+
+impl std::error::Error for UnmetSurface {}
+
 /// Patches that a surface may have.
 pub const MOST_PATCHES: usize = 144;
 
@@ -125,22 +148,6 @@ where
         }
     }
     Err(UnmetSurface::TooManyPatches)
-}
-
-struct Plane<'a, L: Build<N, Scalar = f64>, const N: usize> {
-    driven: Driven<'a, L>,
-    start: &'a Motion<f64, N>,
-    held: L::Drives,
-    wanted: &'a WantedSurface,
-}
-
-/// An output with its derivatives by the first drive, the second, and both.
-#[derive(Clone, Copy)]
-struct Mixed {
-    value: Vector3<f64>,
-    by_first: Vector3<f64>,
-    by_second: Vector3<f64>,
-    by_both: Vector3<f64>,
 }
 
 type Patches = Vec<Vec<Patch<f64, 3, TERMS>>>;
@@ -195,70 +202,6 @@ where
             patches.push(patch);
         }
         Ok((patches, reached))
-    }
-
-    /// The outputs at places, 0 to 1 in each direction, by place along the first drive.
-    fn grid(
-        &self,
-        corner: [f64; 2],
-        lengths: [f64; 2],
-        places: &[f64],
-    ) -> Result<Vec<Vec<Vec<Mixed>>>, UnmetSurface> {
-        let mut motion = *self.start;
-        let mut last = self.held;
-        let mut grid = Vec::new();
-        for u in places {
-            let mut row = Vec::new();
-            let mut turned = (motion, last);
-            for v in places {
-                let at = [corner[0] + lengths[0] * u, corner[1] + lengths[1] * v];
-                let drives = self.drives(self.held, at);
-                let followed = self.driven.follow([&last, &drives], &mut motion);
-                followed.map_err(|Stopped { refused, .. }| UnmetSurface::OutOfReach {
-                    drives: at,
-                    cause: refused.map(|(_, cause)| cause),
-                })?;
-                last = drives;
-                if row.is_empty() {
-                    turned = (motion, last);
-                }
-                row.push(self.mixed(&motion, at)?);
-            }
-            // Each row begins where the last one began.
-            (motion, last) = turned;
-            grid.push(row);
-        }
-        Ok(grid)
-    }
-
-    fn drives(&self, of: L::Drives, [first, second]: [f64; 2]) -> L::Drives {
-        let [first_drive, second_drive] = self.wanted.drives;
-        with(&with(&of, first_drive, first), second_drive, second)
-    }
-
-    /// The mixed derivative is half of what the second derivative along the diagonal has beyond
-    /// those along both drives.
-    fn mixed(&self, motion: &Motion<f64, N>, at: [f64; 2]) -> Result<Vec<Mixed>, UnmetSurface> {
-        let along = |direction: [f64; 2]| {
-            let rate = self.drives(L::Drives::default(), direction);
-            let read = self
-                .driven
-                .derivatives(motion, self.drives(self.held, at), rate);
-            read.map_err(|cause| UnmetSurface::OutOfReach {
-                drives: at,
-                cause: Some(cause),
-            })
-        };
-        let [first, second, both] = [along([1.0, 0.0])?, along([0.0, 1.0])?, along([1.0, 1.0])?];
-        let each = first.iter().zip(&second).zip(&both);
-        Ok(each
-            .map(|((first, second), both)| Mixed {
-                value: first[0],
-                by_first: first[1],
-                by_second: second[1],
-                by_both: (both[2] - first[2] - second[2]) / 2.0,
-            })
-            .collect())
     }
 }
 

@@ -23,8 +23,7 @@ const TOLERANCES: [(&str, f64); 3] = [
 /// The free points' coordinates over the one drive, in two number types.
 #[derive(Clone, Debug)]
 pub struct Tables<const N: usize> {
-    range: [f64; 2],
-    segments_per_unit: f64,
+    baked: crate::bake::Baked,
     double: Vec<[[f64; N]; TERMS]>,
     single: Vec<[[f32; N]; TERMS]>,
 }
@@ -32,20 +31,12 @@ pub struct Tables<const N: usize> {
 impl<const N: usize> Tables<N> {
     /// The curve in `f64`.
     pub fn double(&self) -> Curve<'_, f64, N, TERMS> {
-        Curve {
-            range: self.range,
-            segments_per_unit: self.segments_per_unit,
-            segments: &self.double,
-        }
+        self.baked.curve(&self.double)
     }
 
     /// The curve in `f32`.
     pub fn single(&self) -> Curve<'_, f32, N, TERMS> {
-        Curve {
-            range: self.range.map(|end| end as f32),
-            segments_per_unit: self.segments_per_unit as f32,
-            segments: &self.single,
-        }
+        self.baked.curve(&self.single)
     }
 }
 
@@ -85,15 +76,10 @@ fn table<L: Suspension<N>, D: Named<f64>, const N: usize>(
     };
     let free = PointNames::of::<L, N>().free;
     let baked = bake(&wanted, &FreePoints { path, free }).ok()?;
-    let double = baked.table::<N>()?;
     Some(Tables {
-        range,
-        segments_per_unit: baked.segments_per_unit(),
-        single: double
-            .iter()
-            .map(|segment| segment.map(|row| row.map(|number| number as f32)))
-            .collect(),
-        double,
+        double: baked.table()?,
+        single: baked.table()?,
+        baked,
     })
 }
 

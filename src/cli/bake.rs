@@ -1,6 +1,7 @@
 //! `suspension bake`.
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, ValueEnum};
 
@@ -20,17 +21,17 @@ pub struct Arguments {
     /// instant.
     #[arg(long, value_name = "NAME")]
     drive: Option<String>,
-    /// The drive's first value, in rad (angles) or the file's unit; else where the file's motion
-    /// begins or ends.
+    /// The drive's first value, in rad (angles) or the file's unit; else the least that it has in
+    /// the file's motion.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     from: Option<f64>,
-    /// The drive's last value.
+    /// The drive's last value; else the greatest that it has in the file's motion.
     #[arg(long, value_name = "Y", allow_negative_numbers = true)]
     to: Option<f64>,
     /// How far a point may be off, in metres whatever the file's unit.
-    #[arg(long, value_name = "M", default_value_t = 1e-6)]
+    #[arg(long, value_name = "M", default_value = "1e-6")]
     tolerance: f64,
-    /// Derivatives that do not jump where segments join: as many as are read.
+    /// How many derivatives do not jump where segments join: as many as are read.
     #[arg(long, value_name = "0|1|2", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=2))]
     continuity: u8,
     /// What to bake.
@@ -46,7 +47,7 @@ pub struct Arguments {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Points {
-    /// Every point that the drive moves: three outputs each.
+    /// Every free point and marker: three outputs each.
     All,
     /// The wheel: centre and spin axis, six outputs.
     Wheel,
@@ -58,10 +59,16 @@ impl Arguments {
     /// # Errors
     ///
     /// See [`Failure`].
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let (study, instants) = setup::load(&source)?;
         let sheet = study.bake(source.name(), &instants, &self.order())?;
+        if interrupted.load(Ordering::Relaxed) {
+            let name = source.name();
+            return Err(Failure::Interrupted(format!(
+                "{name}: interrupted; nothing was written"
+            )));
+        }
         let path = self.output.clone().unwrap_or_else(|| {
             let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
             let ending = self.language.extension();
@@ -114,7 +121,7 @@ polynomial follows: the range is refused, and the message has one that is possib
   TOML  the numbers
 
 Exit codes: 0 done, 1 the file cannot be written, 2 wrong input or no such drive or range, 3 the
-mechanism does not go through the range, or not within the tolerance.
+mechanism does not go through the range, or not within the tolerance, 130 interrupted.
 
 Example:
   suspension bake examples/five_link.toml --from 0.75 --to 2.0 --tolerance 1e-5 --as c"#;

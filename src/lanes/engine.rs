@@ -44,8 +44,9 @@ pub(super) struct Vectors<
     const ORDER: usize,
 > {
     model: G::Model<Number<V>>,
-    last: Motion<Number<V>, N>,
-    next: Motion<Number<V>, N>,
+    /// The last motion and the next, in turns.
+    motions: [Motion<Number<V>, N>; 2],
+    last: usize,
     instructions: PhantomData<S>,
 }
 
@@ -61,8 +62,8 @@ where
         let at_rest = Motion::at_rest(SVector::from([Number::default(); N]));
         Self {
             model: G::gather(models, packed),
-            last: at_rest,
-            next: at_rest,
+            motions: [at_rest; 2],
+            last: 0,
             instructions: PhantomData,
         }
     }
@@ -138,26 +139,26 @@ where
                 let step = Step::<_, Still, N, SWEEPS, ORDER>::new(
                     &self.model,
                     &prescribed,
-                    &self.last,
+                    &self.motions[self.last],
                     dt,
                 );
                 let (next, measures) = step.in_fixed_order(outputs);
-                self.next = next;
+                self.motions[1 - self.last] = next;
                 std::array::from_fn(|lane| measures.map(|measure| measure.0.lane(lane)))
             },
         )
     }
 
     fn accept(&mut self) {
-        self.last = self.next;
+        self.last = 1 - self.last;
     }
 
     fn motion(&self, lane: usize) -> Motion<V::Lane, N> {
-        lane_of(&self.last, lane)
+        lane_of(&self.motions[self.last], lane)
     }
 
     fn next(&self, lane: usize) -> Motion<V::Lane, N> {
-        lane_of(&self.next, lane)
+        lane_of(&self.motions[1 - self.last], lane)
     }
 
     fn set_motion(&mut self, lane: usize, motion: &Motion<V::Lane, N>) {
@@ -166,8 +167,9 @@ where
                 entry.0.set_lane(lane, *value);
             }
         };
-        set(&mut self.last.position, &motion.position);
-        set(&mut self.last.velocity, &motion.velocity);
-        set(&mut self.last.acceleration, &motion.acceleration);
+        let last = &mut self.motions[self.last];
+        set(&mut last.position, &motion.position);
+        set(&mut last.velocity, &motion.velocity);
+        set(&mut last.acceleration, &motion.acceleration);
     }
 }

@@ -127,17 +127,19 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         let step = Step::<L, C, N, SWEEPS, ORDER>::new(linkage, &prescribed, motion, dt);
         let (next, measures) = step.in_fixed_order(outputs);
         let before = motion.positive_determinant;
-        match self.judge(linkage.size(), &measures, before) {
+        // Distances and reasons are for the cold way: what this one keeps to itself stays in
+        // registers.
+        match self.judge(linkage.size(), &measures, before, T::zero) {
             Ok(settled) if measures.is_healthy() => {
                 *motion = measures.signed(next);
                 Ok(settled)
             }
-            // From the start again: what the fast path keeps to itself stays in registers.
             _ => self.step_anew(outputs, linkage, inputs, dt, motion),
         }
     }
 
-    /// The step with partial pivoting where that is needed, or why it is refused.
+    /// The step from the start again: with partial pivoting where that is needed, with the distance
+    /// that it goes, or with the reason why it is refused.
     #[cold]
     #[inline(never)]
     fn step_anew<L, C, const N: usize>(
@@ -162,7 +164,8 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
             let lu = with_pivoting(linkage, at, fixed, smallest_pivot())?;
             step.settle(&lu, outputs)
         };
-        match self.judge(linkage.size(), &measures, motion.positive_determinant) {
+        let before = motion.positive_determinant;
+        match self.judge(linkage.size(), &measures, before, || step.moved(&next)) {
             Ok(settled) => {
                 *motion = measures.signed(next);
                 Ok(settled)
@@ -232,7 +235,6 @@ where
         let measures = Measures {
             residual_squared: sum_of_squares(residual.data.0[0]),
             error_squared: sum_of_squares(error.data.0[0]),
-            move_squared: sum_of_squares(difference(&position, &self.from.position).data.0[0]),
             rates_squared: sum_of_squares(acceleration.data.0[0]),
             growth_squared: factors.growth_squared(),
             determinant_sign: factors.determinant_sign(),

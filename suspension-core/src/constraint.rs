@@ -47,8 +47,8 @@ impl<T: Scalar> Distance<T> {
     /// `F(d)`: to first order the amount by which `d` is too long.
     #[inline(always)]
     pub fn residual(&self, d: Vector3<T>) -> T {
-        let excess = dot(d, d).minus_product(self.length, self.length);
-        excess * self.inverse * T::constant(0.5)
+        // The gradient is at hand wherever the equation is solved.
+        (dot(d, self.gradient(d)) - self.length) * T::constant(0.5)
     }
 
     /// `dF/dd = d / L`.

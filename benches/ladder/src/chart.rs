@@ -5,7 +5,7 @@ use std::error::Error;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::Row;
+use crate::{Quantity, Row};
 
 const SIZE: (u32, u32) = (1500, 520);
 const COLOURS: [RGBColor; 4] = [
@@ -15,12 +15,9 @@ const COLOURS: [RGBColor; 4] = [
     RGBColor(120, 60, 140),
 ];
 
-/// A curve: its name, and what of a row it shows.
-type Curve = (&'static str, fn(&Row) -> f64);
-
 struct Panel {
     title: &'static str,
-    curves: &'static [Curve],
+    curves: &'static [Quantity],
 }
 
 const PANELS: [Panel; 3] = [
@@ -49,9 +46,9 @@ const PANELS: [Panel; 3] = [
         title: "build time, seconds",
         curves: &[
             ("release build", |row| row.release_s),
+            ("its processor time", |row| row.release_cpu_s),
             ("check", |row| row.check_s),
             ("expansion", |row| row.expansion_s),
-            ("of it the order of elimination", |row| row.order_s),
         ],
     },
 ];
@@ -103,7 +100,8 @@ impl Panel {
             .x_label_formatter(&|bodies| format!("{bodies:.0}"))
             .y_label_formatter(&|value| format!("{value}"))
             .bold_line_style(BLACK.mix(0.15))
-            .light_line_style(BLACK.mix(0.05))
+            .light_line_style(TRANSPARENT)
+            .x_labels(6)
             .label_style(("sans-serif", 14))
             .draw()?;
         for ((name, value), colour) in self.curves.iter().zip(COLOURS) {

@@ -6,23 +6,46 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
+use nix::sys::resource::{UsageWho, getrusage};
+use nix::sys::time::TimeVal;
+
 use crate::listing;
+use crate::median::median;
 
 /// The program that drives a ladder.
 const PROGRAM: &str = include_str!("../template/main.rs");
 
+/// How often each build is repeated for a median.
+const REPEATS: usize = 3;
+
 /// A crate that is rewritten for each ladder, with its dependencies compiled.
 pub(crate) struct Workshop {
     folder: PathBuf,
-    /// Seconds that an empty program takes to check and to compile.
-    empty: [f64; 2],
+    /// What an empty program takes to check and to compile.
+    empty: [Effort; 2],
 }
 
 /// What compiling a ladder takes, and a step of it.
 pub(crate) struct Compilation {
-    pub(crate) check_s: f64,
-    pub(crate) release_s: f64,
+    pub(crate) check: Effort,
+    pub(crate) release: Effort,
     pub(crate) step_us: f64,
+}
+
+/// Seconds that a build takes, and those that processors spend on it.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Effort {
+    pub(crate) wall_s: f64,
+    pub(crate) cpu_s: f64,
+}
+
+impl Effort {
+    fn beyond(self, empty: Self) -> Self {
+        Self {
+            wall_s: self.wall_s - empty.wall_s,
+            cpu_s: self.cpu_s - empty.cpu_s,
+        }
+    }
 }
 
 impl Workshop {
@@ -36,44 +59,52 @@ impl Workshop {
         fs::write(folder.join("Cargo.toml"), manifest(&core))?;
         let mut workshop = Self {
             folder,
-            empty: [0.0; 2],
+            empty: [Effort::default(); 2],
         };
-        // The first time compiles the dependencies.
-        workshop.build("fn main() {}")?;
+        // The first of the repeats compiles the dependencies.
         workshop.empty = workshop.build("fn main() {}")?;
         Ok(workshop)
     }
 
     pub(crate) fn compile(&self, bodies: usize) -> Result<Compilation, Box<dyn Error>> {
         fs::write(self.folder.join("src/listing.rs"), listing::listing(bodies))?;
-        let [check_s, release_s] = self.build(PROGRAM)?;
+        let [check, release] = self.build(PROGRAM)?;
         Ok(Compilation {
-            check_s: check_s - self.empty[0],
-            release_s: release_s - self.empty[1],
+            check: check.beyond(self.empty[0]),
+            release: release.beyond(self.empty[1]),
             step_us: self.run()? / 1000.0,
         })
     }
 
-    /// Checks and compiles the program; returns the seconds of both.
-    fn build(&self, program: &str) -> Result<[f64; 2], Box<dyn Error>> {
-        fs::write(self.folder.join("src/main.rs"), program)?;
-        let check = self.cargo(&["check"])?;
-        Ok([check, self.cargo(&["build", "--release"])?])
+    /// Checks and compiles the program.
+    fn build(&self, program: &str) -> Result<[Effort; 2], Box<dyn Error>> {
+        let check = self.cargo(program, &["check"])?;
+        Ok([check, self.cargo(program, &["build", "--release"])?])
     }
 
-    fn cargo(&self, arguments: &[&str]) -> Result<f64, Box<dyn Error>> {
-        let start = Instant::now();
-        let output = Command::new(env!("CARGO"))
-            .args(arguments)
-            .arg("--quiet")
-            .env("CARGO_TARGET_DIR", "target")
-            .current_dir(&self.folder)
-            .output()?;
-        if output.status.success() {
-            Ok(start.elapsed().as_secs_f64())
-        } else {
-            Err(String::from_utf8_lossy(&output.stderr).into())
+    fn cargo(&self, program: &str, arguments: &[&str]) -> Result<Effort, Box<dyn Error>> {
+        let (mut wall_s, mut cpu_s) = ([0.0; REPEATS], [0.0; REPEATS]);
+        for (wall_s, cpu_s) in wall_s.iter_mut().zip(&mut cpu_s) {
+            // Written anew, the program is compiled anew.
+            fs::write(self.folder.join("src/main.rs"), program)?;
+            let (start, cpu_before) = (Instant::now(), cpu_of_children()?);
+            let output = Command::new(env!("CARGO"))
+                .args(arguments)
+                .arg("--quiet")
+                .env("CARGO_TARGET_DIR", "target")
+                .env("CARGO_INCREMENTAL", "0")
+                .current_dir(&self.folder)
+                .output()?;
+            if !output.status.success() {
+                return Err(String::from_utf8_lossy(&output.stderr).into());
+            }
+            *wall_s = start.elapsed().as_secs_f64();
+            *cpu_s = cpu_of_children()? - cpu_before;
         }
+        Ok(Effort {
+            wall_s: median(wall_s),
+            cpu_s: median(cpu_s),
+        })
     }
 
     /// Runs the program; returns the nanoseconds of a step.
@@ -84,6 +115,13 @@ impl Workshop {
         }
         Ok(String::from_utf8(output.stdout)?.trim().parse()?)
     }
+}
+
+/// Processor seconds of all builds so far.
+fn cpu_of_children() -> nix::Result<f64> {
+    let usage = getrusage(UsageWho::RUSAGE_CHILDREN)?;
+    let seconds = |time: TimeVal| time.tv_sec() as f64 + 1e-6 * time.tv_usec() as f64;
+    Ok(seconds(usage.user_time()) + seconds(usage.system_time()))
 }
 
 fn manifest(core: &Path) -> String {

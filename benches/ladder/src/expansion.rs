@@ -5,7 +5,8 @@ use std::time::Instant;
 
 use proc_macro2::TokenStream;
 
-use crate::{eliminate, expand, listing, lower, parse};
+use crate::median::median;
+use crate::{eliminate, expand, listing, lower, parse, sample};
 
 /// What an expansion takes and says.
 pub(crate) struct Expansion {
@@ -26,10 +27,13 @@ impl Expansion {
         let tokens: TokenStream = text.parse().map_err(|error| format!("{error}"))?;
         let expansion = expand::expand(tokens.clone()).to_string();
         let header = Header(&expansion);
-        let expansion_s = median(|| drop(expand::expand(tokens.clone())));
+        let expansion_s = seconds(|| drop(expand::expand(tokens.clone())));
         let (listing, _) = parse::listing(tokens.clone()).map_err(|error| error.to_string())?;
         let system = lower::system(&listing);
-        let order_s = median(|| drop(eliminate::order(system.size(), &system.entries())));
+        let order_s = seconds(|| {
+            let entries = system.entries(&sample::positions(&system));
+            eliminate::order(system.size(), &entries);
+        });
         Ok(Self {
             unknowns: system.size(),
             non_zeros: header.number_before("non-zeros of")?,
@@ -46,14 +50,12 @@ impl Expansion {
     }
 }
 
-fn median(work: impl Fn()) -> f64 {
-    let mut times = [(); 3].map(|()| {
+fn seconds(work: impl Fn()) -> f64 {
+    median([(); 3].map(|()| {
         let start = Instant::now();
         work();
         start.elapsed().as_secs_f64()
-    });
-    times.sort_by(f64::total_cmp);
-    times[1]
+    }))
 }
 
 /// The text of an expansion, of which the docs are read.

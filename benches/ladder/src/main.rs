@@ -31,6 +31,7 @@ mod chart;
 mod compilation;
 mod expansion;
 mod listing;
+mod median;
 
 use std::error::Error;
 use std::fs;
@@ -47,12 +48,15 @@ use expansion::Expansion;
 #[derive(Parser)]
 struct Arguments {
     /// Numbers of bodies.
-    #[arg(long, value_delimiter = ',', default_values_t = [1, 2, 3, 5, 7, 10, 15, 20, 30, 40])]
+    #[arg(long, value_delimiter = ',', default_values_t = [1, 2, 3, 4, 6, 8, 10, 15, 20, 30, 40])]
     bodies: Vec<usize>,
     /// The folder that results are written to.
     #[arg(long, default_value = "out/ladder")]
     out: PathBuf,
 }
+
+/// A name, and what of a row it stands for.
+type Quantity = (&'static str, fn(&Row) -> f64);
 
 /// A row of the table.
 #[derive(Clone, Debug, Serialize)]
@@ -69,9 +73,11 @@ struct Row {
     /// The whole expansion, and of it the choice of the order of elimination.
     expansion_s: f64,
     order_s: f64,
-    /// Beyond those of an empty program.
+    /// Beyond what an empty program takes.
     check_s: f64,
+    check_cpu_s: f64,
     release_s: f64,
+    release_cpu_s: f64,
     /// Position, velocity and acceleration, each millisecond.
     step_us: f64,
 }
@@ -91,7 +97,27 @@ fn main() -> Result<(), Box<dyn Error>> {
         rows.push(row);
         fs::write(arguments.out.join("ladder.svg"), chart::svg(&rows)?)?;
     }
+    for (what, value) in GROWTHS {
+        if let Some(power) = growth(&rows, value) {
+            println!("{what} grows with the power {power:.2} of the number of bodies");
+        }
+    }
     Ok(())
+}
+
+const GROWTHS: [Quantity; 4] = [
+    ("a step", |row| row.step_us),
+    ("a factorisation", |row| row.factor_operations as f64),
+    ("an expansion", |row| row.expansion_s),
+    ("a release build", |row| row.release_cpu_s),
+];
+
+/// The power of growth from ladders of a quarter of the largest number of bodies on.
+fn growth(rows: &[Row], value: impl Fn(&Row) -> f64) -> Option<f64> {
+    let last = rows.last()?;
+    let first = rows.iter().find(|row| 4 * row.bodies >= last.bodies)?;
+    let sizes = last.bodies as f64 / first.bodies as f64;
+    (sizes > 1.0).then(|| (value(last) / value(first)).ln() / sizes.ln())
 }
 
 fn measure(bodies: usize, workshop: &Workshop) -> Result<Row, Box<dyn Error>> {
@@ -105,8 +131,8 @@ fn measure(bodies: usize, workshop: &Workshop) -> Result<Row, Box<dyn Error>> {
         order_s,
     } = Expansion::of(bodies)?;
     let Compilation {
-        check_s,
-        release_s,
+        check,
+        release,
         step_us,
     } = workshop.compile(bodies)?;
     Ok(Row {
@@ -120,8 +146,10 @@ fn measure(bodies: usize, workshop: &Workshop) -> Result<Row, Box<dyn Error>> {
         residual_operations,
         expansion_s,
         order_s,
-        check_s,
-        release_s,
+        check_s: check.wall_s,
+        check_cpu_s: check.cpu_s,
+        release_s: release.wall_s,
+        release_cpu_s: release.cpu_s,
         step_us,
     })
 }

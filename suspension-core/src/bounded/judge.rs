@@ -18,8 +18,6 @@ pub struct Measures<T> {
     pub residual_squared: T,
     /// The error of the predicted position, square of a length.
     pub error_squared: T,
-    /// From the last position to this one, square of a length.
-    pub move_squared: T,
     /// The acceleration: not finite where any rate is not.
     pub rates_squared: T,
     /// The health of the pivots: see [`Factors::growth_squared`](crate::linkage::Factors).
@@ -35,7 +33,6 @@ impl<T> Measures<T> {
         Measures {
             residual_squared: number(self.residual_squared),
             error_squared: number(self.error_squared),
-            move_squared: number(self.move_squared),
             rates_squared: number(self.rates_squared),
             growth_squared: number(self.growth_squared),
             determinant_sign: number(self.determinant_sign),
@@ -89,7 +86,8 @@ pub enum Refusal {
 
 impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER> {
     /// Accepts a step of a linkage of the given size, or tells which test it failed. `before` is
-    /// the sign of the determinant at the last motion, where known.
+    /// the sign of the determinant at the last motion, where known; `moved` the distance from its
+    /// position, which is asked for where the error of the prediction is not small by itself.
     ///
     /// # Errors
     ///
@@ -100,10 +98,14 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         size: T,
         measures: &Measures<T>,
         before: Option<bool>,
+        moved: impl FnOnce() -> T,
     ) -> Result<Settled<T>, Refusal> {
         let tolerance = self.tolerance * T::EPSILON * size;
         let is_positive = measures.determinant_sign > T::zero();
-        let is_near = measures.error_squared <= self.bound_squared(size, measures);
+        let of_size = self.correction_of_size * size;
+        let error_squared = measures.error_squared;
+        let is_near = error_squared <= of_size * of_size
+            || error_squared.sqrt() <= self.correction_of_move * moved();
         if !measures.error_squared.is_finite() || !measures.rates_squared.is_finite() {
             Err(Refusal::NotFinite)
         } else if !is_near {
@@ -121,12 +123,6 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
             })
         }
     }
-
-    fn bound_squared(&self, size: T, measures: &Measures<T>) -> T {
-        let of_move = self.correction_of_move * self.correction_of_move * measures.move_squared;
-        let of_size = self.correction_of_size * size;
-        of_move.max(of_size * of_size)
-    }
 }
 
 impl<T, L, C, const N: usize, const SWEEPS: usize, const ORDER: usize>
@@ -136,6 +132,13 @@ where
     L: Linkage<N, Scalar = T>,
     C: ChassisMotion<L::Fixed>,
 {
+    /// How far the step goes.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn moved(&self, next: &Motion<T, N>) -> T {
+        (next.position - self.from.position).norm()
+    }
+
     /// The refusal in full, with the equation or unknown concerned.
     #[cold]
     #[inline(never)]
@@ -167,7 +170,8 @@ where
             Refusal::Diverging => SolveError::Diverging {
                 unknown: index_of_largest(&(self.prediction.position - next.position)),
                 step: measures.error_squared.sqrt(),
-                bound: settings.bound_squared(size, measures).sqrt(),
+                bound: (settings.correction_of_size * size)
+                    .max(settings.correction_of_move * self.moved(next)),
             },
             Refusal::NotConverged => SolveError::NotConverged {
                 equation: index_of_largest(&residual(&next.position)),

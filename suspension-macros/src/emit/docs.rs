@@ -30,7 +30,7 @@ fn evaluations(system: &System) -> [Operations; 3] {
     for equation in &system.equations {
         match equation {
             Equation::Distance { .. } => {
-                add(&mut residual, 6, 6);
+                add(&mut residual, 7, 6);
                 add(&mut jacobian, 3, 3);
                 add(&mut curvature, 4, 8);
             }

@@ -16,7 +16,7 @@
 ///
 /// | no branch | multiplications | additions | divisions |
 /// |---|---|---|---|
-/// | residual | 84 | 86 | 0 |
+/// | residual | 98 | 86 | 0 |
 /// | Jacobian | 42 | 42 | 0 |
 /// | curvature | 56 | 112 | 0 |
 /// | factor | 191 | 113 | 14 |

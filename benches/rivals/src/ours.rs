@@ -1,0 +1,69 @@
+//! Our solver, as the macro writes it: iterated to a tolerance, and in a fixed number of
+//! operations.
+
+use suspension_core::bounded::{Bounded, Outputs};
+use suspension_core::factored::with_factors;
+use suspension_core::{Linkage, Newton, Tracker};
+
+use crate::{Mechanism, Method, STEP, Stopwatch};
+
+pub(crate) fn time(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
+    to_tolerance(mechanism, watch);
+    bounded(mechanism, watch);
+}
+
+fn to_tolerance(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
+    let model = &mechanism.model;
+    let method = Method {
+        name: "ours, to tolerance",
+        // All packages of the repository share one.
+        version: env!("CARGO_PKG_VERSION"),
+        note: "geometry read at run time; steps are tested against their residual",
+    };
+    watch.part(&method, "newton", |start| {
+        let q = start.motion.predict(STEP);
+        let residual = mechanism.residual(&q, &start.inputs);
+        with_factors(model, &q, model.fixed(), 0.0, |factors| {
+            q - factors.solve(&residual)
+        })
+        .expect("regular")
+    });
+    watch.part(&method, "position", |start| {
+        let mut q = start.motion.predict(STEP);
+        Newton::near_by()
+            .solve(model, &start.inputs, &mut q)
+            .expect("a regular motion");
+        q
+    });
+    watch.step(&method, |motion, inputs| {
+        let mut motion = *motion;
+        Tracker::default()
+            .step(model, inputs, STEP, &mut motion)
+            .expect("a regular motion");
+        motion
+    });
+}
+
+fn bounded(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
+    let model = &mechanism.model;
+    let method = Method {
+        name: "ours, bounded",
+        version: env!("CARGO_PKG_VERSION"),
+        note: "one factorisation; geometry read at run time; tested against the residual",
+    };
+    let stepper: Bounded<f64> = Bounded::default();
+    watch.part(&method, "position", |start| {
+        let mut motion = start.motion;
+        stepper
+            .step_to(Outputs::Position, model, &start.inputs, STEP, &mut motion)
+            .expect("a regular motion");
+        motion.position
+    });
+    watch.step(&method, |motion, inputs| {
+        let mut motion = *motion;
+        stepper
+            .step(model, inputs, STEP, &mut motion)
+            .expect("a regular motion");
+        motion
+    });
+}

@@ -1,0 +1,49 @@
+//! The rows of a table of figures.
+
+use serde::de::{Deserialize, Deserializer, Error};
+
+use crate::detail::{Detail, Method, Outputs, Wish};
+
+/// One measurement, as tables have it; columns that are not needed here are left out.
+#[derive(Clone, Debug, serde::Deserialize)]
+pub(super) struct Row {
+    method: String,
+    scalar: String,
+    lanes: u32,
+    pub(super) step_s: f64,
+    #[serde(deserialize_with = "outputs")]
+    outputs: Outputs,
+    nanoseconds: f64,
+    error_position_m: f64,
+    /// Where the column is missing or empty, a baked curve is the wheel's; a solver finds all.
+    points: Option<String>,
+}
+
+impl Row {
+    /// `None` where it is not of one suspension in `f64`, or there for comparison only.
+    pub(super) fn detail(&self) -> Option<Detail> {
+        let method = self.method.parse().ok()?;
+        let baked = matches!(method, Method::Baked { .. });
+        let points = match self.points.as_deref() {
+            Some("wheel") => Wish::Wheel,
+            None if baked => Wish::Wheel,
+            _ => Wish::AllPoints,
+        };
+        (self.scalar == "f64" && self.lanes == 1).then_some(Detail {
+            method,
+            outputs: self.outputs,
+            points,
+            nanoseconds: self.nanoseconds,
+            error: self.error_position_m,
+        })
+    }
+}
+
+fn outputs<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Outputs, D::Error> {
+    match String::deserialize(deserializer)?.as_str() {
+        "position" => Ok(Outputs::Position),
+        "velocity" => Ok(Outputs::Velocity),
+        "acceleration" => Ok(Outputs::Acceleration),
+        other => Err(D::Error::custom(format!("unknown outputs `{other}`"))),
+    }
+}

@@ -1,0 +1,184 @@
+//! Surfaces of two drives.
+
+use nalgebra::Vector3;
+use suspension::bake::{WantedSurface, Wish, bake_surface};
+use suspension_core::baked::Surface;
+use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
+
+use crate::mixed;
+
+linkage! {
+    /// A user's own listing, of two drives. Axes as ISO 8855.
+    mod double_wishbone {
+        fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
+        free:  lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+
+        link lower_fore: lower_front -> lower_ball;
+        link lower_aft:  lower_rear  -> lower_ball;
+        link upper_fore: upper_front -> upper_ball;
+        link upper_aft:  upper_rear  -> upper_ball;
+        link tie_rod:    rack        -> tie_ball;
+        body upright:    lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+
+        drive bump:  axle_outer.z;
+        drive steer: rack.y;
+
+        wheel:   axle_inner -> axle_outer;
+        kingpin: lower_ball -> upper_ball;
+    }
+}
+
+fn wishbone() -> double_wishbone::Points<f64> {
+    let at = Vector3::new;
+    double_wishbone::Points {
+        lower_front: at(0.15, 0.40, 0.18),
+        lower_rear: at(-0.20, 0.42, 0.19),
+        upper_front: at(0.10, 0.45, 0.55),
+        upper_rear: at(-0.15, 0.48, 0.56),
+        rack: at(-0.16, 0.38, 0.30),
+        lower_ball: at(0.01, 0.75, 0.15),
+        upper_ball: at(-0.02, 0.68, 0.56),
+        tie_ball: at(-0.14, 0.74, 0.31),
+        axle_inner: at(0.0, 0.66, 0.33),
+        axle_outer: at(0.0, 0.76, 0.33),
+    }
+}
+
+/// Travel of 80 mm and steering of 40 mm at the rack, either way, from the design.
+const TRAVEL: f64 = 0.08;
+const RACK: f64 = 0.04;
+
+fn check_surface(tolerance: f64, smooth: bool, velocity_within: f64) {
+    const SEED: u64 = 5;
+    let design = wishbone();
+    let model = double_wishbone::Model::new(&design).expect("a double wishbone");
+    let at_rest = Motion::at_rest(double_wishbone::Model::unknowns(&design));
+    let held = model.drives_at(&design);
+    let ranges = [
+        [held.bump - TRAVEL, held.bump + TRAVEL],
+        [held.steer - RACK, held.steer + RACK],
+    ];
+    let wanted = WantedSurface {
+        drives: [0, 1],
+        ranges,
+        tolerance,
+        metre: 1.0,
+        smooth,
+        wish: Wish::Wheel,
+    };
+    let baked = bake_surface(&model, &at_rest, held, &wanted).expect("within the tolerance");
+    assert!(baked.reached <= tolerance);
+    let table = baked.table::<6>().expect("six outputs");
+    let surface = Surface {
+        ranges,
+        patches_per_unit: baked.patches_per_unit(),
+        across: baked.counts[1],
+        patches: &table,
+    };
+    let mut motion = at_rest;
+    let mut worst = [0.0_f64; 3];
+    let numbers: Vec<f64> = mixed(SEED).take(4000).collect();
+    let mut last = held;
+    for pair in numbers.chunks_exact(2) {
+        let [bump, steer] = [0, 1].map(|way| {
+            let [from, to] = ranges[way];
+            (from + (to - from) * pair[way]).min(to)
+        });
+        let drives = double_wishbone::Drives { bump, steer };
+        let inputs = |part: f64| {
+            let rate = |from: f64, to: f64| to - from;
+            Inputs::still(Signal {
+                value: double_wishbone::Drives {
+                    bump: last.bump + rate(last.bump, bump) * part,
+                    steer: last.steer + rate(last.steer, steer) * part,
+                },
+                rate: double_wishbone::Drives {
+                    bump: 0.3,
+                    steer: -0.2,
+                },
+                second_rate: double_wishbone::Drives {
+                    bump: 2.0,
+                    steer: 1.0,
+                },
+            })
+        };
+        let still = Motion::at_rest(motion.position);
+        motion = still;
+        Tracker::default()
+            .advance(&model, inputs, 0.0, 1.0, &mut motion)
+            .expect("regular");
+        let points = motion.points(&model, &inputs(1.0));
+        let found = surface.at([bump, steer]).expect("inside");
+        let found = found.acceleration([0.3, -0.2], [2.0, 1.0]);
+        for (order, exact) in [&points.value, &points.rate, &points.second_rate]
+            .into_iter()
+            .enumerate()
+        {
+            let axis = (exact.axle_outer - exact.axle_inner) / 0.1;
+            let exact = [exact.axle_outer, axis];
+            for (found, exact) in points_of(&found[order]).iter().zip(&exact) {
+                worst[order] = worst[order].max((found - exact).norm());
+            }
+        }
+        last = drives;
+    }
+    assert!(
+        worst[0] <= baked.reached,
+        "seed {SEED}: {worst:?} > {:e}",
+        baked.reached
+    );
+    assert!(
+        worst[0] > 0.2 * baked.reached,
+        "{worst:?} is far less than {:e}",
+        baked.reached
+    );
+    assert!(
+        worst[1] <= velocity_within,
+        "{worst:?}, {:?} patches",
+        baked.counts
+    );
+    assert!(surface.at([ranges[0][0] - 1e-9, held.steer]).is_err());
+    let outside = surface
+        .at([held.bump, ranges[1][1] + 1e-9])
+        .expect_err("outside");
+    assert_eq!(outside.nearest, ranges[1][1]);
+    eprintln!("{:?} patches, worst {worst:?}", baked.counts);
+}
+
+fn points_of(numbers: &[f64; 6]) -> [Vector3<f64>; 2] {
+    let [a, b, c, d, e, f] = *numbers;
+    [Vector3::new(a, b, c), Vector3::new(d, e, f)]
+}
+
+#[test]
+fn a_surface_of_travel_and_steering_is_as_close_to_the_solver_as_it_says() {
+    for (tolerance, velocity_within) in [(1e-4, 1e-2), (1e-6, 3e-4), (1e-8, 1e-5)] {
+        check_surface(tolerance, true, velocity_within);
+        check_surface(tolerance, false, 3.0 * velocity_within);
+    }
+}
+
+#[test]
+fn a_surface_beyond_the_mechanism_is_refused() {
+    let design = wishbone();
+    let model = double_wishbone::Model::new(&design).expect("a double wishbone");
+    let at_rest = Motion::at_rest(double_wishbone::Model::unknowns(&design));
+    let held = model.drives_at(&design);
+    let wanted = WantedSurface {
+        drives: [0, 1],
+        ranges: [
+            [held.bump - 1.0, held.bump + 1.0],
+            [held.steer - RACK, held.steer + RACK],
+        ],
+        tolerance: 1e-4,
+        metre: 1.0,
+        smooth: true,
+        wish: Wish::Wheel,
+    };
+    let refused = bake_surface(&model, &at_rest, held, &wanted).expect_err("out of reach");
+    let message = refused.to_string();
+    assert!(
+        message.starts_with("the mechanism does not reach -0.67"),
+        "{message}"
+    );
+}
