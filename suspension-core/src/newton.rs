@@ -42,6 +42,8 @@ pub struct Converged<T> {
     pub residual: T,
     /// What it was compared with.
     pub tolerance: T,
+    /// The health of the last pivots: the norm of their inverses.
+    pub growth: T,
 }
 
 impl<T: Real> Newton<T> {
@@ -108,7 +110,7 @@ impl<T: Real> Newton<T> {
         let mut at = Iterate::new(*q, residual_at(q))?;
         let mut bound = first_bound;
         for iterations in 1..=self.max_iterations {
-            let (size, next) = with_factors(
+            let (size, growth, next) = with_factors(
                 linkage,
                 &at.q,
                 &prescribed.fixed.value,
@@ -117,13 +119,15 @@ impl<T: Real> Newton<T> {
                     let step = factors.solve(&at.residual);
                     let size = within(&step, bound, rounding_at(&at.q))?;
                     let next = self.damped(&at, &step, residual_at)?;
+                    let growth = factors.growth_squared().sqrt();
                     if next.worst > self.tolerance * rounding_at(&next.q) {
-                        return Ok((size, next));
+                        return Ok((size, growth, next));
                     }
                     // One more correction with the same factors takes off what the square of the
                     // last one has left.
                     Ok((
                         size,
+                        growth,
                         next.or_better(next.q - factors.solve(&next.residual), residual_at),
                     ))
                 },
@@ -137,6 +141,7 @@ impl<T: Real> Newton<T> {
                     iterations,
                     residual: at.worst,
                     tolerance,
+                    growth,
                 });
             }
         }
