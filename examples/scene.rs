@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 use suspension::bake::{Baked, Continuity, Path, TERMS, Wanted, Wish, bake};
 use suspension::detail::{Detail, Method, Need, Outputs, choose};
 use suspension_core::baked::Curve;
-use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
+use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
 
 linkage! {
     /// Front-left double wishbone. Axes of ISO 8855.
@@ -50,6 +50,7 @@ type Read = [Vector3<f64>; 2];
 #[derive(Clone)]
 enum Corner<'a> {
     Exact(Box<Motion<f64, 15>>),
+    Bounded(Box<Motion<f64, 15>>),
     Baked(Curve<'a, f64, 6, TERMS>),
 }
 
@@ -63,6 +64,13 @@ impl Corner<'_> {
             Self::Exact(motion) => {
                 let inputs = Inputs::still(*drives);
                 Tracker::default().step(model, &inputs, STEP, motion)?;
+                let points = motion.points(model, &inputs);
+                Ok([points.value.axle_outer, points.rate.axle_outer])
+            }
+            Self::Bounded(motion) => {
+                let inputs = Inputs::still(*drives);
+                let step = Bounded::<f64>::default();
+                step.step_to(Outputs::Velocity, model, &inputs, STEP, motion)?;
                 let points = motion.points(model, &inputs);
                 Ok([points.value.axle_outer, points.rate.axle_outer])
             }
@@ -171,7 +179,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             table = baked.table().ok_or("a wheel has six outputs")?;
             Corner::Baked(baked.curve(&table))
         }
-        Method::Exact | Method::Bounded { .. } | Method::Series { .. } => exact.clone(),
+        Method::Exact => exact.clone(),
+        Method::Bounded { corrections: 1 } => Corner::Bounded(Box::new(scene.start())),
+        other => return Err(format!("this scene has no corners of method {other}").into()),
     };
     let mut chosen = vec![exact.clone(); PLAYERS];
     chosen.resize(CORNERS, others);
