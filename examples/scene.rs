@@ -17,8 +17,12 @@ use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Signal, Tracker, 
 linkage! {
     /// Front-left double wishbone. Axes of ISO 8855.
     mod double_wishbone {
-        fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
-        free:  lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+        fixed: lower_front at [0.20, 0.35, 0.16], lower_rear at [-0.20, 0.35, 0.16],
+               upper_front at [0.15, 0.42, 0.42], upper_rear at [-0.15, 0.42, 0.42],
+               rack at [0.11, 0.34, 0.20];
+        free:  lower_ball at [0.005, 0.70, 0.17], upper_ball at [-0.015, 0.66, 0.44],
+               tie_ball at [0.12, 0.68, 0.21], axle_inner at [0.0, 0.65, 0.30],
+               axle_outer at [0.0, 0.75, 0.30];
 
         link lower_fore: lower_front -> lower_ball;
         link lower_aft:  lower_rear  -> lower_ball;
