@@ -7,5 +7,6 @@ mod bounded {
     mod assemblies;
     mod case;
     mod pivots;
+    mod random;
     mod refusals;
 }
