@@ -1,6 +1,7 @@
 //! The command line's options and help.
 
 mod bake;
+mod chart;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -47,6 +48,11 @@ pub enum Command {
     /// for scenes of many vehicles, and for controllers.
     #[command(after_long_help = bake::NOTES)]
     Bake(bake::Arguments),
+    /// Measures every method: what a step takes against the error it makes.
+    ///
+    /// Writes a table, a figure and a page with all figures; see also benches/rivals.
+    #[command(after_long_help = chart::NOTES)]
+    Chart(chart::Arguments),
 }
 
 impl Command {
@@ -62,6 +68,7 @@ impl Command {
                 job::motion(&Wanted { file, csv, plots }, interrupted)
             }
             Self::Bake(arguments) => arguments.run(interrupted),
+            Self::Chart(arguments) => arguments.run(interrupted),
         }
     }
 }

@@ -22,6 +22,12 @@ const BUILT_IN: (&str, &str) = (
     include_str!("../examples/attia2003.toml"),
 );
 
+/// The published motion.
+pub fn built_in() -> Source {
+    let (name, text) = BUILT_IN;
+    Source::new(name, text)
+}
+
 /// Rows kept of a sweep for the summary and as marks in the plots.
 const KEPT: usize = 12;
 
@@ -31,8 +37,7 @@ const KEPT: usize = 12;
 ///
 /// Where a result cannot be written, or the user interrupts.
 pub fn published(interrupted: &AtomicBool) -> Result<(), Failure> {
-    let (name, text) = BUILT_IN;
-    let source = Source::new(name, text);
+    let source = built_in();
     let (study, instants) = setup::load(&source)?;
     let csv = PathBuf::from("out/attia2003.csv");
     let target = Target::File(csv.clone());
@@ -119,7 +124,8 @@ pub fn motion(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> 
     outcome.failure(source.name(), table).map_or(Ok(()), Err)
 }
 
-fn announce(written: &[PathBuf]) {
+/// Names the files that were written.
+pub fn announce(written: &[PathBuf]) {
     for path in written {
         eprintln!("wrote {}", path.display());
     }

@@ -54,7 +54,8 @@ pub struct Lanes<
     const SWEEPS: usize = 1,
     const ORDER: usize = 2,
 > {
-    settings: Bounded<T, SWEEPS, ORDER>,
+    /// When a step is accepted.
+    pub settings: Bounded<T, SWEEPS, ORDER>,
     models: [G::Model<T>; LANES],
     signs: [Option<bool>; LANES],
     engine: Box<dyn Engine<G, T, N, LANES>>,

@@ -9,6 +9,7 @@
 struct Readme;
 
 pub mod bake;
+pub mod chart;
 pub mod cli;
 pub mod detail;
 pub mod failure;

@@ -4,14 +4,20 @@ pub mod columns;
 pub mod sweep;
 
 use std::ops::ControlFlow;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
+use nalgebra::{Const, DimMin};
+use suspension_core::linkage::Listing;
 use suspension_core::{
-    Advanced, Build, HasKingpin, HasWheel, Inputs, Motion, SolveError, Still, Stopped, Tracker,
+    Advanced, Build, HasKingpin, HasWheel, Inputs, Linkage, Motion, SolveError, Still, Stopped,
+    Tracker,
 };
 
 use crate::bake::order::{Order, Ordered};
 use crate::bake::source::Sheet;
+use crate::chart;
+use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
@@ -21,12 +27,16 @@ use columns::PointNames;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
 pub trait Suspension<const N: usize>:
-    Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>> + 'static
+    Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
+    + Linkage<N, Listing: Listing<N, Model<f64> = Self>>
+    + 'static
 {
 }
 
 impl<L, const N: usize> Suspension<N> for L where
-    L: Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>> + 'static
+    L: Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
+        + Linkage<N, Listing: Listing<N, Model<f64> = L>>
+        + 'static
 {
 }
 
@@ -65,6 +75,18 @@ pub trait Study {
     /// [`Failure::Input`] where the order makes no sense, [`Failure::Solver`] where it cannot be
     /// met.
     fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure>;
+
+    /// Puts every method of the chart through the motion between two times.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] where there is no motion.
+    fn chart(
+        &self,
+        ends: [f64; 2],
+        effort: &Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<Survey, Failure>;
 }
 
 /// How a sweep ended.
@@ -121,7 +143,10 @@ pub struct Assembled<L, const N: usize> {
     pub drives: DriveLaws,
 }
 
-impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N> {
+impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
     fn linkage(&self) -> &'static str {
         self.linkage
     }
@@ -193,6 +218,15 @@ impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N> {
             order,
         };
         ordered.sheet()
+    }
+
+    fn chart(
+        &self,
+        ends: [f64; 2],
+        effort: &Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<Survey, Failure> {
+        chart::measure(self, ends, effort, interrupted)
     }
 }
 

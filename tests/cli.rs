@@ -5,6 +5,7 @@ mod support;
 mod cli {
     mod bad_input;
     mod bake;
+    mod chart;
     mod files;
     mod plots;
     mod program;

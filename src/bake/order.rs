@@ -12,7 +12,6 @@ use crate::bake::source::Sheet;
 use crate::bake::widest::widest;
 use crate::failure::Failure;
 use crate::input::drives::unit_of;
-use crate::input::file::Unit;
 use crate::input::instants::Instants;
 use crate::number::{number, rounded};
 use crate::study::{Assembled, Suspension, cause};
@@ -51,10 +50,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         let Assembled { linkage, unit, .. } = *self.assembled;
         let names = <L::Drives as Named<f64>>::NAMES;
         let drive = self.drive()?;
-        let metre = match unit {
-            Unit::Metre => 1.0,
-            Unit::Millimetre => 1000.0,
-        };
+        let metre = unit.metre();
         let wanted = Wanted {
             range: self.range(drive)?,
             tolerance: self.order.tolerance * metre,

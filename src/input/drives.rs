@@ -30,6 +30,20 @@ impl DriveLaws {
         }
     }
 
+    /// Taylor coefficients of the drives at time `t`, order 1 first.
+    pub fn terms<D: Named<f64>, const K: usize>(&self, t: f64) -> [D; K] {
+        let mut derivatives: Vec<Polynomial> = self.laws.iter().map(|law| law[0].clone()).collect();
+        let mut factorial = 1.0;
+        std::array::from_fn(|index| {
+            factorial *= (index + 1) as f64;
+            for derivative in &mut derivatives {
+                *derivative = derivative.derivative();
+            }
+            let mut values = derivatives.iter().map(|derivative| derivative.at(t));
+            D::from_fn(|_| values.next().unwrap_or_default() / factorial)
+        })
+    }
+
     /// The inputs at time `t`, the chassis at rest.
     pub fn inputs<D: Named<f64>>(&self, t: f64) -> Inputs<Still, D> {
         let [value, rate, second_rate] = [0, 1, 2].map(|order| {

@@ -66,6 +66,14 @@ impl Unit {
             Self::Millimetre => "mm",
         }
     }
+
+    /// A metre in this unit.
+    pub fn metre(self) -> f64 {
+        match self {
+            Self::Metre => 1.0,
+            Self::Millimetre => 1000.0,
+        }
+    }
 }
 
 /// Where a point is.

@@ -1,6 +1,6 @@
 //! From a motion file to a mechanism in the configuration of the first instant.
 
-use nalgebra::{SVector, Vector3};
+use nalgebra::{Const, DimMin, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::Wheel;
 use suspension_core::{GeometryError, Linkage, Motion, Named, Newton, assemble};
@@ -61,7 +61,10 @@ pub fn linkages() -> String {
     CATALOGUE.map(|(name, _)| name).join(", ")
 }
 
-fn prepare<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<Box<dyn Study>, Failure> {
+fn prepare<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<Box<dyn Study>, Failure>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
     check_names::<L, N>(task)?;
     let guess = guess::<L, N>(task);
     let model = model::<L, N>(task, &guess)?;

@@ -69,6 +69,17 @@ where
     }
 }
 
+/// Makes the function that it is inlined into align its frame for whole vectors. Without a variable
+/// that asks for it vectors are spilt to wherever the frame happens to lie, across cache lines more
+/// often than not: 640 ns for eight lanes instead of 450.
+#[inline(always)]
+fn align_frame() {
+    #[repr(align(64))]
+    struct CacheLine(#[expect(dead_code, reason = "it takes room")] u8);
+    let mut line = CacheLine(0);
+    std::hint::black_box(&mut line);
+}
+
 /// One number of each lane.
 #[inline(always)]
 fn packed<V: Vector, const LANES: usize>(lanes: [V::Lane; LANES]) -> Number<V> {
@@ -127,6 +138,7 @@ where
         S::assumed().vectorize(
             #[inline(always)]
             || {
+                align_frame();
                 let drives = Signal {
                     value: packed_drives::<G, V, N, LANES>(drives.each_ref().map(|d| &d.value)),
                     rate: packed_drives::<G, V, N, LANES>(drives.each_ref().map(|d| &d.rate)),

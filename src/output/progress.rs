@@ -10,17 +10,19 @@ use indicatif::{ProgressBar, ProgressStyle};
 pub struct Progress {
     began: Instant,
     total: usize,
+    units: &'static str,
     done: usize,
     bar: Option<ProgressBar>,
     visible: bool,
 }
 
 impl Progress {
-    /// Of work in `total` steps.
-    pub fn new(total: usize) -> Self {
+    /// Of work in `total` steps, each one of the `units`.
+    pub fn new(total: usize, units: &'static str) -> Self {
         Self {
             began: Instant::now(),
             total,
+            units,
             done: 0,
             bar: None,
             visible: stderr().is_terminal(),
@@ -36,7 +38,7 @@ impl Progress {
             return;
         }
         if self.bar.is_none() && self.began.elapsed() > Duration::from_secs(1) {
-            self.bar = Some(bar(self.total));
+            self.bar = Some(bar(self.total, self.units));
         }
         if let Some(bar) = &self.bar {
             bar.set_position(self.done as u64);
@@ -52,9 +54,10 @@ impl Drop for Progress {
     }
 }
 
-fn bar(total: usize) -> ProgressBar {
+fn bar(total: usize, units: &str) -> ProgressBar {
     let bar = ProgressBar::new(total as u64);
-    let style = ProgressStyle::with_template("{bar:40} {percent} % of {len} instants");
+    let style =
+        ProgressStyle::with_template(&format!("{{bar:40}} {{percent}} % of {{len}} {units}"));
     match style {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,

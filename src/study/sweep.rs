@@ -65,7 +65,7 @@ pub fn run(
         .map(|target| CsvFile::create(target, &columns))
         .transpose()?;
     let mut totals = Totals::new(columns, instants.count().div_ceil(keep));
-    let mut progress = Progress::new(instants.count());
+    let mut progress = Progress::new(instants.count(), "instants");
     let end = study.sweep(instants, &mut |row| {
         if let Some(csv) = &mut csv {
             csv.row(row)?;

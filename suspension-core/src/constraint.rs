@@ -69,10 +69,8 @@ impl<T: Scalar> Distance<T> {
         distances: [Distance<S>; K],
         gather: &impl Fn([S; K]) -> T,
     ) -> Self {
-        Self {
-            length: gather(distances.map(|distance| distance.length)),
-            inverse: gather(distances.map(|distance| distance.inverse)),
-        }
+        // The inverse to all digits of the other number: it is part of the equation.
+        Self::new(gather(distances.map(|distance| distance.length)))
     }
 }
 

@@ -165,7 +165,7 @@ where
 }
 
 /// What a [`Tangent`] computes, over borrowed factors: the control loop does not move them.
-struct Rates<'a, L: Linkage<N>, C, const N: usize> {
+pub(crate) struct Rates<'a, L: Linkage<N>, C, const N: usize> {
     linkage: &'a L,
     chassis: PhantomData<C>,
     prescribed: &'a Prescribed<L::Fixed, L::Drives>,
@@ -200,7 +200,7 @@ where
     }
 
     #[inline(always)]
-    fn motion(&self) -> Result<Motion<T, N>, SolveError<T>> {
+    pub(crate) fn motion(&self) -> Result<Motion<T, N>, SolveError<T>> {
         let velocity = self.velocity();
         let acceleration = self.acceleration(&velocity);
         for rates in [&velocity, &acceleration] {
@@ -259,15 +259,28 @@ where
         position,
         &prescribed.fixed.value,
         smallest_pivot(),
-        |factors| {
-            Rates::<L, C, N> {
-                linkage,
-                chassis: PhantomData,
-                prescribed,
-                position,
-                factors,
-            }
-            .motion()
-        },
+        |factors| rates_at::<T, L, C, N>(linkage, prescribed, position, factors).motion(),
     )?
+}
+
+/// What velocity and acceleration at a position are computed from.
+#[inline(always)]
+pub(crate) fn rates_at<'a, T, L, C, const N: usize>(
+    linkage: &'a L,
+    prescribed: &'a Prescribed<L::Fixed, L::Drives>,
+    position: &'a SVector<T, N>,
+    factors: &'a dyn Factors<T, N>,
+) -> Rates<'a, L, C, N>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+    C: ChassisMotion<L::Fixed>,
+{
+    Rates {
+        linkage,
+        chassis: PhantomData,
+        prescribed,
+        position,
+        factors,
+    }
 }

@@ -42,6 +42,8 @@ pub struct Converged<T> {
     pub residual: T,
     /// What it was compared with.
     pub tolerance: T,
+    /// The health of the last pivots: the norm of their inverses.
+    pub growth: T,
 }
 
 impl<T: Real> Newton<T> {
@@ -101,14 +103,11 @@ impl<T: Real> Newton<T> {
         let residual_at = |x: &SVector<T, N>| {
             linkage.residual(x, &prescribed.fixed.value, &prescribed.drives.value)
         };
-        let rounding_at = |x: &SVector<T, N>| {
-            let [coordinates] = x.data.0;
-            T::EPSILON * linkage.size().max(largest(coordinates))
-        };
+        let rounding_at = |x: &SVector<T, N>| self.rounding_at(linkage, x);
         let mut at = Iterate::new(*q, residual_at(q))?;
         let mut bound = first_bound;
         for iterations in 1..=self.max_iterations {
-            let (size, next) = with_factors(
+            let (size, growth, next) = with_factors(
                 linkage,
                 &at.q,
                 &prescribed.fixed.value,
@@ -117,13 +116,15 @@ impl<T: Real> Newton<T> {
                     let step = factors.solve(&at.residual);
                     let size = within(&step, bound, rounding_at(&at.q))?;
                     let next = self.damped(&at, &step, residual_at)?;
+                    let growth = factors.growth_squared().sqrt();
                     if next.worst > self.tolerance * rounding_at(&next.q) {
-                        return Ok((size, next));
+                        return Ok((size, growth, next));
                     }
                     // One more correction with the same factors takes off what the square of the
                     // last one has left.
                     Ok((
                         size,
+                        growth,
                         next.or_better(next.q - factors.solve(&next.residual), residual_at),
                     ))
                 },
@@ -137,6 +138,7 @@ impl<T: Real> Newton<T> {
                     iterations,
                     residual: at.worst,
                     tolerance,
+                    growth,
                 });
             }
         }
@@ -146,6 +148,16 @@ impl<T: Real> Newton<T> {
             tolerance: self.tolerance * rounding_at(&at.q),
             iterations: self.max_iterations,
         })
+    }
+
+    /// What rounding leaves of a length at a position.
+    #[inline(always)]
+    pub(crate) fn rounding_at<L, const N: usize>(&self, linkage: &L, q: &SVector<T, N>) -> T
+    where
+        L: Linkage<N, Scalar = T>,
+    {
+        let [coordinates] = q.data.0;
+        T::EPSILON * linkage.size().max(largest(coordinates))
     }
 
     /// The correction, halved until the residual falls at least a quarter as fast as its

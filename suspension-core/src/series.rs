@@ -36,6 +36,8 @@ pub struct Series<T, const N: usize, const K: usize> {
     /// The sign of the Jacobian's determinant at the instant, and so as far as the series goes:
     /// it changes only at a singularity.
     pub positive_determinant: bool,
+    /// The health of the pivots: the norm of their inverses.
+    pub growth: T,
 }
 
 impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
@@ -90,6 +92,7 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
         Ok(Self {
             unknowns,
             positive_determinant: factors.determinant_sign() > T::zero(),
+            growth: factors.growth_squared().sqrt(),
         })
     }
 

@@ -2,10 +2,14 @@
 
 use core::fmt;
 
+use nalgebra::SVector;
+
+use crate::entrywise::difference;
 use crate::error::SolveError;
-use crate::linkage::Linkage;
-use crate::magnitude::{index_of_largest, largest};
-use crate::motion::{Motion, Prescribed, motion_at};
+use crate::factored::is_healthy;
+use crate::linkage::{Factors, Linkage};
+use crate::magnitude::{index_of_largest, largest, magnitude};
+use crate::motion::{Motion, Prescribed, motion_at, rates_at};
 use crate::newton::{Converged, Newton};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
@@ -86,15 +90,79 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        let mut position = motion.predict(dt);
-        let [moves] = (position - motion.position).data.0;
-        let moved = largest(moves);
-        let bound = (self.correction_of_move * moved).max(self.correction_of_size * linkage.size());
         let prescribed = Prescribed::new(linkage, inputs);
+        if let Some((next, converged)) = self.at_once::<_, C, N>(linkage, &prescribed, dt, motion) {
+            *motion = next;
+            return Ok(converged);
+        }
+        self.by_iteration::<_, C, N>(linkage, &prescribed, dt, motion)
+    }
+
+    /// The step where one correction of the prediction meets every condition, as most steps of a
+    /// control loop do.
+    #[inline(always)]
+    fn at_once<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        prescribed: &Prescribed<L::Fixed, L::Drives>,
+        dt: T,
+        motion: &Motion<T, N>,
+    ) -> Option<(Motion<T, N>, Converged<T>)>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let Prescribed { fixed, drives } = prescribed;
+        let predicted = motion.predict(dt);
+        let residual = linkage.residual(&predicted, &fixed.value, &drives.value);
+        let factors = linkage.factor(&predicted, &fixed.value);
+        let error = factors.solve(&residual);
+        let position = difference(&predicted, &error);
+        let left = linkage.residual(&position, &fixed.value, &drives.value);
+        let last = linkage.factor(&position, &fixed.value);
+        let next = rates_at::<T, L, C, N>(linkage, prescribed, &position, &last).motion();
+        let (residual, error) = (magnitude(&left).ok()?, magnitude(&error).ok()?);
+        let tolerance = self.newton.tolerance * self.newton.rounding_at(linkage, &position);
+        let bound = self.correction_bound(linkage, &(difference(&position, &motion.position)));
+        let next = next.ok()?;
+        let is_same_assembly = motion.positive_determinant.is_none()
+            || motion.positive_determinant == next.positive_determinant;
+        let is_good = residual <= tolerance
+            && error <= bound
+            && is_same_assembly
+            && is_healthy(factors.growth_squared())
+            && is_healthy(last.growth_squared());
+        is_good.then(|| {
+            let converged = Converged {
+                iterations: 1,
+                residual,
+                tolerance,
+                growth: last.growth_squared().sqrt(),
+            };
+            (next, converged)
+        })
+    }
+
+    /// The step by as many iterations as it takes.
+    #[cold]
+    #[inline(never)]
+    fn by_iteration<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        prescribed: &Prescribed<L::Fixed, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Converged<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let mut position = motion.predict(dt);
+        let bound = self.correction_bound(linkage, &(position - motion.position));
         let converged =
             self.newton
-                .solve_prescribed(linkage, &prescribed, &mut position, Some(bound))?;
-        let next = motion_at::<T, L, C, N>(linkage, &prescribed, &position)?;
+                .solve_prescribed(linkage, prescribed, &mut position, Some(bound))?;
+        let next = motion_at::<T, L, C, N>(linkage, prescribed, &position)?;
         let before = motion.positive_determinant;
         if before.is_some() && before != next.positive_determinant {
             let unknown = index_of_largest(&(position - motion.position));
@@ -102,6 +170,17 @@ impl<T: Real> Tracker<T> {
         }
         *motion = next;
         Ok(converged)
+    }
+
+    /// The largest correction that a step of this move may need.
+    #[inline(always)]
+    fn correction_bound<L, const N: usize>(&self, linkage: &L, moves: &SVector<T, N>) -> T
+    where
+        L: Linkage<N, Scalar = T>,
+    {
+        let [moves] = moves.data.0;
+        let moved = largest(moves);
+        (self.correction_of_move * moved).max(self.correction_of_size * linkage.size())
     }
 
     /// Follows the motion from time `from` to time `to`, either way, in as few steps as the

@@ -3,12 +3,13 @@
 
 use crate::scalar::Scalar;
 
-/// `pi / 2` in three parts: the first two have 33 bits, so that small multiples of them are exact
-/// (fdlibm, `e_rem_pio2.c`).
-const QUARTER_TURN: [f64; 3] = [
-    1.570_796_326_734_125_6,
-    6.077_100_506_303_966e-11,
-    2.022_266_248_795_950_6e-21,
+/// `pi / 2` in four parts: the first three have twelve bits, so that multiples of them up to 4095
+/// are exact in `f32` too.
+const QUARTER_TURN: [f64; 4] = [
+    1.570_312_5,
+    0.000_483_751_296_997_070_3,
+    7.549_533_620_476_723e-8,
+    2.563_344_151_594_519e-12,
 ];
 
 /// Coefficients of `x^3, x^5, ...` of the sine within an eighth of a turn (fdlibm, `k_sin.c`).
@@ -37,9 +38,12 @@ const COSINE: [f64; 6] = [
 #[inline(always)]
 pub fn sine_cosine<T: Scalar>(angle: T) -> (T, T) {
     let turns = (angle * T::constant(core::f64::consts::FRAC_2_PI)).nearest_integer();
-    let [high, middle, low] = QUARTER_TURN.map(T::constant);
-    let rest = angle.minus_product(turns, high);
-    let rest = rest.minus_product(turns, middle).minus_product(turns, low);
+    let [first, second, third, last] = QUARTER_TURN.map(T::constant);
+    let rest = angle
+        .minus_product(turns, first)
+        .minus_product(turns, second)
+        .minus_product(turns, third)
+        .minus_product(turns, last);
     let (sine, cosine) = within_an_eighth(rest);
     // Sine and cosine of whole quarter turns, -1, 0 or 1, as polynomials of a count from -2 to 2.
     let count = turns.minus_product(

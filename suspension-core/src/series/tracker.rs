@@ -67,6 +67,7 @@ impl<T: Real> SeriesTracker<T> {
                 iterations,
                 residual: size,
                 tolerance,
+                growth: series.growth,
             })
         } else {
             Err(SolveError::NotConverged {

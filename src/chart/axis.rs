@@ -1,0 +1,100 @@
+//! Logarithmic axes.
+
+/// Left free between an end and the first value, in decades: points are not cut by the frame.
+const MARGIN: f64 = 0.08;
+
+/// A logarithmic axis of a figure: whole decades, from one place of the drawing to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axis {
+    /// Exponents of ten at its ends.
+    decades: [i32; 2],
+    /// Where its ends are drawn.
+    places: [f64; 2],
+}
+
+impl Axis {
+    /// Whole decades around the values, all of which are positive and finite.
+    pub fn around(values: impl Iterator<Item = f64>, places: [f64; 2]) -> Self {
+        let ends = values.map(f64::log10).fold(None, |ends, exponent| {
+            let (low, high) = ends.unwrap_or((exponent, exponent));
+            Some((exponent.min(low), exponent.max(high)))
+        });
+        let (low, high) = ends.unwrap_or_default();
+        let low = (low - MARGIN).floor() as i32;
+        let high = (high + MARGIN).ceil() as i32;
+        Self::between([low, high], places)
+    }
+
+    /// From one power of ten to another.
+    pub fn between([low, high]: [i32; 2], places: [f64; 2]) -> Self {
+        Self {
+            decades: [low, high.max(low + 1)],
+            places,
+        }
+    }
+
+    /// Where a value is drawn.
+    pub fn place(&self, value: f64) -> f64 {
+        let [low, high] = self.decades.map(f64::from);
+        let [from, to] = self.places;
+        from + (value.log10() - low) / (high - low) * (to - from)
+    }
+
+    /// Decades: exponent and place.
+    pub fn decades(&self) -> impl Iterator<Item = (i32, f64)> {
+        let [low, high] = self.decades;
+        let axis = *self;
+        (low..=high).map(move |exponent| (exponent, axis.place(10_f64.powi(exponent))))
+    }
+
+    /// Places of two to nine in each decade.
+    pub fn minor(&self) -> impl Iterator<Item = f64> {
+        let [low, high] = self.decades;
+        let axis = *self;
+        (low..high).flat_map(move |exponent| {
+            (2..10).map(move |k| axis.place(f64::from(k) * 10_f64.powi(exponent)))
+        })
+    }
+}
+
+/// A power of ten as a time: `10 ns`, `1 µs`.
+pub fn nanoseconds(exponent: i32) -> String {
+    let (unit, base) = match exponent {
+        ..3 => ("ns", 0),
+        3..6 => ("µs", 3),
+        6..9 => ("ms", 6),
+        _ => ("s", 9),
+    };
+    format!("{} {unit}", 10_f64.powi(exponent - base))
+}
+
+/// A power of ten: `10⁻¹⁵`.
+pub fn power(exponent: i32) -> String {
+    let digits = exponent.to_string();
+    let raised = digits.chars().map(|digit| match digit.to_digit(10) {
+        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+        None => '⁻',
+    });
+    format!("10{}", raised.collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decades_around_values() {
+        let axis = Axis::around([3.0, 250.0].into_iter(), [0.0, 300.0]);
+        let decades: Vec<_> = axis.decades().collect();
+        assert_eq!(decades, [(0, 0.0), (1, 100.0), (2, 200.0), (3, 300.0)]);
+        assert_eq!(axis.minor().count(), 24);
+    }
+
+    #[test]
+    fn labels() {
+        assert_eq!(nanoseconds(1), "10 ns");
+        assert_eq!(nanoseconds(5), "100 µs");
+        assert_eq!(nanoseconds(-1), "0.1 ns");
+        assert_eq!(power(-15), "10⁻¹⁵");
+    }
+}
