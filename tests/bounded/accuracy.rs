@@ -1,5 +1,6 @@
 //! How far steps are from the motion, by their length, sweeps, prediction and outputs.
 
+use suspension_core::linkage::Factors as _;
 use suspension_core::{Bounded, Linkage, Outputs};
 
 use super::case::{Case, assert_within, attia, differences, five_link, instants, widen};
@@ -21,6 +22,29 @@ fn each_millisecond<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 fn one_sweep_a_millisecond_is_as_good_as_newton() {
     each_millisecond(&attia());
     each_millisecond(&five_link());
+}
+
+/// The health of the pivots of the macro's own order, which a step with partial pivoting hides.
+fn worst_growth<L: Linkage<15, Scalar = f64>>(case: &Case<L>) -> f64 {
+    let mut motion = case.start;
+    let mut worst = 0.0_f64;
+    for step in 1..=19_000 {
+        let (t, dt) = (f64::from(step) * 1e-4, 1e-4);
+        let factors = case.model.factor(&motion.predict(dt), case.model.fixed());
+        worst = worst.max(factors.growth_squared().sqrt());
+        Bounded::<f64>::default()
+            .step(&case.model, &(case.inputs)(t), dt, &mut motion)
+            .unwrap_or_else(|error| panic!("at {t} s: {error}"));
+    }
+    worst
+}
+
+/// No pivot is near zero anywhere on the way, so that no step takes the slow path.
+#[test]
+fn every_step_stays_in_the_macros_order() {
+    let growth = [worst_growth(&attia()), worst_growth(&five_link())];
+    println!("growth {growth:?}");
+    assert!(growth.iter().all(|growth| *growth < 100.0));
 }
 
 /// At the instants of Table 2 but the last, all of which are whole milliseconds.
