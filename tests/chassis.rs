@@ -4,7 +4,9 @@ mod support;
 
 use nalgebra::{Isometry3, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Inputs, Linkage, Motion, Named, Newton, RigidMotion, Signal, Tangent};
+use suspension_core::{
+    Bounded, Inputs, Linkage, Motion, Named, Newton, RigidMotion, Signal, Still, Tangent,
+};
 
 type Carried = [SVector<f64, 15>; 3];
 
@@ -151,4 +153,84 @@ fn heave_adds_to_every_point() {
             }
         }
     }
+}
+
+/// A chassis that turns about an axis through its origin, ever faster, while that origin flies.
+fn flying(t: f64) -> RigidMotion<f64> {
+    let (axis, angle) = (Vector3::new(0.3, -0.5, 0.8), 0.4 * t + 0.5 * t * t);
+    let (velocity, acceleration) = (Vector3::new(1.0, 0.4, -0.7), Vector3::new(-0.6, 2.0, 1.1));
+    RigidMotion {
+        pose: Isometry3::new(velocity * t + acceleration * (0.5 * t * t), axis * angle),
+        velocity: velocity + acceleration * t,
+        omega: axis * (0.4 + t),
+        acceleration,
+        alpha: axis,
+    }
+}
+
+/// Steps of fixed cost in world axes against those in chassis axes, carried into the world.
+fn assert_steps_invariant<L>(
+    model: &L,
+    start: Motion<f64, 15>,
+    inputs: fn(f64) -> Inputs<Still, L::Drives>,
+) where
+    L: Linkage<15, Scalar = f64>,
+{
+    const STEP: f64 = 1e-3;
+    let bounded = Bounded::<f64, 2>::default();
+    let mut at_home = start;
+    let [position, velocity, acceleration] = carry(&flying(0.0), &start);
+    let mut abroad = Motion {
+        position,
+        velocity,
+        acceleration,
+        positive_determinant: None,
+    };
+    let mut worst = [0.0_f64; 3];
+    for step in 1..=1000 {
+        let t = f64::from(step) * STEP;
+        bounded
+            .step(model, &inputs(t), STEP, &mut at_home)
+            .unwrap_or_else(|error| panic!("in chassis axes at {t} s: {error}"));
+        let chassis = flying(t);
+        let expected = carry(&chassis, &at_home);
+        let chassis = chassis.anchors(model.fixed());
+        let first = |fixed: &L::Fixed| fixed.values().next().expect("an anchor").z;
+        let drive = angle(
+            Signal {
+                value: expected[0][2] - first(&chassis.value),
+                rate: expected[1][2] - first(&chassis.rate),
+                second_rate: expected[2][2] - first(&chassis.second_rate),
+            },
+            support::length("d6_1"),
+        );
+        let drives = |value| L::Drives::from_fn(|_| value);
+        let drives = Signal {
+            value: drives(drive.value),
+            rate: drives(drive.rate),
+            second_rate: drives(drive.second_rate),
+        };
+        bounded
+            .step(model, &Inputs { chassis, drives }, STEP, &mut abroad)
+            .unwrap_or_else(|error| panic!("in the world at {t} s: {error}"));
+        let found = [abroad.position, abroad.velocity, abroad.acceleration];
+        for ((worst, found), expected) in worst.iter_mut().zip(found).zip(expected) {
+            *worst = worst.max((found - expected).amax());
+        }
+    }
+    println!("largest differences: {worst:?}");
+    for (found, bound) in worst.into_iter().zip([1e-13, 1e-11, 1e-9]) {
+        assert!(found <= bound, "{found:e} > {bound:e}");
+    }
+}
+
+#[test]
+fn steps_of_fixed_cost_on_a_flying_chassis() {
+    let model: attia2003::Model<f64> = support::attia_model();
+    let start = support::motions(&model, &support::attia_rough(), support::attia_inputs)[0];
+    assert_steps_invariant(&model, start, support::attia_inputs);
+    let model: five_link::Model<f64> = support::five_link_model();
+    let (rough, inputs) = (support::five_link_rough(), support::five_link_inputs);
+    let start = support::motions(&model, &rough, inputs)[0];
+    assert_steps_invariant(&model, start, inputs);
 }

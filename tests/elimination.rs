@@ -46,12 +46,21 @@ fn agree<T: Real, L: Build<15, Scalar = T>>(
         let scale = T::EPSILON * pivoted.amax() * T::constant(64.0);
         prop_assert!(transposed(&pivoted) <= scale);
         prop_assert!(transposed(&ours) <= scale * growth);
+        let of_drives = drive_terms(&model, &L::unknowns(&displaced));
+        prop_assert_eq!(fixed.solve_drives(&of_drives), fixed.solve(&of_drives));
+        prop_assert_eq!(of_drives.iter().filter(|term| !term.is_zero()).count(), 1);
     }
     let Ok(chosen) = Factored::new(&model, &L::unknowns(&displaced), model.fixed()) else {
         return Ok(()); // too near a singularity for a velocity
     };
     prop_assert!(residual(&chosen.factors().solve(&right)) <= scale * T::constant(1e3));
     Ok(())
+}
+
+/// The right-hand side of a velocity: in the rows of the drives alone.
+fn drive_terms<T: Real, L: Build<15, Scalar = T>>(model: &L, q: &SVector<T, 15>) -> SVector<T, 15> {
+    let rate = L::Drives::from_fn(|_| T::constant(0.7));
+    model.drive_rate(q, model.fixed(), &L::Fixed::default(), &rate)
 }
 
 /// A struct of points with each replaced.
@@ -143,5 +152,5 @@ fn the_published_motion_stays_in_the_fixed_order() {
     );
     let rigid = worst_growth(&model, &motions);
     println!("growth {listed:.0} and {rigid:.0}");
-    assert!(listed < 40.0 && rigid < 40.0, "{listed}, {rigid}");
+    assert!(listed < 30.0 && rigid < 30.0, "{listed}, {rigid}");
 }

@@ -9,10 +9,11 @@ use std::cell::Cell;
 use std::hint::black_box;
 
 use nalgebra::{Isometry3, SVector, Vector3};
+use suspension::lanes::{Instructions, Lane, Lanes};
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
-    Build, HasKingpin, HasWheel, InputSeries, Inputs, Jet, Motion, Newton, Real, RigidMotion,
-    SeriesTracker, Still, Tangent, Tracker, assemble,
+    Bounded, Build, HasKingpin, HasWheel, InputSeries, Inputs, Jet, Listing, Motion, Newton,
+    Outputs, Real, RigidMotion, SeriesTracker, Still, Tangent, Tracker, assemble,
 };
 
 thread_local! {
@@ -100,6 +101,11 @@ where
             tracker.step(&self.model, &next, dt, &mut motion)
         })
         .expect("a regular motion");
+        without_allocating("Bounded::step", || {
+            let inputs = (self.inputs)(dt + dt + dt);
+            Bounded::<T>::default().step(&self.model, &inputs, dt, &mut motion.clone())
+        })
+        .expect("a regular motion");
         without_allocating("Tracker::advance", || {
             let end = T::constant(0.5);
             tracker.advance(&self.model, self.inputs, dt + dt, end, &mut motion)
@@ -154,9 +160,23 @@ where
             Newton::near_by().solve(model, &nowhere, &mut motion.position)
         })
         .expect_err("not finite");
+        without_allocating("a step of fixed cost that is not finite", || {
+            Bounded::<T>::default().step(model, &nowhere, dt, &mut motion)
+        })
+        .expect_err("not finite");
+        without_allocating("a step of fixed cost that is too long", || {
+            let far = (self.inputs)(T::one());
+            Bounded::<T>::default().step(model, &far, dt, &mut motion)
+        })
+        .expect_err("a residual or a correction that is too large");
         let all_in_one = || SVector::repeat(T::one());
         without_allocating("a singular solve", || {
             Newton::from_afar().solve(model, &(self.inputs)(dt), &mut all_in_one())
+        })
+        .expect_err("singular");
+        without_allocating("a singular step of fixed cost", || {
+            let mut singular = Motion::at_rest(all_in_one());
+            Bounded::<T>::default().step(model, &(self.inputs)(dt), dt, &mut singular)
         })
         .expect_err("singular");
         without_allocating("a singular tangent", || {
@@ -186,6 +206,32 @@ where
     }
 }
 
+/// Four lanes of one linkage: steps of all, and with one that fails.
+fn lanes<T: Lane, G: Listing<15> + 'static>(case: &Case<T, G::Model<T>>)
+where
+    G::Model<T>: Build<15, Points: HasKingpin<T> + HasWheel<T>>,
+{
+    let q = case.first_configuration();
+    for instructions in [
+        Instructions::Plain,
+        Instructions::Avx2,
+        Instructions::Avx512,
+    ] {
+        let starts = [Motion::at_rest(q); 4];
+        let mut lanes = Lanes::<G, T, 15, 4>::with(instructions, [case.model; 4], &starts);
+        let mut drives = [(case.inputs)(T::zero()).drives; 4];
+        let results = without_allocating("Lanes::step", || {
+            lanes.step(Outputs::Acceleration, &drives, T::zero())
+        });
+        assert!(results.iter().all(Result::is_ok));
+        drives[2] = (case.inputs)(T::constant(f64::NAN)).drives;
+        let results = without_allocating("Lanes::step with a lane that fails", || {
+            lanes.step(Outputs::Acceleration, &drives, T::zero())
+        });
+        assert!(results[2].is_err() && results[3].is_ok());
+    }
+}
+
 fn attia<T: Real>() -> Case<T, suspension_core::linkages::attia2003::Model<T>> {
     Case {
         model: support::attia_model(),
@@ -212,6 +258,13 @@ fn attia2003_does_not_allocate() {
 fn five_link_does_not_allocate() {
     five_link::<f64>().check();
     five_link::<f32>().check();
+}
+
+#[test]
+fn lanes_do_not_allocate() {
+    use suspension_core::linkages::{attia2003, five_link};
+    lanes::<f64, attia2003::Listing>(&attia());
+    lanes::<f32, five_link::Listing>(&five_link());
 }
 
 #[test]

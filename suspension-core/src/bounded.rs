@@ -153,7 +153,8 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         let step = Step::<L, C, N, SWEEPS, ORDER>::new(linkage, &prescribed, motion, dt);
         let (at, fixed) = (&step.prediction.position, &prescribed.fixed.value);
         let factors = linkage.factor(at, fixed);
-        let (next, measures) = if is_healthy(factors.growth_squared()) {
+        // Numbers that are none have no pivots either, but that is not what is wrong with them.
+        let (next, measures) = if is_healthy(factors.growth_squared()) || !step.starts_finite() {
             step.settle(&factors, outputs)
         } else {
             let lu = with_pivoting(linkage, at, fixed, smallest_pivot())?;

@@ -3,7 +3,7 @@
 //!
 //! The order is chosen by a greedy Markowitz search (H. M. Markowitz 1957; Duff, Erisman, Reid,
 //! Direct Methods for Sparse Matrices, section 7.2): of the entries that are large enough beside
-//! their column, the one that costs the fewest operations. The search is repeated with ties
+//! their column, and of one sign along the motion, the one that costs the fewest operations. The search is repeated with ties
 //! broken in many ways, and the cheapest order found is kept.
 
 mod partial;

@@ -7,7 +7,7 @@ use crate::error::SolveError;
 use crate::factored::is_healthy;
 use crate::linkage::Linkage;
 use crate::magnitude::index_of_largest;
-use crate::motion::Motion;
+use crate::motion::{Motion, Prescribed};
 use crate::scalar::Real;
 use crate::signal::ChassisMotion;
 
@@ -132,6 +132,14 @@ where
     L: Linkage<N, Scalar = T>,
     C: ChassisMotion<L::Fixed>,
 {
+    /// Whether all residuals at the predicted position are numbers.
+    pub(super) fn starts_finite(&self) -> bool {
+        let Prescribed { fixed, drives } = self.prescribed;
+        let at = &self.prediction.position;
+        let residual = self.linkage.residual(at, &fixed.value, &drives.value);
+        residual.iter().all(|x| x.is_finite())
+    }
+
     /// How far the step goes.
     #[cold]
     #[inline(never)]

@@ -29,6 +29,12 @@ fn combined(a: &[f64], b: &[f64], combine: impl Fn(f64, f64) -> f64) -> Vec<f64>
     a.iter().zip(b).map(|(a, b)| combine(*a, *b)).collect()
 }
 
+/// Whether a pivot with these values is zero somewhere on the way from the design.
+fn changes_sign(values: &[f64]) -> bool {
+    let first = values.first().copied().unwrap_or_default();
+    values.iter().any(|value| value * first < 0.0)
+}
+
 /// A partly eliminated matrix.
 #[derive(Clone)]
 pub(super) struct Partial {
@@ -90,7 +96,8 @@ impl Partial {
             for &row in rows {
                 // One whose values are not known is large enough because it is there.
                 let is_small = |(value, least): (&f64, &f64)| value.abs() < *least;
-                if self.values(row, column).iter().zip(&least).any(is_small) {
+                let values = self.values(row, column);
+                if values.iter().zip(&least).any(is_small) || changes_sign(values) {
                     continue;
                 }
                 let markowitz = (rows.len() - 1) * (self.columns_of[row].len() - 1);

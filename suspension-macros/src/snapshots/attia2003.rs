@@ -12,15 +12,15 @@
 ///
 /// 15 equations `F(q) = 0`: `d6_1`, `d7_2`, `d8_3`, `d9_4`, `d10_5`, `d7_6`, `d8_6`, `d9_6`, `d10_6`, `d8_7`, `d9_7`, `d10_7`, `d9_8`, `d10_8`, `theta`.
 ///
-/// Jacobian: 15 x 15, 70 non-zeros of 225; its factors have 77. The longest chain of operations in the factorisation is 33, a division counted as 4; in a solution it is 13.
+/// Jacobian: 15 x 15, 70 non-zeros of 225; its factors have 79. The longest chain of operations in the factorisation is 33, a division counted as 4; in a solution it is 14.
 ///
 /// | no branch | multiplications | additions | divisions |
 /// |---|---|---|---|
 /// | residual | 98 | 86 | 0 |
 /// | Jacobian | 42 | 42 | 0 |
 /// | curvature | 56 | 112 | 0 |
-/// | factor | 191 | 113 | 14 |
-/// | solve | 76 | 62 | 0 |
+/// | factor | 200 | 118 | 14 |
+/// | solve | 78 | 64 | 0 |
 #[allow(dead_code, unreachable_pub)]
 pub mod attia2003 {
     use ::suspension_core::generated::*;
@@ -660,46 +660,38 @@ pub mod attia2003 {
             let d10_8_by_p8_x = -gradient.x;
             let d10_8_by_p8_y = -gradient.y;
             let d10_8_by_p8_z = -gradient.z;
-            let d10_5_by_p10_z = T::one() / d10_5_by_p10_z;
-            let d10_6_by_p10_z = d10_6_by_p10_z * d10_5_by_p10_z;
-            let d10_6_by_p10_x = d10_6_by_p10_x
-                .minus_product(d10_6_by_p10_z, d10_5_by_p10_x);
-            let d10_6_by_p10_y = d10_6_by_p10_y
-                .minus_product(d10_6_by_p10_z, d10_5_by_p10_y);
-            let d10_7_by_p10_z = d10_7_by_p10_z * d10_5_by_p10_z;
+            let d6_1_by_p6_y = T::one() / d6_1_by_p6_y;
+            let d7_6_by_p6_y = d7_6_by_p6_y * d6_1_by_p6_y;
+            let d7_6_by_p6_x = d7_6_by_p6_x.minus_product(d7_6_by_p6_y, d6_1_by_p6_x);
+            let d8_6_by_p6_y = d8_6_by_p6_y * d6_1_by_p6_y;
+            let d8_6_by_p6_x = d8_6_by_p6_x.minus_product(d8_6_by_p6_y, d6_1_by_p6_x);
+            let d9_6_by_p6_y = d9_6_by_p6_y * d6_1_by_p6_y;
+            let d9_6_by_p6_x = d9_6_by_p6_x.minus_product(d9_6_by_p6_y, d6_1_by_p6_x);
+            let d10_6_by_p6_y = d10_6_by_p6_y * d6_1_by_p6_y;
+            let d10_6_by_p6_x = d10_6_by_p6_x.minus_product(d10_6_by_p6_y, d6_1_by_p6_x);
+            let d6_1_by_p6_x = d6_1_by_p6_x * d6_1_by_p6_y;
+            let d10_6_by_p10_z = T::one() / d10_6_by_p10_z;
+            let d10_5_by_p10_z = d10_5_by_p10_z * d10_6_by_p10_z;
+            let d10_5_by_p6_x = -(d10_5_by_p10_z * d10_6_by_p6_x);
+            let d10_5_by_p10_x = d10_5_by_p10_x
+                .minus_product(d10_5_by_p10_z, d10_6_by_p10_x);
+            let d10_5_by_p10_y = d10_5_by_p10_y
+                .minus_product(d10_5_by_p10_z, d10_6_by_p10_y);
+            let d10_7_by_p10_z = d10_7_by_p10_z * d10_6_by_p10_z;
+            let d10_7_by_p6_x = -(d10_7_by_p10_z * d10_6_by_p6_x);
             let d10_7_by_p10_x = d10_7_by_p10_x
-                .minus_product(d10_7_by_p10_z, d10_5_by_p10_x);
+                .minus_product(d10_7_by_p10_z, d10_6_by_p10_x);
             let d10_7_by_p10_y = d10_7_by_p10_y
-                .minus_product(d10_7_by_p10_z, d10_5_by_p10_y);
-            let d10_8_by_p10_z = d10_8_by_p10_z * d10_5_by_p10_z;
+                .minus_product(d10_7_by_p10_z, d10_6_by_p10_y);
+            let d10_8_by_p10_z = d10_8_by_p10_z * d10_6_by_p10_z;
+            let d10_8_by_p6_x = -(d10_8_by_p10_z * d10_6_by_p6_x);
             let d10_8_by_p10_x = d10_8_by_p10_x
-                .minus_product(d10_8_by_p10_z, d10_5_by_p10_x);
+                .minus_product(d10_8_by_p10_z, d10_6_by_p10_x);
             let d10_8_by_p10_y = d10_8_by_p10_y
-                .minus_product(d10_8_by_p10_z, d10_5_by_p10_y);
-            let d10_5_by_p10_x = d10_5_by_p10_x * d10_5_by_p10_z;
-            let d10_5_by_p10_y = d10_5_by_p10_y * d10_5_by_p10_z;
-            let d9_4_by_p9_x = T::one() / d9_4_by_p9_x;
-            let d9_6_by_p9_x = d9_6_by_p9_x * d9_4_by_p9_x;
-            let d9_6_by_p9_z = d9_6_by_p9_z.minus_product(d9_6_by_p9_x, d9_4_by_p9_z);
-            let d9_6_by_p9_y = d9_6_by_p9_y.minus_product(d9_6_by_p9_x, d9_4_by_p9_y);
-            let d9_7_by_p9_x = d9_7_by_p9_x * d9_4_by_p9_x;
-            let d9_7_by_p9_z = d9_7_by_p9_z.minus_product(d9_7_by_p9_x, d9_4_by_p9_z);
-            let d9_7_by_p9_y = d9_7_by_p9_y.minus_product(d9_7_by_p9_x, d9_4_by_p9_y);
-            let d9_8_by_p9_x = d9_8_by_p9_x * d9_4_by_p9_x;
-            let d9_8_by_p9_z = d9_8_by_p9_z.minus_product(d9_8_by_p9_x, d9_4_by_p9_z);
-            let d9_8_by_p9_y = d9_8_by_p9_y.minus_product(d9_8_by_p9_x, d9_4_by_p9_y);
-            let d9_4_by_p9_z = d9_4_by_p9_z * d9_4_by_p9_x;
-            let d9_4_by_p9_y = d9_4_by_p9_y * d9_4_by_p9_x;
-            let d6_1_by_p6_x = T::one() / d6_1_by_p6_x;
-            let d7_6_by_p6_x = d7_6_by_p6_x * d6_1_by_p6_x;
-            let d7_6_by_p6_y = d7_6_by_p6_y.minus_product(d7_6_by_p6_x, d6_1_by_p6_y);
-            let d8_6_by_p6_x = d8_6_by_p6_x * d6_1_by_p6_x;
-            let d8_6_by_p6_y = d8_6_by_p6_y.minus_product(d8_6_by_p6_x, d6_1_by_p6_y);
-            let d9_6_by_p6_x = d9_6_by_p6_x * d6_1_by_p6_x;
-            let d9_6_by_p6_y = d9_6_by_p6_y.minus_product(d9_6_by_p6_x, d6_1_by_p6_y);
-            let d10_6_by_p6_x = d10_6_by_p6_x * d6_1_by_p6_x;
-            let d10_6_by_p6_y = d10_6_by_p6_y.minus_product(d10_6_by_p6_x, d6_1_by_p6_y);
-            let d6_1_by_p6_y = d6_1_by_p6_y * d6_1_by_p6_x;
+                .minus_product(d10_8_by_p10_z, d10_6_by_p10_y);
+            let d10_6_by_p6_x = d10_6_by_p6_x * d10_6_by_p10_z;
+            let d10_6_by_p10_x = d10_6_by_p10_x * d10_6_by_p10_z;
+            let d10_6_by_p10_y = d10_6_by_p10_y * d10_6_by_p10_z;
             let d8_3_by_p8_x = T::one() / d8_3_by_p8_x;
             let d8_6_by_p8_x = d8_6_by_p8_x * d8_3_by_p8_x;
             let d8_6_by_p8_y = d8_6_by_p8_y.minus_product(d8_6_by_p8_x, d8_3_by_p8_y);
@@ -715,148 +707,162 @@ pub mod attia2003 {
             let d10_8_by_p8_z = d10_8_by_p8_z.minus_product(d10_8_by_p8_x, d8_3_by_p8_z);
             let d8_3_by_p8_y = d8_3_by_p8_y * d8_3_by_p8_x;
             let d8_3_by_p8_z = d8_3_by_p8_z * d8_3_by_p8_x;
-            let d7_2_by_p7_y = T::one() / d7_2_by_p7_y;
-            let d7_6_by_p7_y = d7_6_by_p7_y * d7_2_by_p7_y;
-            let d7_6_by_p7_x = d7_6_by_p7_x.minus_product(d7_6_by_p7_y, d7_2_by_p7_x);
-            let d7_6_by_p7_z = d7_6_by_p7_z.minus_product(d7_6_by_p7_y, d7_2_by_p7_z);
-            let d8_7_by_p7_y = d8_7_by_p7_y * d7_2_by_p7_y;
-            let d8_7_by_p7_x = d8_7_by_p7_x.minus_product(d8_7_by_p7_y, d7_2_by_p7_x);
-            let d8_7_by_p7_z = d8_7_by_p7_z.minus_product(d8_7_by_p7_y, d7_2_by_p7_z);
-            let d9_7_by_p7_y = d9_7_by_p7_y * d7_2_by_p7_y;
-            let d9_7_by_p7_x = d9_7_by_p7_x.minus_product(d9_7_by_p7_y, d7_2_by_p7_x);
-            let d9_7_by_p7_z = d9_7_by_p7_z.minus_product(d9_7_by_p7_y, d7_2_by_p7_z);
-            let d10_7_by_p7_y = d10_7_by_p7_y * d7_2_by_p7_y;
-            let d10_7_by_p7_x = d10_7_by_p7_x.minus_product(d10_7_by_p7_y, d7_2_by_p7_x);
-            let d10_7_by_p7_z = d10_7_by_p7_z.minus_product(d10_7_by_p7_y, d7_2_by_p7_z);
-            let d7_2_by_p7_x = d7_2_by_p7_x * d7_2_by_p7_y;
-            let d7_2_by_p7_z = d7_2_by_p7_z * d7_2_by_p7_y;
-            let d9_6_by_p9_y = T::one() / d9_6_by_p9_y;
-            let d9_7_by_p9_y = d9_7_by_p9_y * d9_6_by_p9_y;
-            let d9_7_by_p6_y = -(d9_7_by_p9_y * d9_6_by_p6_y);
-            let d9_7_by_p9_z = d9_7_by_p9_z.minus_product(d9_7_by_p9_y, d9_6_by_p9_z);
-            let d9_8_by_p9_y = d9_8_by_p9_y * d9_6_by_p9_y;
-            let d9_8_by_p6_y = -(d9_8_by_p9_y * d9_6_by_p6_y);
-            let d9_8_by_p9_z = d9_8_by_p9_z.minus_product(d9_8_by_p9_y, d9_6_by_p9_z);
-            let d9_6_by_p6_y = d9_6_by_p6_y * d9_6_by_p9_y;
-            let d9_6_by_p9_z = d9_6_by_p9_z * d9_6_by_p9_y;
-            let d10_6_by_p10_y = T::one() / d10_6_by_p10_y;
-            let d10_7_by_p10_y = d10_7_by_p10_y * d10_6_by_p10_y;
-            let d10_7_by_p6_y = -(d10_7_by_p10_y * d10_6_by_p6_y);
+            let d9_4_by_p9_x = T::one() / d9_4_by_p9_x;
+            let d9_6_by_p9_x = d9_6_by_p9_x * d9_4_by_p9_x;
+            let d9_6_by_p9_y = d9_6_by_p9_y.minus_product(d9_6_by_p9_x, d9_4_by_p9_y);
+            let d9_6_by_p9_z = d9_6_by_p9_z.minus_product(d9_6_by_p9_x, d9_4_by_p9_z);
+            let d9_7_by_p9_x = d9_7_by_p9_x * d9_4_by_p9_x;
+            let d9_7_by_p9_y = d9_7_by_p9_y.minus_product(d9_7_by_p9_x, d9_4_by_p9_y);
+            let d9_7_by_p9_z = d9_7_by_p9_z.minus_product(d9_7_by_p9_x, d9_4_by_p9_z);
+            let d9_8_by_p9_x = d9_8_by_p9_x * d9_4_by_p9_x;
+            let d9_8_by_p9_y = d9_8_by_p9_y.minus_product(d9_8_by_p9_x, d9_4_by_p9_y);
+            let d9_8_by_p9_z = d9_8_by_p9_z.minus_product(d9_8_by_p9_x, d9_4_by_p9_z);
+            let d9_4_by_p9_y = d9_4_by_p9_y * d9_4_by_p9_x;
+            let d9_4_by_p9_z = d9_4_by_p9_z * d9_4_by_p9_x;
+            let d9_6_by_p9_z = T::one() / d9_6_by_p9_z;
+            let d9_7_by_p9_z = d9_7_by_p9_z * d9_6_by_p9_z;
+            let d9_7_by_p6_x = -(d9_7_by_p9_z * d9_6_by_p6_x);
+            let d9_7_by_p9_y = d9_7_by_p9_y.minus_product(d9_7_by_p9_z, d9_6_by_p9_y);
+            let d9_8_by_p9_z = d9_8_by_p9_z * d9_6_by_p9_z;
+            let d9_8_by_p6_x = -(d9_8_by_p9_z * d9_6_by_p6_x);
+            let d9_8_by_p9_y = d9_8_by_p9_y.minus_product(d9_8_by_p9_z, d9_6_by_p9_y);
+            let d9_6_by_p6_x = d9_6_by_p6_x * d9_6_by_p9_z;
+            let d9_6_by_p9_y = d9_6_by_p9_y * d9_6_by_p9_z;
+            let d10_5_by_p10_y = T::one() / d10_5_by_p10_y;
+            let d10_7_by_p10_y = d10_7_by_p10_y * d10_5_by_p10_y;
+            let d10_7_by_p6_x = d10_7_by_p6_x
+                .minus_product(d10_7_by_p10_y, d10_5_by_p6_x);
             let d10_7_by_p10_x = d10_7_by_p10_x
-                .minus_product(d10_7_by_p10_y, d10_6_by_p10_x);
-            let d10_8_by_p10_y = d10_8_by_p10_y * d10_6_by_p10_y;
-            let d10_8_by_p6_y = -(d10_8_by_p10_y * d10_6_by_p6_y);
+                .minus_product(d10_7_by_p10_y, d10_5_by_p10_x);
+            let d10_8_by_p10_y = d10_8_by_p10_y * d10_5_by_p10_y;
+            let d10_8_by_p6_x = d10_8_by_p6_x
+                .minus_product(d10_8_by_p10_y, d10_5_by_p6_x);
             let d10_8_by_p10_x = d10_8_by_p10_x
-                .minus_product(d10_8_by_p10_y, d10_6_by_p10_x);
-            let d10_6_by_p6_y = d10_6_by_p6_y * d10_6_by_p10_y;
-            let d10_6_by_p10_x = d10_6_by_p10_x * d10_6_by_p10_y;
+                .minus_product(d10_8_by_p10_y, d10_5_by_p10_x);
+            let d10_5_by_p6_x = d10_5_by_p6_x * d10_5_by_p10_y;
+            let d10_5_by_p10_x = d10_5_by_p10_x * d10_5_by_p10_y;
             let d7_6_by_p7_z = T::one() / d7_6_by_p7_z;
+            let d7_2_by_p7_z = d7_2_by_p7_z * d7_6_by_p7_z;
+            let d7_2_by_p6_x = -(d7_2_by_p7_z * d7_6_by_p6_x);
+            let d7_2_by_p7_x = d7_2_by_p7_x.minus_product(d7_2_by_p7_z, d7_6_by_p7_x);
+            let d7_2_by_p7_y = d7_2_by_p7_y.minus_product(d7_2_by_p7_z, d7_6_by_p7_y);
             let d8_7_by_p7_z = d8_7_by_p7_z * d7_6_by_p7_z;
-            let d8_7_by_p6_y = -(d8_7_by_p7_z * d7_6_by_p6_y);
+            let d8_7_by_p6_x = -(d8_7_by_p7_z * d7_6_by_p6_x);
             let d8_7_by_p7_x = d8_7_by_p7_x.minus_product(d8_7_by_p7_z, d7_6_by_p7_x);
+            let d8_7_by_p7_y = d8_7_by_p7_y.minus_product(d8_7_by_p7_z, d7_6_by_p7_y);
             let d9_7_by_p7_z = d9_7_by_p7_z * d7_6_by_p7_z;
-            let d9_7_by_p6_y = d9_7_by_p6_y.minus_product(d9_7_by_p7_z, d7_6_by_p6_y);
+            let d9_7_by_p6_x = d9_7_by_p6_x.minus_product(d9_7_by_p7_z, d7_6_by_p6_x);
             let d9_7_by_p7_x = d9_7_by_p7_x.minus_product(d9_7_by_p7_z, d7_6_by_p7_x);
+            let d9_7_by_p7_y = d9_7_by_p7_y.minus_product(d9_7_by_p7_z, d7_6_by_p7_y);
             let d10_7_by_p7_z = d10_7_by_p7_z * d7_6_by_p7_z;
-            let d10_7_by_p6_y = d10_7_by_p6_y.minus_product(d10_7_by_p7_z, d7_6_by_p6_y);
+            let d10_7_by_p6_x = d10_7_by_p6_x.minus_product(d10_7_by_p7_z, d7_6_by_p6_x);
             let d10_7_by_p7_x = d10_7_by_p7_x.minus_product(d10_7_by_p7_z, d7_6_by_p7_x);
-            let d7_6_by_p6_y = d7_6_by_p6_y * d7_6_by_p7_z;
+            let d10_7_by_p7_y = d10_7_by_p7_y.minus_product(d10_7_by_p7_z, d7_6_by_p7_y);
+            let d7_6_by_p6_x = d7_6_by_p6_x * d7_6_by_p7_z;
             let d7_6_by_p7_x = d7_6_by_p7_x * d7_6_by_p7_z;
+            let d7_6_by_p7_y = d7_6_by_p7_y * d7_6_by_p7_z;
+            let d7_2_by_p7_y = T::one() / d7_2_by_p7_y;
+            let d8_7_by_p7_y = d8_7_by_p7_y * d7_2_by_p7_y;
+            let d8_7_by_p6_x = d8_7_by_p6_x.minus_product(d8_7_by_p7_y, d7_2_by_p6_x);
+            let d8_7_by_p7_x = d8_7_by_p7_x.minus_product(d8_7_by_p7_y, d7_2_by_p7_x);
+            let d9_7_by_p7_y = d9_7_by_p7_y * d7_2_by_p7_y;
+            let d9_7_by_p6_x = d9_7_by_p6_x.minus_product(d9_7_by_p7_y, d7_2_by_p6_x);
+            let d9_7_by_p7_x = d9_7_by_p7_x.minus_product(d9_7_by_p7_y, d7_2_by_p7_x);
+            let d10_7_by_p7_y = d10_7_by_p7_y * d7_2_by_p7_y;
+            let d10_7_by_p6_x = d10_7_by_p6_x.minus_product(d10_7_by_p7_y, d7_2_by_p6_x);
+            let d10_7_by_p7_x = d10_7_by_p7_x.minus_product(d10_7_by_p7_y, d7_2_by_p7_x);
+            let d7_2_by_p6_x = d7_2_by_p6_x * d7_2_by_p7_y;
+            let d7_2_by_p7_x = d7_2_by_p7_x * d7_2_by_p7_y;
             let d8_6_by_p8_z = T::one() / d8_6_by_p8_z;
             let d8_7_by_p8_z = d8_7_by_p8_z * d8_6_by_p8_z;
-            let d8_7_by_p6_y = d8_7_by_p6_y.minus_product(d8_7_by_p8_z, d8_6_by_p6_y);
+            let d8_7_by_p6_x = d8_7_by_p6_x.minus_product(d8_7_by_p8_z, d8_6_by_p6_x);
             let d8_7_by_p8_y = d8_7_by_p8_y.minus_product(d8_7_by_p8_z, d8_6_by_p8_y);
             let d9_8_by_p8_z = d9_8_by_p8_z * d8_6_by_p8_z;
-            let d9_8_by_p6_y = d9_8_by_p6_y.minus_product(d9_8_by_p8_z, d8_6_by_p6_y);
+            let d9_8_by_p6_x = d9_8_by_p6_x.minus_product(d9_8_by_p8_z, d8_6_by_p6_x);
             let d9_8_by_p8_y = d9_8_by_p8_y.minus_product(d9_8_by_p8_z, d8_6_by_p8_y);
             let d10_8_by_p8_z = d10_8_by_p8_z * d8_6_by_p8_z;
-            let d10_8_by_p6_y = d10_8_by_p6_y.minus_product(d10_8_by_p8_z, d8_6_by_p6_y);
+            let d10_8_by_p6_x = d10_8_by_p6_x.minus_product(d10_8_by_p8_z, d8_6_by_p6_x);
             let d10_8_by_p8_y = d10_8_by_p8_y.minus_product(d10_8_by_p8_z, d8_6_by_p8_y);
-            let d8_6_by_p6_y = d8_6_by_p6_y * d8_6_by_p8_z;
+            let d8_6_by_p6_x = d8_6_by_p6_x * d8_6_by_p8_z;
             let d8_6_by_p8_y = d8_6_by_p8_y * d8_6_by_p8_z;
-            let d9_8_by_p9_z = T::one() / d9_8_by_p9_z;
-            let d9_7_by_p9_z = d9_7_by_p9_z * d9_8_by_p9_z;
-            let d9_7_by_p6_y = d9_7_by_p6_y.minus_product(d9_7_by_p9_z, d9_8_by_p6_y);
-            let d9_7_by_p8_y = -(d9_7_by_p9_z * d9_8_by_p8_y);
-            let d9_8_by_p6_y = d9_8_by_p6_y * d9_8_by_p9_z;
-            let d9_8_by_p8_y = d9_8_by_p8_y * d9_8_by_p9_z;
-            let d10_8_by_p10_x = T::one() / d10_8_by_p10_x;
-            let d10_7_by_p10_x = d10_7_by_p10_x * d10_8_by_p10_x;
-            let d10_7_by_p6_y = d10_7_by_p6_y
-                .minus_product(d10_7_by_p10_x, d10_8_by_p6_y);
-            let d10_7_by_p8_y = -(d10_7_by_p10_x * d10_8_by_p8_y);
-            let d10_8_by_p6_y = d10_8_by_p6_y * d10_8_by_p10_x;
-            let d10_8_by_p8_y = d10_8_by_p8_y * d10_8_by_p10_x;
-            let d10_7_by_p7_x = T::one() / d10_7_by_p7_x;
-            let d8_7_by_p7_x = d8_7_by_p7_x * d10_7_by_p7_x;
-            let d8_7_by_p6_y = d8_7_by_p6_y.minus_product(d8_7_by_p7_x, d10_7_by_p6_y);
-            let d8_7_by_p8_y = d8_7_by_p8_y.minus_product(d8_7_by_p7_x, d10_7_by_p8_y);
-            let d9_7_by_p7_x = d9_7_by_p7_x * d10_7_by_p7_x;
-            let d9_7_by_p6_y = d9_7_by_p6_y.minus_product(d9_7_by_p7_x, d10_7_by_p6_y);
-            let d9_7_by_p8_y = d9_7_by_p8_y.minus_product(d9_7_by_p7_x, d10_7_by_p8_y);
-            let d10_7_by_p6_y = d10_7_by_p6_y * d10_7_by_p7_x;
-            let d10_7_by_p8_y = d10_7_by_p8_y * d10_7_by_p7_x;
-            let d8_7_by_p8_y = T::one() / d8_7_by_p8_y;
-            let d9_7_by_p8_y = d9_7_by_p8_y * d8_7_by_p8_y;
-            let d9_7_by_p6_y = d9_7_by_p6_y.minus_product(d9_7_by_p8_y, d8_7_by_p6_y);
-            let d8_7_by_p6_y = d8_7_by_p6_y * d8_7_by_p8_y;
-            let d9_7_by_p6_y = T::one() / d9_7_by_p6_y;
+            let d9_7_by_p9_y = T::one() / d9_7_by_p9_y;
+            let d9_8_by_p9_y = d9_8_by_p9_y * d9_7_by_p9_y;
+            let d9_8_by_p6_x = d9_8_by_p6_x.minus_product(d9_8_by_p9_y, d9_7_by_p6_x);
+            let d9_8_by_p7_x = -(d9_8_by_p9_y * d9_7_by_p7_x);
+            let d9_7_by_p6_x = d9_7_by_p6_x * d9_7_by_p9_y;
+            let d9_7_by_p7_x = d9_7_by_p7_x * d9_7_by_p9_y;
+            let d10_7_by_p10_x = T::one() / d10_7_by_p10_x;
+            let d10_8_by_p10_x = d10_8_by_p10_x * d10_7_by_p10_x;
+            let d10_8_by_p6_x = d10_8_by_p6_x
+                .minus_product(d10_8_by_p10_x, d10_7_by_p6_x);
+            let d10_8_by_p7_x = -(d10_8_by_p10_x * d10_7_by_p7_x);
+            let d10_7_by_p6_x = d10_7_by_p6_x * d10_7_by_p10_x;
+            let d10_7_by_p7_x = d10_7_by_p7_x * d10_7_by_p10_x;
+            let d10_8_by_p8_y = T::one() / d10_8_by_p8_y;
+            let d8_7_by_p8_y = d8_7_by_p8_y * d10_8_by_p8_y;
+            let d8_7_by_p6_x = d8_7_by_p6_x.minus_product(d8_7_by_p8_y, d10_8_by_p6_x);
+            let d8_7_by_p7_x = d8_7_by_p7_x.minus_product(d8_7_by_p8_y, d10_8_by_p7_x);
+            let d9_8_by_p8_y = d9_8_by_p8_y * d10_8_by_p8_y;
+            let d9_8_by_p6_x = d9_8_by_p6_x.minus_product(d9_8_by_p8_y, d10_8_by_p6_x);
+            let d9_8_by_p7_x = d9_8_by_p7_x.minus_product(d9_8_by_p8_y, d10_8_by_p7_x);
+            let d10_8_by_p6_x = d10_8_by_p6_x * d10_8_by_p8_y;
+            let d10_8_by_p7_x = d10_8_by_p7_x * d10_8_by_p8_y;
+            let d9_8_by_p7_x = T::one() / d9_8_by_p7_x;
+            let d8_7_by_p7_x = d8_7_by_p7_x * d9_8_by_p7_x;
+            let d8_7_by_p6_x = d8_7_by_p6_x.minus_product(d8_7_by_p7_x, d9_8_by_p6_x);
+            let d9_8_by_p6_x = d9_8_by_p6_x * d9_8_by_p7_x;
+            let d8_7_by_p6_x = T::one() / d8_7_by_p6_x;
             Factors {
                 growth_squared: sum_of_squares([
-                    d10_5_by_p10_z,
-                    d9_4_by_p9_x,
-                    d6_1_by_p6_x,
+                    d6_1_by_p6_y,
+                    d10_6_by_p10_z,
                     d8_3_by_p8_x,
-                    d7_2_by_p7_y,
-                    d9_6_by_p9_y,
-                    d10_6_by_p10_y,
+                    d9_4_by_p9_x,
+                    d9_6_by_p9_z,
+                    d10_5_by_p10_y,
                     d7_6_by_p7_z,
+                    d7_2_by_p7_y,
                     d8_6_by_p8_z,
-                    d9_8_by_p9_z,
-                    d10_8_by_p10_x,
-                    d10_7_by_p7_x,
-                    d8_7_by_p8_y,
-                    d9_7_by_p6_y,
+                    d9_7_by_p9_y,
+                    d10_7_by_p10_x,
+                    d10_8_by_p8_y,
+                    d9_8_by_p7_x,
+                    d8_7_by_p6_x,
                 ]),
-                determinant_sign: product([
-                    d10_5_by_p10_z,
-                    d9_4_by_p9_x,
-                    d6_1_by_p6_x,
+                determinant_sign: -product([
+                    d6_1_by_p6_y,
+                    d10_6_by_p10_z,
                     d8_3_by_p8_x,
-                    d7_2_by_p7_y,
-                    d9_6_by_p9_y,
-                    d10_6_by_p10_y,
+                    d9_4_by_p9_x,
+                    d9_6_by_p9_z,
+                    d10_5_by_p10_y,
                     d7_6_by_p7_z,
+                    d7_2_by_p7_y,
                     d8_6_by_p8_z,
-                    d9_8_by_p9_z,
-                    d10_8_by_p10_x,
-                    d10_7_by_p7_x,
-                    d8_7_by_p8_y,
-                    d9_7_by_p6_y,
+                    d9_7_by_p9_y,
+                    d10_7_by_p10_x,
+                    d10_8_by_p8_y,
+                    d9_8_by_p7_x,
+                    d8_7_by_p6_x,
                 ]),
                 d6_1_by_p6_z,
                 d7_6_by_p6_z,
                 d8_6_by_p6_z,
                 d9_6_by_p6_z,
                 d10_6_by_p6_z,
-                d10_5_by_p10_z,
-                d10_5_by_p10_x,
-                d10_5_by_p10_y,
+                d6_1_by_p6_y,
+                d6_1_by_p6_x,
+                d7_6_by_p6_y,
+                d8_6_by_p6_y,
+                d9_6_by_p6_y,
+                d10_6_by_p6_y,
                 d10_6_by_p10_z,
+                d10_6_by_p6_x,
+                d10_6_by_p10_x,
+                d10_6_by_p10_y,
+                d10_5_by_p10_z,
                 d10_7_by_p10_z,
                 d10_8_by_p10_z,
-                d9_4_by_p9_x,
-                d9_4_by_p9_z,
-                d9_4_by_p9_y,
-                d9_6_by_p9_x,
-                d9_7_by_p9_x,
-                d9_8_by_p9_x,
-                d6_1_by_p6_x,
-                d6_1_by_p6_y,
-                d7_6_by_p6_x,
-                d8_6_by_p6_x,
-                d9_6_by_p6_x,
-                d10_6_by_p6_x,
                 d8_3_by_p8_x,
                 d8_3_by_p8_y,
                 d8_3_by_p8_z,
@@ -864,52 +870,59 @@ pub mod attia2003 {
                 d8_7_by_p8_x,
                 d9_8_by_p8_x,
                 d10_8_by_p8_x,
-                d7_2_by_p7_y,
-                d7_2_by_p7_x,
-                d7_2_by_p7_z,
-                d7_6_by_p7_y,
-                d8_7_by_p7_y,
-                d9_7_by_p7_y,
-                d10_7_by_p7_y,
-                d9_6_by_p9_y,
-                d9_6_by_p6_y,
+                d9_4_by_p9_x,
+                d9_4_by_p9_y,
+                d9_4_by_p9_z,
+                d9_6_by_p9_x,
+                d9_7_by_p9_x,
+                d9_8_by_p9_x,
                 d9_6_by_p9_z,
-                d9_7_by_p9_y,
-                d9_8_by_p9_y,
-                d10_6_by_p10_y,
-                d10_6_by_p6_y,
-                d10_6_by_p10_x,
+                d9_6_by_p6_x,
+                d9_6_by_p9_y,
+                d9_7_by_p9_z,
+                d9_8_by_p9_z,
+                d10_5_by_p10_y,
+                d10_5_by_p6_x,
+                d10_5_by_p10_x,
                 d10_7_by_p10_y,
                 d10_8_by_p10_y,
                 d7_6_by_p7_z,
-                d7_6_by_p6_y,
+                d7_6_by_p6_x,
                 d7_6_by_p7_x,
+                d7_6_by_p7_y,
+                d7_2_by_p7_z,
                 d8_7_by_p7_z,
                 d9_7_by_p7_z,
                 d10_7_by_p7_z,
+                d7_2_by_p7_y,
+                d7_2_by_p6_x,
+                d7_2_by_p7_x,
+                d8_7_by_p7_y,
+                d9_7_by_p7_y,
+                d10_7_by_p7_y,
                 d8_6_by_p8_z,
-                d8_6_by_p6_y,
+                d8_6_by_p6_x,
                 d8_6_by_p8_y,
                 d8_7_by_p8_z,
                 d9_8_by_p8_z,
                 d10_8_by_p8_z,
-                d9_8_by_p9_z,
-                d9_8_by_p6_y,
-                d9_8_by_p8_y,
-                d9_7_by_p9_z,
-                d10_8_by_p10_x,
-                d10_8_by_p6_y,
-                d10_8_by_p8_y,
-                d10_7_by_p10_x,
-                d10_7_by_p7_x,
-                d10_7_by_p6_y,
-                d10_7_by_p8_y,
-                d8_7_by_p7_x,
+                d9_7_by_p9_y,
+                d9_7_by_p6_x,
                 d9_7_by_p7_x,
+                d9_8_by_p9_y,
+                d10_7_by_p10_x,
+                d10_7_by_p6_x,
+                d10_7_by_p7_x,
+                d10_8_by_p10_x,
+                d10_8_by_p8_y,
+                d10_8_by_p6_x,
+                d10_8_by_p7_x,
                 d8_7_by_p8_y,
-                d8_7_by_p6_y,
-                d9_7_by_p8_y,
-                d9_7_by_p6_y,
+                d9_8_by_p8_y,
+                d9_8_by_p7_x,
+                d9_8_by_p6_x,
+                d8_7_by_p7_x,
+                d8_7_by_p6_x,
             }
         }
 
@@ -1112,24 +1125,19 @@ pub mod attia2003 {
         d8_6_by_p6_z: T,
         d9_6_by_p6_z: T,
         d10_6_by_p6_z: T,
-        d10_5_by_p10_z: T,
-        d10_5_by_p10_x: T,
-        d10_5_by_p10_y: T,
+        d6_1_by_p6_y: T,
+        d6_1_by_p6_x: T,
+        d7_6_by_p6_y: T,
+        d8_6_by_p6_y: T,
+        d9_6_by_p6_y: T,
+        d10_6_by_p6_y: T,
         d10_6_by_p10_z: T,
+        d10_6_by_p6_x: T,
+        d10_6_by_p10_x: T,
+        d10_6_by_p10_y: T,
+        d10_5_by_p10_z: T,
         d10_7_by_p10_z: T,
         d10_8_by_p10_z: T,
-        d9_4_by_p9_x: T,
-        d9_4_by_p9_z: T,
-        d9_4_by_p9_y: T,
-        d9_6_by_p9_x: T,
-        d9_7_by_p9_x: T,
-        d9_8_by_p9_x: T,
-        d6_1_by_p6_x: T,
-        d6_1_by_p6_y: T,
-        d7_6_by_p6_x: T,
-        d8_6_by_p6_x: T,
-        d9_6_by_p6_x: T,
-        d10_6_by_p6_x: T,
         d8_3_by_p8_x: T,
         d8_3_by_p8_y: T,
         d8_3_by_p8_z: T,
@@ -1137,52 +1145,59 @@ pub mod attia2003 {
         d8_7_by_p8_x: T,
         d9_8_by_p8_x: T,
         d10_8_by_p8_x: T,
-        d7_2_by_p7_y: T,
-        d7_2_by_p7_x: T,
-        d7_2_by_p7_z: T,
-        d7_6_by_p7_y: T,
-        d8_7_by_p7_y: T,
-        d9_7_by_p7_y: T,
-        d10_7_by_p7_y: T,
-        d9_6_by_p9_y: T,
-        d9_6_by_p6_y: T,
+        d9_4_by_p9_x: T,
+        d9_4_by_p9_y: T,
+        d9_4_by_p9_z: T,
+        d9_6_by_p9_x: T,
+        d9_7_by_p9_x: T,
+        d9_8_by_p9_x: T,
         d9_6_by_p9_z: T,
-        d9_7_by_p9_y: T,
-        d9_8_by_p9_y: T,
-        d10_6_by_p10_y: T,
-        d10_6_by_p6_y: T,
-        d10_6_by_p10_x: T,
+        d9_6_by_p6_x: T,
+        d9_6_by_p9_y: T,
+        d9_7_by_p9_z: T,
+        d9_8_by_p9_z: T,
+        d10_5_by_p10_y: T,
+        d10_5_by_p6_x: T,
+        d10_5_by_p10_x: T,
         d10_7_by_p10_y: T,
         d10_8_by_p10_y: T,
         d7_6_by_p7_z: T,
-        d7_6_by_p6_y: T,
+        d7_6_by_p6_x: T,
         d7_6_by_p7_x: T,
+        d7_6_by_p7_y: T,
+        d7_2_by_p7_z: T,
         d8_7_by_p7_z: T,
         d9_7_by_p7_z: T,
         d10_7_by_p7_z: T,
+        d7_2_by_p7_y: T,
+        d7_2_by_p6_x: T,
+        d7_2_by_p7_x: T,
+        d8_7_by_p7_y: T,
+        d9_7_by_p7_y: T,
+        d10_7_by_p7_y: T,
         d8_6_by_p8_z: T,
-        d8_6_by_p6_y: T,
+        d8_6_by_p6_x: T,
         d8_6_by_p8_y: T,
         d8_7_by_p8_z: T,
         d9_8_by_p8_z: T,
         d10_8_by_p8_z: T,
-        d9_8_by_p9_z: T,
-        d9_8_by_p6_y: T,
-        d9_8_by_p8_y: T,
-        d9_7_by_p9_z: T,
-        d10_8_by_p10_x: T,
-        d10_8_by_p6_y: T,
-        d10_8_by_p8_y: T,
-        d10_7_by_p10_x: T,
-        d10_7_by_p7_x: T,
-        d10_7_by_p6_y: T,
-        d10_7_by_p8_y: T,
-        d8_7_by_p7_x: T,
+        d9_7_by_p9_y: T,
+        d9_7_by_p6_x: T,
         d9_7_by_p7_x: T,
+        d9_8_by_p9_y: T,
+        d10_7_by_p10_x: T,
+        d10_7_by_p6_x: T,
+        d10_7_by_p7_x: T,
+        d10_8_by_p10_x: T,
+        d10_8_by_p8_y: T,
+        d10_8_by_p6_x: T,
+        d10_8_by_p7_x: T,
         d8_7_by_p8_y: T,
-        d8_7_by_p6_y: T,
-        d9_7_by_p8_y: T,
-        d9_7_by_p6_y: T,
+        d9_8_by_p8_y: T,
+        d9_8_by_p7_x: T,
+        d9_8_by_p6_x: T,
+        d8_7_by_p7_x: T,
+        d8_7_by_p6_x: T,
     }
 
     impl<T: Scalar> JacobianFactors<T, 15> for Factors<T> {
@@ -1200,26 +1215,20 @@ pub mod attia2003 {
                 .minus_product(self.d9_6_by_p6_z, rows[equation::THETA]);
             rows[equation::D10_6] = rows[equation::D10_6]
                 .minus_product(self.d10_6_by_p6_z, rows[equation::THETA]);
-            rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_6_by_p10_z, rows[equation::D10_5]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p10_z, rows[equation::D10_5]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_8_by_p10_z, rows[equation::D10_5]);
-            rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_6_by_p9_x, rows[equation::D9_4]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p9_x, rows[equation::D9_4]);
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p9_x, rows[equation::D9_4]);
             rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d7_6_by_p6_x, rows[equation::D6_1]);
+                .minus_product(self.d7_6_by_p6_y, rows[equation::D6_1]);
             rows[equation::D8_6] = rows[equation::D8_6]
-                .minus_product(self.d8_6_by_p6_x, rows[equation::D6_1]);
+                .minus_product(self.d8_6_by_p6_y, rows[equation::D6_1]);
             rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_6_by_p6_x, rows[equation::D6_1]);
+                .minus_product(self.d9_6_by_p6_y, rows[equation::D6_1]);
             rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_6_by_p6_x, rows[equation::D6_1]);
+                .minus_product(self.d10_6_by_p6_y, rows[equation::D6_1]);
+            rows[equation::D10_5] = rows[equation::D10_5]
+                .minus_product(self.d10_5_by_p10_z, rows[equation::D10_6]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_7_by_p10_z, rows[equation::D10_6]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p10_z, rows[equation::D10_6]);
             rows[equation::D8_6] = rows[equation::D8_6]
                 .minus_product(self.d8_6_by_p8_x, rows[equation::D8_3]);
             rows[equation::D8_7] = rows[equation::D8_7]
@@ -1228,22 +1237,22 @@ pub mod attia2003 {
                 .minus_product(self.d9_8_by_p8_x, rows[equation::D8_3]);
             rows[equation::D10_8] = rows[equation::D10_8]
                 .minus_product(self.d10_8_by_p8_x, rows[equation::D8_3]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d7_6_by_p7_y, rows[equation::D7_2]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D9_6] = rows[equation::D9_6]
+                .minus_product(self.d9_6_by_p9_x, rows[equation::D9_4]);
             rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p7_y, rows[equation::D7_2]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p7_y, rows[equation::D7_2]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p9_y, rows[equation::D9_6]);
+                .minus_product(self.d9_7_by_p9_x, rows[equation::D9_4]);
             rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_6]);
+                .minus_product(self.d9_8_by_p9_x, rows[equation::D9_4]);
+            rows[equation::D9_7] = rows[equation::D9_7]
+                .minus_product(self.d9_7_by_p9_z, rows[equation::D9_6]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p9_z, rows[equation::D9_6]);
             rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p10_y, rows[equation::D10_6]);
+                .minus_product(self.d10_7_by_p10_y, rows[equation::D10_5]);
             rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_8_by_p10_y, rows[equation::D10_6]);
+                .minus_product(self.d10_8_by_p10_y, rows[equation::D10_5]);
+            rows[equation::D7_2] = rows[equation::D7_2]
+                .minus_product(self.d7_2_by_p7_z, rows[equation::D7_6]);
             rows[equation::D8_7] = rows[equation::D8_7]
                 .minus_product(self.d8_7_by_p7_z, rows[equation::D7_6]);
             rows[equation::D9_7] = rows[equation::D9_7]
@@ -1251,59 +1260,67 @@ pub mod attia2003 {
             rows[equation::D10_7] = rows[equation::D10_7]
                 .minus_product(self.d10_7_by_p7_z, rows[equation::D7_6]);
             rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D9_7] = rows[equation::D9_7]
+                .minus_product(self.d9_7_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_7_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D8_7] = rows[equation::D8_7]
                 .minus_product(self.d8_7_by_p8_z, rows[equation::D8_6]);
             rows[equation::D9_8] = rows[equation::D9_8]
                 .minus_product(self.d9_8_by_p8_z, rows[equation::D8_6]);
             rows[equation::D10_8] = rows[equation::D10_8]
                 .minus_product(self.d10_8_by_p8_z, rows[equation::D8_6]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p9_z, rows[equation::D9_8]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p10_x, rows[equation::D10_8]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_7]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p10_x, rows[equation::D10_7]);
             rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p7_x, rows[equation::D10_7]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p7_x, rows[equation::D10_7]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p8_y, rows[equation::D8_7]);
-            unknowns[unknown::P6_Y] = rows[equation::D9_7] * self.d9_7_by_p6_y;
-            unknowns[unknown::P8_Y] = (rows[equation::D8_7] * self.d8_7_by_p8_y)
-                .minus_product(self.d8_7_by_p6_y, unknowns[unknown::P6_Y]);
-            unknowns[unknown::P7_X] = (rows[equation::D10_7] * self.d10_7_by_p7_x)
-                .minus_product(self.d10_7_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d10_7_by_p8_y, unknowns[unknown::P8_Y]);
-            unknowns[unknown::P10_X] = (rows[equation::D10_8] * self.d10_8_by_p10_x)
-                .minus_product(self.d10_8_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d10_8_by_p8_y, unknowns[unknown::P8_Y]);
-            unknowns[unknown::P9_Z] = (rows[equation::D9_8] * self.d9_8_by_p9_z)
-                .minus_product(self.d9_8_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d9_8_by_p8_y, unknowns[unknown::P8_Y]);
+                .minus_product(self.d8_7_by_p8_y, rows[equation::D10_8]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p8_y, rows[equation::D10_8]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p7_x, rows[equation::D9_8]);
+            unknowns[unknown::P6_X] = rows[equation::D8_7] * self.d8_7_by_p6_x;
+            unknowns[unknown::P7_X] = (rows[equation::D9_8] * self.d9_8_by_p7_x)
+                .minus_product(self.d9_8_by_p6_x, unknowns[unknown::P6_X]);
+            unknowns[unknown::P8_Y] = (rows[equation::D10_8] * self.d10_8_by_p8_y)
+                .minus_product(self.d10_8_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d10_8_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P10_X] = (rows[equation::D10_7] * self.d10_7_by_p10_x)
+                .minus_product(self.d10_7_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d10_7_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P9_Y] = (rows[equation::D9_7] * self.d9_7_by_p9_y)
+                .minus_product(self.d9_7_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d9_7_by_p7_x, unknowns[unknown::P7_X]);
             unknowns[unknown::P8_Z] = (rows[equation::D8_6] * self.d8_6_by_p8_z)
-                .minus_product(self.d8_6_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d8_6_by_p6_x, unknowns[unknown::P6_X])
                 .minus_product(self.d8_6_by_p8_y, unknowns[unknown::P8_Y]);
-            unknowns[unknown::P7_Z] = (rows[equation::D7_6] * self.d7_6_by_p7_z)
-                .minus_product(self.d7_6_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_X]);
-            unknowns[unknown::P10_Y] = (rows[equation::D10_6] * self.d10_6_by_p10_y)
-                .minus_product(self.d10_6_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_X]);
-            unknowns[unknown::P9_Y] = (rows[equation::D9_6] * self.d9_6_by_p9_y)
-                .minus_product(self.d9_6_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d9_6_by_p9_z, unknowns[unknown::P9_Z]);
             unknowns[unknown::P7_Y] = (rows[equation::D7_2] * self.d7_2_by_p7_y)
-                .minus_product(self.d7_2_by_p7_x, unknowns[unknown::P7_X])
-                .minus_product(self.d7_2_by_p7_z, unknowns[unknown::P7_Z]);
+                .minus_product(self.d7_2_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d7_2_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P7_Z] = (rows[equation::D7_6] * self.d7_6_by_p7_z)
+                .minus_product(self.d7_6_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_X])
+                .minus_product(self.d7_6_by_p7_y, unknowns[unknown::P7_Y]);
+            unknowns[unknown::P10_Y] = (rows[equation::D10_5] * self.d10_5_by_p10_y)
+                .minus_product(self.d10_5_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d10_5_by_p10_x, unknowns[unknown::P10_X]);
+            unknowns[unknown::P9_Z] = (rows[equation::D9_6] * self.d9_6_by_p9_z)
+                .minus_product(self.d9_6_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d9_6_by_p9_y, unknowns[unknown::P9_Y]);
+            unknowns[unknown::P9_X] = (rows[equation::D9_4] * self.d9_4_by_p9_x)
+                .minus_product(self.d9_4_by_p9_y, unknowns[unknown::P9_Y])
+                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_Z]);
             unknowns[unknown::P8_X] = (rows[equation::D8_3] * self.d8_3_by_p8_x)
                 .minus_product(self.d8_3_by_p8_y, unknowns[unknown::P8_Y])
                 .minus_product(self.d8_3_by_p8_z, unknowns[unknown::P8_Z]);
-            unknowns[unknown::P6_X] = (rows[equation::D6_1] * self.d6_1_by_p6_x)
-                .minus_product(self.d6_1_by_p6_y, unknowns[unknown::P6_Y]);
-            unknowns[unknown::P9_X] = (rows[equation::D9_4] * self.d9_4_by_p9_x)
-                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_Z])
-                .minus_product(self.d9_4_by_p9_y, unknowns[unknown::P9_Y]);
-            unknowns[unknown::P10_Z] = (rows[equation::D10_5] * self.d10_5_by_p10_z)
-                .minus_product(self.d10_5_by_p10_x, unknowns[unknown::P10_X])
-                .minus_product(self.d10_5_by_p10_y, unknowns[unknown::P10_Y]);
+            unknowns[unknown::P10_Z] = (rows[equation::D10_6] * self.d10_6_by_p10_z)
+                .minus_product(self.d10_6_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_X])
+                .minus_product(self.d10_6_by_p10_y, unknowns[unknown::P10_Y]);
+            unknowns[unknown::P6_Y] = (rows[equation::D6_1] * self.d6_1_by_p6_y)
+                .minus_product(self.d6_1_by_p6_x, unknowns[unknown::P6_X]);
             unknowns[unknown::P6_Z] = rows[equation::THETA];
             SVector::from(unknowns)
         }
@@ -1318,73 +1335,88 @@ pub mod attia2003 {
             rows[equation::D9_6] = -(self.d9_6_by_p6_z * rows[equation::THETA]);
             rows[equation::D10_6] = -(self.d10_6_by_p6_z * rows[equation::THETA]);
             rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d7_6_by_p6_x, rows[equation::D6_1]);
+                .minus_product(self.d7_6_by_p6_y, rows[equation::D6_1]);
             rows[equation::D8_6] = rows[equation::D8_6]
-                .minus_product(self.d8_6_by_p6_x, rows[equation::D6_1]);
+                .minus_product(self.d8_6_by_p6_y, rows[equation::D6_1]);
             rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_6_by_p6_x, rows[equation::D6_1]);
+                .minus_product(self.d9_6_by_p6_y, rows[equation::D6_1]);
             rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_6_by_p6_x, rows[equation::D6_1]);
-            rows[equation::D9_7] = -(self.d9_7_by_p9_y * rows[equation::D9_6]);
-            rows[equation::D9_8] = -(self.d9_8_by_p9_y * rows[equation::D9_6]);
-            rows[equation::D10_7] = -(self.d10_7_by_p10_y * rows[equation::D10_6]);
-            rows[equation::D10_8] = -(self.d10_8_by_p10_y * rows[equation::D10_6]);
+                .minus_product(self.d10_6_by_p6_y, rows[equation::D6_1]);
+            rows[equation::D10_5] = -(self.d10_5_by_p10_z * rows[equation::D10_6]);
+            rows[equation::D10_7] = -(self.d10_7_by_p10_z * rows[equation::D10_6]);
+            rows[equation::D10_8] = -(self.d10_8_by_p10_z * rows[equation::D10_6]);
+            rows[equation::D9_7] = -(self.d9_7_by_p9_z * rows[equation::D9_6]);
+            rows[equation::D9_8] = -(self.d9_8_by_p9_z * rows[equation::D9_6]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_7_by_p10_y, rows[equation::D10_5]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p10_y, rows[equation::D10_5]);
+            rows[equation::D7_2] = -(self.d7_2_by_p7_z * rows[equation::D7_6]);
             rows[equation::D8_7] = -(self.d8_7_by_p7_z * rows[equation::D7_6]);
             rows[equation::D9_7] = rows[equation::D9_7]
                 .minus_product(self.d9_7_by_p7_z, rows[equation::D7_6]);
             rows[equation::D10_7] = rows[equation::D10_7]
                 .minus_product(self.d10_7_by_p7_z, rows[equation::D7_6]);
             rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D9_7] = rows[equation::D9_7]
+                .minus_product(self.d9_7_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_7_by_p7_y, rows[equation::D7_2]);
+            rows[equation::D8_7] = rows[equation::D8_7]
                 .minus_product(self.d8_7_by_p8_z, rows[equation::D8_6]);
             rows[equation::D9_8] = rows[equation::D9_8]
                 .minus_product(self.d9_8_by_p8_z, rows[equation::D8_6]);
             rows[equation::D10_8] = rows[equation::D10_8]
                 .minus_product(self.d10_8_by_p8_z, rows[equation::D8_6]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p9_z, rows[equation::D9_8]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p10_x, rows[equation::D10_8]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_7]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d10_8_by_p10_x, rows[equation::D10_7]);
             rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p7_x, rows[equation::D10_7]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p7_x, rows[equation::D10_7]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p8_y, rows[equation::D8_7]);
-            unknowns[unknown::P6_Y] = rows[equation::D9_7] * self.d9_7_by_p6_y;
-            unknowns[unknown::P8_Y] = (rows[equation::D8_7] * self.d8_7_by_p8_y)
-                .minus_product(self.d8_7_by_p6_y, unknowns[unknown::P6_Y]);
-            unknowns[unknown::P7_X] = (rows[equation::D10_7] * self.d10_7_by_p7_x)
-                .minus_product(self.d10_7_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d10_7_by_p8_y, unknowns[unknown::P8_Y]);
-            unknowns[unknown::P10_X] = (rows[equation::D10_8] * self.d10_8_by_p10_x)
-                .minus_product(self.d10_8_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d10_8_by_p8_y, unknowns[unknown::P8_Y]);
-            unknowns[unknown::P9_Z] = (rows[equation::D9_8] * self.d9_8_by_p9_z)
-                .minus_product(self.d9_8_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d9_8_by_p8_y, unknowns[unknown::P8_Y]);
+                .minus_product(self.d8_7_by_p8_y, rows[equation::D10_8]);
+            rows[equation::D9_8] = rows[equation::D9_8]
+                .minus_product(self.d9_8_by_p8_y, rows[equation::D10_8]);
+            rows[equation::D8_7] = rows[equation::D8_7]
+                .minus_product(self.d8_7_by_p7_x, rows[equation::D9_8]);
+            unknowns[unknown::P6_X] = rows[equation::D8_7] * self.d8_7_by_p6_x;
+            unknowns[unknown::P7_X] = (rows[equation::D9_8] * self.d9_8_by_p7_x)
+                .minus_product(self.d9_8_by_p6_x, unknowns[unknown::P6_X]);
+            unknowns[unknown::P8_Y] = (rows[equation::D10_8] * self.d10_8_by_p8_y)
+                .minus_product(self.d10_8_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d10_8_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P10_X] = (rows[equation::D10_7] * self.d10_7_by_p10_x)
+                .minus_product(self.d10_7_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d10_7_by_p7_x, unknowns[unknown::P7_X]);
+            unknowns[unknown::P9_Y] = (rows[equation::D9_7] * self.d9_7_by_p9_y)
+                .minus_product(self.d9_7_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d9_7_by_p7_x, unknowns[unknown::P7_X]);
             unknowns[unknown::P8_Z] = (rows[equation::D8_6] * self.d8_6_by_p8_z)
-                .minus_product(self.d8_6_by_p6_y, unknowns[unknown::P6_Y])
+                .minus_product(self.d8_6_by_p6_x, unknowns[unknown::P6_X])
                 .minus_product(self.d8_6_by_p8_y, unknowns[unknown::P8_Y]);
+            unknowns[unknown::P7_Y] = (rows[equation::D7_2] * self.d7_2_by_p7_y)
+                .minus_product(self.d7_2_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d7_2_by_p7_x, unknowns[unknown::P7_X]);
             unknowns[unknown::P7_Z] = (rows[equation::D7_6] * self.d7_6_by_p7_z)
-                .minus_product(self.d7_6_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_X]);
-            unknowns[unknown::P10_Y] = (rows[equation::D10_6] * self.d10_6_by_p10_y)
-                .minus_product(self.d10_6_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_X]);
-            unknowns[unknown::P9_Y] = (rows[equation::D9_6] * self.d9_6_by_p9_y)
-                .minus_product(self.d9_6_by_p6_y, unknowns[unknown::P6_Y])
-                .minus_product(self.d9_6_by_p9_z, unknowns[unknown::P9_Z]);
-            unknowns[unknown::P7_Y] = (-(self.d7_2_by_p7_x * unknowns[unknown::P7_X]))
-                .minus_product(self.d7_2_by_p7_z, unknowns[unknown::P7_Z]);
+                .minus_product(self.d7_6_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_X])
+                .minus_product(self.d7_6_by_p7_y, unknowns[unknown::P7_Y]);
+            unknowns[unknown::P10_Y] = (rows[equation::D10_5] * self.d10_5_by_p10_y)
+                .minus_product(self.d10_5_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d10_5_by_p10_x, unknowns[unknown::P10_X]);
+            unknowns[unknown::P9_Z] = (rows[equation::D9_6] * self.d9_6_by_p9_z)
+                .minus_product(self.d9_6_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d9_6_by_p9_y, unknowns[unknown::P9_Y]);
+            unknowns[unknown::P9_X] = (-(self.d9_4_by_p9_y * unknowns[unknown::P9_Y]))
+                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_Z]);
             unknowns[unknown::P8_X] = (-(self.d8_3_by_p8_y * unknowns[unknown::P8_Y]))
                 .minus_product(self.d8_3_by_p8_z, unknowns[unknown::P8_Z]);
-            unknowns[unknown::P6_X] = (rows[equation::D6_1] * self.d6_1_by_p6_x)
-                .minus_product(self.d6_1_by_p6_y, unknowns[unknown::P6_Y]);
-            unknowns[unknown::P9_X] = (-(self.d9_4_by_p9_z * unknowns[unknown::P9_Z]))
-                .minus_product(self.d9_4_by_p9_y, unknowns[unknown::P9_Y]);
-            unknowns[unknown::P10_Z] = (-(self.d10_5_by_p10_x
-                * unknowns[unknown::P10_X]))
-                .minus_product(self.d10_5_by_p10_y, unknowns[unknown::P10_Y]);
+            unknowns[unknown::P10_Z] = (rows[equation::D10_6] * self.d10_6_by_p10_z)
+                .minus_product(self.d10_6_by_p6_x, unknowns[unknown::P6_X])
+                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_X])
+                .minus_product(self.d10_6_by_p10_y, unknowns[unknown::P10_Y]);
+            unknowns[unknown::P6_Y] = (rows[equation::D6_1] * self.d6_1_by_p6_y)
+                .minus_product(self.d6_1_by_p6_x, unknowns[unknown::P6_X]);
             unknowns[unknown::P6_Z] = rows[equation::THETA];
             SVector::from(unknowns)
         }
@@ -1393,107 +1425,117 @@ pub mod attia2003 {
         fn solve_transposed(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut unknowns] = right.data.0;
             let mut rows = [T::zero(); 15];
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d6_1_by_p6_x, unknowns[unknown::P6_Y]);
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d10_6_by_p6_x, unknowns[unknown::P10_Z]);
             unknowns[unknown::P10_X] = unknowns[unknown::P10_X]
-                .minus_product(self.d10_5_by_p10_x, unknowns[unknown::P10_Z]);
+                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_Z]);
             unknowns[unknown::P10_Y] = unknowns[unknown::P10_Y]
-                .minus_product(self.d10_5_by_p10_y, unknowns[unknown::P10_Z]);
-            unknowns[unknown::P9_Z] = unknowns[unknown::P9_Z]
-                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_X]);
-            unknowns[unknown::P9_Y] = unknowns[unknown::P9_Y]
-                .minus_product(self.d9_4_by_p9_y, unknowns[unknown::P9_X]);
-            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
-                .minus_product(self.d6_1_by_p6_y, unknowns[unknown::P6_X]);
+                .minus_product(self.d10_6_by_p10_y, unknowns[unknown::P10_Z]);
             unknowns[unknown::P8_Y] = unknowns[unknown::P8_Y]
                 .minus_product(self.d8_3_by_p8_y, unknowns[unknown::P8_X]);
             unknowns[unknown::P8_Z] = unknowns[unknown::P8_Z]
                 .minus_product(self.d8_3_by_p8_z, unknowns[unknown::P8_X]);
-            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
-                .minus_product(self.d7_2_by_p7_x, unknowns[unknown::P7_Y]);
-            unknowns[unknown::P7_Z] = unknowns[unknown::P7_Z]
-                .minus_product(self.d7_2_by_p7_z, unknowns[unknown::P7_Y]);
-            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
-                .minus_product(self.d9_6_by_p6_y, unknowns[unknown::P9_Y]);
+            unknowns[unknown::P9_Y] = unknowns[unknown::P9_Y]
+                .minus_product(self.d9_4_by_p9_y, unknowns[unknown::P9_X]);
             unknowns[unknown::P9_Z] = unknowns[unknown::P9_Z]
-                .minus_product(self.d9_6_by_p9_z, unknowns[unknown::P9_Y]);
-            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
-                .minus_product(self.d10_6_by_p6_y, unknowns[unknown::P10_Y]);
+                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_X]);
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d9_6_by_p6_x, unknowns[unknown::P9_Z]);
+            unknowns[unknown::P9_Y] = unknowns[unknown::P9_Y]
+                .minus_product(self.d9_6_by_p9_y, unknowns[unknown::P9_Z]);
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d10_5_by_p6_x, unknowns[unknown::P10_Y]);
             unknowns[unknown::P10_X] = unknowns[unknown::P10_X]
-                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_Y]);
-            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
-                .minus_product(self.d7_6_by_p6_y, unknowns[unknown::P7_Z]);
+                .minus_product(self.d10_5_by_p10_x, unknowns[unknown::P10_Y]);
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d7_6_by_p6_x, unknowns[unknown::P7_Z]);
             unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
                 .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_Z]);
-            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
-                .minus_product(self.d8_6_by_p6_y, unknowns[unknown::P8_Z]);
+            unknowns[unknown::P7_Y] = unknowns[unknown::P7_Y]
+                .minus_product(self.d7_6_by_p7_y, unknowns[unknown::P7_Z]);
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d7_2_by_p6_x, unknowns[unknown::P7_Y]);
+            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
+                .minus_product(self.d7_2_by_p7_x, unknowns[unknown::P7_Y]);
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d8_6_by_p6_x, unknowns[unknown::P8_Z]);
             unknowns[unknown::P8_Y] = unknowns[unknown::P8_Y]
                 .minus_product(self.d8_6_by_p8_y, unknowns[unknown::P8_Z]);
-            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
-                .minus_product(self.d9_8_by_p6_y, unknowns[unknown::P9_Z]);
-            unknowns[unknown::P8_Y] = unknowns[unknown::P8_Y]
-                .minus_product(self.d9_8_by_p8_y, unknowns[unknown::P9_Z]);
-            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
-                .minus_product(self.d10_8_by_p6_y, unknowns[unknown::P10_X]);
-            unknowns[unknown::P8_Y] = unknowns[unknown::P8_Y]
-                .minus_product(self.d10_8_by_p8_y, unknowns[unknown::P10_X]);
-            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
-                .minus_product(self.d10_7_by_p6_y, unknowns[unknown::P7_X]);
-            unknowns[unknown::P8_Y] = unknowns[unknown::P8_Y]
-                .minus_product(self.d10_7_by_p8_y, unknowns[unknown::P7_X]);
-            unknowns[unknown::P6_Y] = unknowns[unknown::P6_Y]
-                .minus_product(self.d8_7_by_p6_y, unknowns[unknown::P8_Y]);
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d9_7_by_p6_x, unknowns[unknown::P9_Y]);
+            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
+                .minus_product(self.d9_7_by_p7_x, unknowns[unknown::P9_Y]);
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d10_7_by_p6_x, unknowns[unknown::P10_X]);
+            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
+                .minus_product(self.d10_7_by_p7_x, unknowns[unknown::P10_X]);
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d10_8_by_p6_x, unknowns[unknown::P8_Y]);
+            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
+                .minus_product(self.d10_8_by_p7_x, unknowns[unknown::P8_Y]);
+            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
+                .minus_product(self.d9_8_by_p6_x, unknowns[unknown::P7_X]);
             rows[equation::THETA] = unknowns[unknown::P6_Z];
-            rows[equation::D10_5] = unknowns[unknown::P10_Z] * self.d10_5_by_p10_z;
-            rows[equation::D9_4] = unknowns[unknown::P9_X] * self.d9_4_by_p9_x;
-            rows[equation::D6_1] = unknowns[unknown::P6_X] * self.d6_1_by_p6_x;
+            rows[equation::D6_1] = unknowns[unknown::P6_Y] * self.d6_1_by_p6_y;
+            rows[equation::D10_6] = unknowns[unknown::P10_Z] * self.d10_6_by_p10_z;
             rows[equation::D8_3] = unknowns[unknown::P8_X] * self.d8_3_by_p8_x;
-            rows[equation::D7_2] = unknowns[unknown::P7_Y] * self.d7_2_by_p7_y;
-            rows[equation::D9_6] = unknowns[unknown::P9_Y] * self.d9_6_by_p9_y;
-            rows[equation::D10_6] = unknowns[unknown::P10_Y] * self.d10_6_by_p10_y;
+            rows[equation::D9_4] = unknowns[unknown::P9_X] * self.d9_4_by_p9_x;
+            rows[equation::D9_6] = unknowns[unknown::P9_Z] * self.d9_6_by_p9_z;
+            rows[equation::D10_5] = unknowns[unknown::P10_Y] * self.d10_5_by_p10_y;
             rows[equation::D7_6] = unknowns[unknown::P7_Z] * self.d7_6_by_p7_z;
+            rows[equation::D7_2] = unknowns[unknown::P7_Y] * self.d7_2_by_p7_y;
             rows[equation::D8_6] = unknowns[unknown::P8_Z] * self.d8_6_by_p8_z;
-            rows[equation::D9_8] = unknowns[unknown::P9_Z] * self.d9_8_by_p9_z;
-            rows[equation::D10_8] = unknowns[unknown::P10_X] * self.d10_8_by_p10_x;
-            rows[equation::D10_7] = unknowns[unknown::P7_X] * self.d10_7_by_p7_x;
-            rows[equation::D8_7] = unknowns[unknown::P8_Y] * self.d8_7_by_p8_y;
-            rows[equation::D9_7] = unknowns[unknown::P6_Y] * self.d9_7_by_p6_y;
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d9_7_by_p8_y, rows[equation::D9_7]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d8_7_by_p7_x, rows[equation::D8_7]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d9_7_by_p7_x, rows[equation::D9_7]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_7_by_p10_x, rows[equation::D10_7]);
+            rows[equation::D9_7] = unknowns[unknown::P9_Y] * self.d9_7_by_p9_y;
+            rows[equation::D10_7] = unknowns[unknown::P10_X] * self.d10_7_by_p10_x;
+            rows[equation::D10_8] = unknowns[unknown::P8_Y] * self.d10_8_by_p8_y;
+            rows[equation::D9_8] = unknowns[unknown::P7_X] * self.d9_8_by_p7_x;
+            rows[equation::D8_7] = unknowns[unknown::P6_X] * self.d8_7_by_p6_x;
             rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_7_by_p9_z, rows[equation::D9_7]);
+                .minus_product(self.d8_7_by_p7_x, rows[equation::D8_7]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d8_7_by_p8_y, rows[equation::D8_7]);
+            rows[equation::D10_8] = rows[equation::D10_8]
+                .minus_product(self.d9_8_by_p8_y, rows[equation::D9_8]);
+            rows[equation::D10_7] = rows[equation::D10_7]
+                .minus_product(self.d10_8_by_p10_x, rows[equation::D10_8]);
+            rows[equation::D9_7] = rows[equation::D9_7]
+                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_8]);
             rows[equation::D8_6] = rows[equation::D8_6]
                 .minus_product(self.d8_7_by_p8_z, rows[equation::D8_7]);
             rows[equation::D8_6] = rows[equation::D8_6]
                 .minus_product(self.d9_8_by_p8_z, rows[equation::D9_8]);
             rows[equation::D8_6] = rows[equation::D8_6]
                 .minus_product(self.d10_8_by_p8_z, rows[equation::D10_8]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d8_7_by_p7_z, rows[equation::D8_7]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d9_7_by_p7_z, rows[equation::D9_7]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d10_7_by_p7_z, rows[equation::D10_7]);
-            rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_7_by_p10_y, rows[equation::D10_7]);
-            rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_8_by_p10_y, rows[equation::D10_8]);
-            rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_7_by_p9_y, rows[equation::D9_7]);
-            rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_8]);
-            rows[equation::D7_2] = rows[equation::D7_2]
-                .minus_product(self.d7_6_by_p7_y, rows[equation::D7_6]);
             rows[equation::D7_2] = rows[equation::D7_2]
                 .minus_product(self.d8_7_by_p7_y, rows[equation::D8_7]);
             rows[equation::D7_2] = rows[equation::D7_2]
                 .minus_product(self.d9_7_by_p7_y, rows[equation::D9_7]);
             rows[equation::D7_2] = rows[equation::D7_2]
                 .minus_product(self.d10_7_by_p7_y, rows[equation::D10_7]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d7_2_by_p7_z, rows[equation::D7_2]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d8_7_by_p7_z, rows[equation::D8_7]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d9_7_by_p7_z, rows[equation::D9_7]);
+            rows[equation::D7_6] = rows[equation::D7_6]
+                .minus_product(self.d10_7_by_p7_z, rows[equation::D10_7]);
+            rows[equation::D10_5] = rows[equation::D10_5]
+                .minus_product(self.d10_7_by_p10_y, rows[equation::D10_7]);
+            rows[equation::D10_5] = rows[equation::D10_5]
+                .minus_product(self.d10_8_by_p10_y, rows[equation::D10_8]);
+            rows[equation::D9_6] = rows[equation::D9_6]
+                .minus_product(self.d9_7_by_p9_z, rows[equation::D9_7]);
+            rows[equation::D9_6] = rows[equation::D9_6]
+                .minus_product(self.d9_8_by_p9_z, rows[equation::D9_8]);
+            rows[equation::D9_4] = rows[equation::D9_4]
+                .minus_product(self.d9_6_by_p9_x, rows[equation::D9_6]);
+            rows[equation::D9_4] = rows[equation::D9_4]
+                .minus_product(self.d9_7_by_p9_x, rows[equation::D9_7]);
+            rows[equation::D9_4] = rows[equation::D9_4]
+                .minus_product(self.d9_8_by_p9_x, rows[equation::D9_8]);
             rows[equation::D8_3] = rows[equation::D8_3]
                 .minus_product(self.d8_6_by_p8_x, rows[equation::D8_6]);
             rows[equation::D8_3] = rows[equation::D8_3]
@@ -1502,26 +1544,20 @@ pub mod attia2003 {
                 .minus_product(self.d9_8_by_p8_x, rows[equation::D9_8]);
             rows[equation::D8_3] = rows[equation::D8_3]
                 .minus_product(self.d10_8_by_p8_x, rows[equation::D10_8]);
-            rows[equation::D6_1] = rows[equation::D6_1]
-                .minus_product(self.d7_6_by_p6_x, rows[equation::D7_6]);
-            rows[equation::D6_1] = rows[equation::D6_1]
-                .minus_product(self.d8_6_by_p6_x, rows[equation::D8_6]);
-            rows[equation::D6_1] = rows[equation::D6_1]
-                .minus_product(self.d9_6_by_p6_x, rows[equation::D9_6]);
-            rows[equation::D6_1] = rows[equation::D6_1]
-                .minus_product(self.d10_6_by_p6_x, rows[equation::D10_6]);
-            rows[equation::D9_4] = rows[equation::D9_4]
-                .minus_product(self.d9_6_by_p9_x, rows[equation::D9_6]);
-            rows[equation::D9_4] = rows[equation::D9_4]
-                .minus_product(self.d9_7_by_p9_x, rows[equation::D9_7]);
-            rows[equation::D9_4] = rows[equation::D9_4]
-                .minus_product(self.d9_8_by_p9_x, rows[equation::D9_8]);
-            rows[equation::D10_5] = rows[equation::D10_5]
-                .minus_product(self.d10_6_by_p10_z, rows[equation::D10_6]);
-            rows[equation::D10_5] = rows[equation::D10_5]
+            rows[equation::D10_6] = rows[equation::D10_6]
+                .minus_product(self.d10_5_by_p10_z, rows[equation::D10_5]);
+            rows[equation::D10_6] = rows[equation::D10_6]
                 .minus_product(self.d10_7_by_p10_z, rows[equation::D10_7]);
-            rows[equation::D10_5] = rows[equation::D10_5]
+            rows[equation::D10_6] = rows[equation::D10_6]
                 .minus_product(self.d10_8_by_p10_z, rows[equation::D10_8]);
+            rows[equation::D6_1] = rows[equation::D6_1]
+                .minus_product(self.d7_6_by_p6_y, rows[equation::D7_6]);
+            rows[equation::D6_1] = rows[equation::D6_1]
+                .minus_product(self.d8_6_by_p6_y, rows[equation::D8_6]);
+            rows[equation::D6_1] = rows[equation::D6_1]
+                .minus_product(self.d9_6_by_p6_y, rows[equation::D9_6]);
+            rows[equation::D6_1] = rows[equation::D6_1]
+                .minus_product(self.d10_6_by_p6_y, rows[equation::D10_6]);
             rows[equation::THETA] = rows[equation::THETA]
                 .minus_product(self.d6_1_by_p6_z, rows[equation::D6_1]);
             rows[equation::THETA] = rows[equation::THETA]

@@ -7,15 +7,15 @@
 ///
 /// 15 equations `F(q) = 0`: `lower_front`, `upper_front`, `upper_rear`, `lower_rear`, `track_rod`, `knuckle_lower_front_outer_upper_front_outer`, `knuckle_lower_front_outer_upper_rear_outer`, `knuckle_upper_front_outer_upper_rear_outer`, `knuckle_lower_rear_outer_x`, `knuckle_lower_rear_outer_y`, `knuckle_lower_rear_outer_z`, `knuckle_track_rod_outer_x`, `knuckle_track_rod_outer_y`, `knuckle_track_rod_outer_z`, `theta`.
 ///
-/// Jacobian: 15 x 15, 94 non-zeros of 225; its factors have 99. The longest chain of operations in the factorisation is 36, a division counted as 4; in a solution it is 22.
+/// Jacobian: 15 x 15, 94 non-zeros of 225; its factors have 105. The longest chain of operations in the factorisation is 32, a division counted as 4; in a solution it is 20.
 ///
 /// | no branch | multiplications | additions | divisions |
 /// |---|---|---|---|
 /// | residual | 86 | 86 | 0 |
 /// | Jacobian | 36 | 40 | 0 |
 /// | curvature | 62 | 94 | 0 |
-/// | factor | 175 | 123 | 10 |
-/// | solve | 94 | 84 | 0 |
+/// | factor | 182 | 124 | 9 |
+/// | solve | 99 | 90 | 0 |
 #[allow(dead_code, unreachable_pub)]
 pub mod five_link {
     use ::suspension_core::generated::*;
@@ -934,7 +934,6 @@ pub mod five_link {
             let knuckle_lower_rear_outer_z_by_upper_rear_outer_y = gradient.third.m32;
             let knuckle_lower_rear_outer_z_by_upper_rear_outer_z = gradient.third.m33;
             let gradient = self.knuckle_track_rod_outer.gradient(&knuckle_frame);
-            let knuckle_track_rod_outer_y_by_track_rod_outer_y = T::one();
             let knuckle_track_rod_outer_x_by_lower_front_outer_x = gradient.origin.m11;
             let knuckle_track_rod_outer_x_by_lower_front_outer_y = gradient.origin.m12;
             let knuckle_track_rod_outer_x_by_lower_front_outer_z = gradient.origin.m13;
@@ -962,150 +961,18 @@ pub mod five_link {
             let knuckle_track_rod_outer_z_by_upper_rear_outer_x = gradient.third.m31;
             let knuckle_track_rod_outer_z_by_upper_rear_outer_y = gradient.third.m32;
             let knuckle_track_rod_outer_z_by_upper_rear_outer_z = gradient.third.m33;
-            let track_rod_by_track_rod_outer_y = T::one()
-                / track_rod_by_track_rod_outer_y;
-            let knuckle_track_rod_outer_y_by_track_rod_outer_y = knuckle_track_rod_outer_y_by_track_rod_outer_y
-                * track_rod_by_track_rod_outer_y;
-            let knuckle_track_rod_outer_y_by_track_rod_outer_z = -(knuckle_track_rod_outer_y_by_track_rod_outer_y
-                * track_rod_by_track_rod_outer_z);
-            let knuckle_track_rod_outer_y_by_track_rod_outer_x = -(knuckle_track_rod_outer_y_by_track_rod_outer_y
-                * track_rod_by_track_rod_outer_x);
-            let track_rod_by_track_rod_outer_z = track_rod_by_track_rod_outer_z
-                * track_rod_by_track_rod_outer_y;
-            let track_rod_by_track_rod_outer_x = track_rod_by_track_rod_outer_x
-                * track_rod_by_track_rod_outer_y;
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_y = knuckle_track_rod_outer_y_by_upper_front_outer_y
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                );
-            let knuckle_track_rod_outer_y_by_lower_front_outer_y = knuckle_track_rod_outer_y_by_lower_front_outer_y
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                );
             let lower_rear_by_lower_rear_outer_x = T::one()
                 / lower_rear_by_lower_rear_outer_x;
             let knuckle_lower_rear_outer_x_by_lower_rear_outer_x = knuckle_lower_rear_outer_x_by_lower_rear_outer_x
                 * lower_rear_by_lower_rear_outer_x;
-            let knuckle_lower_rear_outer_x_by_lower_rear_outer_y = -(knuckle_lower_rear_outer_x_by_lower_rear_outer_x
-                * lower_rear_by_lower_rear_outer_y);
             let knuckle_lower_rear_outer_x_by_lower_rear_outer_z = -(knuckle_lower_rear_outer_x_by_lower_rear_outer_x
                 * lower_rear_by_lower_rear_outer_z);
-            let lower_rear_by_lower_rear_outer_y = lower_rear_by_lower_rear_outer_y
-                * lower_rear_by_lower_rear_outer_x;
+            let knuckle_lower_rear_outer_x_by_lower_rear_outer_y = -(knuckle_lower_rear_outer_x_by_lower_rear_outer_x
+                * lower_rear_by_lower_rear_outer_y);
             let lower_rear_by_lower_rear_outer_z = lower_rear_by_lower_rear_outer_z
                 * lower_rear_by_lower_rear_outer_x;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_y = knuckle_lower_rear_outer_x_by_lower_front_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_front_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_y = knuckle_lower_rear_outer_x_by_lower_front_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                );
+            let lower_rear_by_lower_rear_outer_y = lower_rear_by_lower_rear_outer_y
+                * lower_rear_by_lower_rear_outer_x;
             let lower_front_by_lower_front_outer_y = T::one()
                 / lower_front_by_lower_front_outer_y;
             let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y
@@ -1129,6 +996,27 @@ pub mod five_link {
                     knuckle_lower_rear_outer_x_by_lower_front_outer_y,
                     lower_front_by_lower_front_outer_x,
                 );
+            let knuckle_lower_rear_outer_y_by_lower_front_outer_y = knuckle_lower_rear_outer_y_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_lower_rear_outer_y_by_lower_front_outer_x = knuckle_lower_rear_outer_y_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_y_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_z_by_lower_front_outer_y = knuckle_lower_rear_outer_z_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_lower_rear_outer_z_by_lower_front_outer_x = knuckle_lower_rear_outer_z_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
+            let knuckle_track_rod_outer_x_by_lower_front_outer_y = knuckle_track_rod_outer_x_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let knuckle_track_rod_outer_x_by_lower_front_outer_x = knuckle_track_rod_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
             let knuckle_track_rod_outer_y_by_lower_front_outer_y = knuckle_track_rod_outer_y_by_lower_front_outer_y
                 * lower_front_by_lower_front_outer_y;
             let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
@@ -1145,310 +1033,445 @@ pub mod five_link {
                 );
             let lower_front_by_lower_front_outer_x = lower_front_by_lower_front_outer_x
                 * lower_front_by_lower_front_outer_y;
-            let upper_front_by_upper_front_outer_y = T::one()
-                / upper_front_by_upper_front_outer_y;
-            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
-                * upper_front_by_upper_front_outer_y;
-            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x
+            let track_rod_by_lower_front_outer_x = -(track_rod_by_track_rod_outer_z
+                * knuckle_track_rod_outer_z_by_lower_front_outer_x);
+            let track_rod_by_upper_rear_outer_y = -(track_rod_by_track_rod_outer_z
+                * knuckle_track_rod_outer_z_by_upper_rear_outer_y);
+            let track_rod_by_upper_front_outer_x = -(track_rod_by_track_rod_outer_z
+                * knuckle_track_rod_outer_z_by_upper_front_outer_x);
+            let track_rod_by_upper_front_outer_y = -(track_rod_by_track_rod_outer_z
+                * knuckle_track_rod_outer_z_by_upper_front_outer_y);
+            let track_rod_by_upper_rear_outer_z = -(track_rod_by_track_rod_outer_z
+                * knuckle_track_rod_outer_z_by_upper_rear_outer_z);
+            let track_rod_by_upper_front_outer_z = -(track_rod_by_track_rod_outer_z
+                * knuckle_track_rod_outer_z_by_upper_front_outer_z);
+            let track_rod_by_upper_rear_outer_x = -(track_rod_by_track_rod_outer_z
+                * knuckle_track_rod_outer_z_by_upper_rear_outer_x);
+            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
                 .minus_product(
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_x,
+                    track_rod_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_lower_front_outer_x,
                 );
-            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z
+            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_z,
+                    track_rod_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_rear_outer_y,
                 );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y
-                * upper_front_by_upper_front_outer_y;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
+            let track_rod_by_upper_front_outer_x = track_rod_by_upper_front_outer_x
                 .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_x,
+                    track_rod_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_front_outer_x,
                 );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
+            let track_rod_by_upper_front_outer_y = track_rod_by_upper_front_outer_y
                 .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_z,
+                    track_rod_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_front_outer_y,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                * upper_front_by_upper_front_outer_y;
+            let track_rod_by_upper_rear_outer_z = track_rod_by_upper_rear_outer_z
+                .minus_product(
+                    track_rod_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                );
+            let track_rod_by_upper_front_outer_z = track_rod_by_upper_front_outer_z
+                .minus_product(
+                    track_rod_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                );
+            let track_rod_by_upper_rear_outer_x = track_rod_by_upper_rear_outer_x
+                .minus_product(
+                    track_rod_by_track_rod_outer_x,
+                    knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                );
+            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
+                .minus_product(
+                    track_rod_by_track_rod_outer_y,
+                    knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                );
+            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
+                .minus_product(
+                    track_rod_by_track_rod_outer_y,
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                );
+            let track_rod_by_upper_front_outer_x = track_rod_by_upper_front_outer_x
+                .minus_product(
+                    track_rod_by_track_rod_outer_y,
+                    knuckle_track_rod_outer_y_by_upper_front_outer_x,
+                );
+            let track_rod_by_upper_front_outer_y = track_rod_by_upper_front_outer_y
+                .minus_product(
+                    track_rod_by_track_rod_outer_y,
+                    knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                );
+            let track_rod_by_upper_rear_outer_z = track_rod_by_upper_rear_outer_z
+                .minus_product(
+                    track_rod_by_track_rod_outer_y,
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                );
+            let track_rod_by_upper_front_outer_z = track_rod_by_upper_front_outer_z
+                .minus_product(
+                    track_rod_by_track_rod_outer_y,
+                    knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                );
+            let track_rod_by_upper_rear_outer_x = track_rod_by_upper_rear_outer_x
+                .minus_product(
+                    track_rod_by_track_rod_outer_y,
+                    knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                );
             let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_x,
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_front_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
                 );
             let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_z,
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_front_outer_z,
                 );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_y = knuckle_track_rod_outer_y_by_upper_front_outer_y
-                * upper_front_by_upper_front_outer_y;
-            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_x,
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
                 );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
+            let upper_rear_by_upper_rear_outer_x = T::one()
+                / upper_rear_by_upper_rear_outer_x;
+            let track_rod_by_upper_rear_outer_x = track_rod_by_upper_rear_outer_x
+                * upper_rear_by_upper_rear_outer_x;
+            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_z,
+                    track_rod_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_y,
                 );
-            let knuckle_track_rod_outer_z_by_upper_front_outer_y = knuckle_track_rod_outer_z_by_upper_front_outer_y
-                * upper_front_by_upper_front_outer_y;
-            let knuckle_track_rod_outer_z_by_upper_front_outer_x = knuckle_track_rod_outer_z_by_upper_front_outer_x
+            let track_rod_by_upper_rear_outer_z = track_rod_by_upper_rear_outer_z
                 .minus_product(
-                    knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_x,
+                    track_rod_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_z,
                 );
-            let knuckle_track_rod_outer_z_by_upper_front_outer_z = knuckle_track_rod_outer_z_by_upper_front_outer_z
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                * upper_rear_by_upper_rear_outer_x;
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_y,
                 );
-            let upper_front_by_upper_front_outer_x = upper_front_by_upper_front_outer_x
-                * upper_front_by_upper_front_outer_y;
-            let upper_front_by_upper_front_outer_z = upper_front_by_upper_front_outer_z
-                * upper_front_by_upper_front_outer_y;
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_z,
                 );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
+                * upper_rear_by_upper_rear_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_y,
                 );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_z,
                 );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
+                * upper_rear_by_upper_rear_outer_x;
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_front_outer_x,
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_y,
                 );
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_z,
                 );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
+            let knuckle_lower_rear_outer_z_by_upper_rear_outer_x = knuckle_lower_rear_outer_z_by_upper_rear_outer_x
+                * upper_rear_by_upper_rear_outer_x;
+            let knuckle_lower_rear_outer_z_by_upper_rear_outer_y = knuckle_lower_rear_outer_z_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    knuckle_track_rod_outer_z_by_upper_front_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_rear_outer_z_by_upper_rear_outer_z = knuckle_lower_rear_outer_z_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_z,
+                );
+            let upper_rear_by_upper_rear_outer_y = upper_rear_by_upper_rear_outer_y
+                * upper_rear_by_upper_rear_outer_x;
+            let upper_rear_by_upper_rear_outer_z = upper_rear_by_upper_rear_outer_z
+                * upper_rear_by_upper_rear_outer_x;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                );
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
+                .minus_product(
+                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    knuckle_lower_rear_outer_z_by_upper_front_outer_z,
                 );
             let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = T::one()
                 / knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let upper_front_by_upper_front_outer_z = upper_front_by_upper_front_outer_z
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let upper_front_by_lower_front_outer_x = -(upper_front_by_upper_front_outer_z
+                * knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x);
+            let upper_front_by_upper_front_outer_x = upper_front_by_upper_front_outer_x
+                .minus_product(
+                    upper_front_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                );
+            let upper_front_by_upper_front_outer_y = upper_front_by_upper_front_outer_y
+                .minus_product(
+                    upper_front_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                );
+            let track_rod_by_upper_front_outer_z = track_rod_by_upper_front_outer_z
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
+                .minus_product(
+                    track_rod_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                );
+            let track_rod_by_upper_front_outer_x = track_rod_by_upper_front_outer_x
+                .minus_product(
+                    track_rod_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                );
+            let track_rod_by_upper_front_outer_y = track_rod_by_upper_front_outer_y
+                .minus_product(
+                    track_rod_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                );
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
                 * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
+                * knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x);
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
                 .minus_product(
                     knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
                 );
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
-                * knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x);
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                );
             let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
                 * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                );
             let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
                 .minus_product(
                     knuckle_lower_rear_outer_x_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
                 );
-            let knuckle_track_rod_outer_y_by_upper_front_outer_z = knuckle_track_rod_outer_y_by_upper_front_outer_z
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_track_rod_outer_y_by_upper_front_outer_x = knuckle_track_rod_outer_y_by_upper_front_outer_x
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
                 );
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
                 .minus_product(
-                    knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
                 );
-            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
             let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
                 * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = T::one()
-                / knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = T::one()
+                / knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            let track_rod_by_upper_rear_outer_z = track_rod_by_upper_rear_outer_z
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
                 .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    track_rod_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                );
+            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
+                .minus_product(
+                    track_rod_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
                 );
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
                     knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
                 );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
             let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
                 );
             let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
                     knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                );
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
             let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            let knuckle_track_rod_outer_y_by_upper_front_outer_x = T::one()
-                / knuckle_track_rod_outer_y_by_upper_front_outer_x;
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            let upper_front_by_upper_front_outer_y = T::one()
+                / upper_front_by_upper_front_outer_y;
+            let track_rod_by_upper_front_outer_y = track_rod_by_upper_front_outer_y
+                * upper_front_by_upper_front_outer_y;
+            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
+                .minus_product(
+                    track_rod_by_upper_front_outer_y,
+                    upper_front_by_lower_front_outer_x,
+                );
+            let track_rod_by_upper_front_outer_x = track_rod_by_upper_front_outer_x
+                .minus_product(
+                    track_rod_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_x,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y
+                * upper_front_by_upper_front_outer_y;
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
+                    upper_front_by_lower_front_outer_x,
+                );
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
                 .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_x,
                 );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
+                * upper_front_by_upper_front_outer_y;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
                 .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_y,
+                    upper_front_by_lower_front_outer_x,
                 );
             let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_x,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+            let upper_front_by_lower_front_outer_x = upper_front_by_lower_front_outer_x
+                * upper_front_by_upper_front_outer_y;
+            let upper_front_by_upper_front_outer_x = upper_front_by_upper_front_outer_x
+                * upper_front_by_upper_front_outer_y;
+            let track_rod_by_upper_front_outer_x = T::one()
+                / track_rod_by_upper_front_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
+                * track_rod_by_upper_front_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = knuckle_track_rod_outer_y_by_upper_rear_outer_z
-                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = knuckle_track_rod_outer_y_by_upper_rear_outer_y
-                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = knuckle_track_rod_outer_y_by_upper_rear_outer_x
-                * knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            let upper_rear_by_upper_rear_outer_x = T::one()
-                / upper_rear_by_upper_rear_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                * upper_rear_by_upper_rear_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_z,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    track_rod_by_lower_front_outer_x,
                 );
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_y,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    track_rod_by_upper_rear_outer_y,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                * upper_rear_by_upper_rear_outer_x;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
+                * track_rod_by_upper_front_outer_x;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_z,
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                    track_rod_by_lower_front_outer_x,
                 );
             let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_y,
+                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                    track_rod_by_upper_rear_outer_y,
                 );
-            let upper_rear_by_upper_rear_outer_z = upper_rear_by_upper_rear_outer_z
-                * upper_rear_by_upper_rear_outer_x;
-            let upper_rear_by_upper_rear_outer_y = upper_rear_by_upper_rear_outer_y
-                * upper_rear_by_upper_rear_outer_x;
+            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
+                * track_rod_by_upper_front_outer_x;
+            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
+                * track_rod_by_upper_front_outer_x;
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = T::one()
                 / knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
             let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
                 * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
                 .minus_product(
                     knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
                 );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
                 * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = T::one()
-                / knuckle_lower_rear_outer_x_by_upper_rear_outer_z;
+            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = T::one()
+                / knuckle_lower_rear_outer_x_by_lower_front_outer_x;
             Factors {
                 growth_squared: sum_of_squares([
-                    track_rod_by_track_rod_outer_y,
                     lower_rear_by_lower_rear_outer_x,
                     lower_front_by_lower_front_outer_y,
-                    upper_front_by_upper_front_outer_y,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    knuckle_track_rod_outer_y_by_upper_front_outer_x,
                     upper_rear_by_upper_rear_outer_x,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    upper_front_by_upper_front_outer_y,
+                    track_rod_by_upper_front_outer_x,
                     knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
                 ]),
                 determinant_sign: product([
-                    track_rod_by_track_rod_outer_y,
                     lower_rear_by_lower_rear_outer_x,
                     lower_front_by_lower_front_outer_y,
-                    upper_front_by_upper_front_outer_y,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    knuckle_track_rod_outer_y_by_upper_front_outer_x,
                     upper_rear_by_upper_rear_outer_x,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    upper_front_by_upper_front_outer_y,
+                    track_rod_by_upper_front_outer_x,
                     knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
                 ]),
+                lower_rear_by_lower_rear_outer_x,
+                lower_rear_by_lower_rear_outer_z,
+                lower_rear_by_lower_rear_outer_y,
+                knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
                 lower_front_by_lower_front_outer_z,
                 knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z,
                 knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z,
@@ -1458,91 +1481,92 @@ pub mod five_link {
                 knuckle_track_rod_outer_x_by_lower_front_outer_z,
                 knuckle_track_rod_outer_y_by_lower_front_outer_z,
                 knuckle_track_rod_outer_z_by_lower_front_outer_z,
-                track_rod_by_track_rod_outer_y,
-                track_rod_by_track_rod_outer_z,
-                track_rod_by_track_rod_outer_x,
-                knuckle_track_rod_outer_y_by_track_rod_outer_y,
-                knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                lower_rear_by_lower_rear_outer_x,
-                lower_rear_by_lower_rear_outer_y,
-                lower_rear_by_lower_rear_outer_z,
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
-                knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                knuckle_lower_rear_outer_y_by_upper_front_outer_y,
-                knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
                 lower_front_by_lower_front_outer_y,
                 lower_front_by_lower_front_outer_x,
                 knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
                 knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
                 knuckle_lower_rear_outer_x_by_lower_front_outer_y,
+                knuckle_lower_rear_outer_y_by_lower_front_outer_y,
+                knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                knuckle_track_rod_outer_x_by_lower_front_outer_y,
                 knuckle_track_rod_outer_y_by_lower_front_outer_y,
                 knuckle_track_rod_outer_z_by_lower_front_outer_y,
-                upper_front_by_upper_front_outer_y,
-                upper_front_by_upper_front_outer_x,
-                upper_front_by_upper_front_outer_z,
-                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
-                knuckle_lower_rear_outer_x_by_upper_front_outer_y,
-                knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                knuckle_track_rod_outer_z_by_upper_rear_outer_y,
+                knuckle_track_rod_outer_z_by_upper_front_outer_x,
                 knuckle_track_rod_outer_z_by_upper_front_outer_y,
                 knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                knuckle_track_rod_outer_z_by_upper_rear_outer_y,
-                knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                knuckle_track_rod_outer_z_by_upper_front_outer_x,
-                knuckle_track_rod_outer_z_by_lower_front_outer_x,
                 knuckle_track_rod_outer_z_by_upper_front_outer_z,
-                knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                track_rod_by_track_rod_outer_z,
+                knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                track_rod_by_track_rod_outer_x,
                 knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                knuckle_track_rod_outer_y_by_upper_rear_outer_z,
                 knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                knuckle_track_rod_outer_y_by_upper_front_outer_x,
+                knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                knuckle_track_rod_outer_y_by_upper_front_outer_z,
                 knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                track_rod_by_track_rod_outer_y,
+                knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                knuckle_lower_rear_outer_y_by_upper_front_outer_y,
+                knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
                 upper_rear_by_upper_rear_outer_x,
-                upper_rear_by_upper_rear_outer_z,
                 upper_rear_by_upper_rear_outer_y,
+                upper_rear_by_upper_rear_outer_z,
+                track_rod_by_upper_rear_outer_x,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
                 knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
                 knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
+                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                upper_front_by_upper_front_outer_z,
+                track_rod_by_upper_front_outer_z,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                knuckle_lower_rear_outer_x_by_upper_front_outer_z,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                track_rod_by_upper_rear_outer_z,
                 knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
                 knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                upper_front_by_upper_front_outer_y,
+                upper_front_by_lower_front_outer_x,
+                upper_front_by_upper_front_outer_x,
+                track_rod_by_upper_front_outer_y,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
+                knuckle_lower_rear_outer_x_by_upper_front_outer_y,
+                track_rod_by_upper_front_outer_x,
+                track_rod_by_lower_front_outer_x,
+                track_rod_by_upper_rear_outer_y,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                knuckle_lower_rear_outer_x_by_upper_front_outer_x,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
+                knuckle_lower_rear_outer_x_by_lower_front_outer_x,
             }
         }
 
@@ -1810,6 +1834,10 @@ pub mod five_link {
     pub struct Factors<T> {
         growth_squared: T,
         determinant_sign: T,
+        lower_rear_by_lower_rear_outer_x: T,
+        lower_rear_by_lower_rear_outer_z: T,
+        lower_rear_by_lower_rear_outer_y: T,
+        knuckle_lower_rear_outer_x_by_lower_rear_outer_x: T,
         lower_front_by_lower_front_outer_z: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z: T,
         knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z: T,
@@ -1819,91 +1847,92 @@ pub mod five_link {
         knuckle_track_rod_outer_x_by_lower_front_outer_z: T,
         knuckle_track_rod_outer_y_by_lower_front_outer_z: T,
         knuckle_track_rod_outer_z_by_lower_front_outer_z: T,
-        track_rod_by_track_rod_outer_y: T,
-        track_rod_by_track_rod_outer_z: T,
-        track_rod_by_track_rod_outer_x: T,
-        knuckle_track_rod_outer_y_by_track_rod_outer_y: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_y: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_y_by_track_rod_outer_x: T,
-        lower_rear_by_lower_rear_outer_x: T,
-        lower_rear_by_lower_rear_outer_y: T,
-        lower_rear_by_lower_rear_outer_z: T,
-        knuckle_lower_rear_outer_x_by_lower_rear_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_y: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_y: T,
-        knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_y_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_y_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_y_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_y_by_upper_front_outer_y: T,
-        knuckle_lower_rear_outer_y_by_lower_front_outer_y: T,
-        knuckle_lower_rear_outer_x_by_lower_rear_outer_y: T,
         lower_front_by_lower_front_outer_y: T,
         lower_front_by_lower_front_outer_x: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y: T,
         knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y: T,
         knuckle_lower_rear_outer_x_by_lower_front_outer_y: T,
+        knuckle_lower_rear_outer_y_by_lower_front_outer_y: T,
+        knuckle_lower_rear_outer_z_by_lower_front_outer_y: T,
+        knuckle_track_rod_outer_x_by_lower_front_outer_y: T,
         knuckle_track_rod_outer_y_by_lower_front_outer_y: T,
         knuckle_track_rod_outer_z_by_lower_front_outer_y: T,
-        upper_front_by_upper_front_outer_y: T,
-        upper_front_by_upper_front_outer_x: T,
-        upper_front_by_upper_front_outer_z: T,
-        knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y: T,
-        knuckle_lower_rear_outer_x_by_upper_front_outer_y: T,
-        knuckle_track_rod_outer_y_by_upper_front_outer_y: T,
+        knuckle_track_rod_outer_z_by_lower_front_outer_x: T,
+        knuckle_track_rod_outer_z_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_z_by_upper_front_outer_x: T,
         knuckle_track_rod_outer_z_by_upper_front_outer_y: T,
         knuckle_track_rod_outer_z_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_x: T,
-        knuckle_track_rod_outer_z_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_z_by_lower_front_outer_x: T,
         knuckle_track_rod_outer_z_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_y_by_track_rod_outer_z: T,
-        knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z: T,
-        knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x: T,
-        knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_x_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_y_by_upper_front_outer_z: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_x_by_lower_front_outer_x: T,
+        knuckle_track_rod_outer_z_by_upper_rear_outer_x: T,
+        track_rod_by_track_rod_outer_z: T,
+        knuckle_track_rod_outer_x_by_lower_front_outer_x: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_y: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_z: T,
+        knuckle_track_rod_outer_x_by_upper_front_outer_z: T,
+        knuckle_track_rod_outer_x_by_upper_rear_outer_x: T,
+        track_rod_by_track_rod_outer_x: T,
         knuckle_track_rod_outer_y_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_y_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_z: T,
         knuckle_track_rod_outer_y_by_upper_rear_outer_y: T,
+        knuckle_track_rod_outer_y_by_upper_front_outer_x: T,
+        knuckle_track_rod_outer_y_by_upper_front_outer_y: T,
+        knuckle_track_rod_outer_y_by_upper_rear_outer_z: T,
+        knuckle_track_rod_outer_y_by_upper_front_outer_z: T,
         knuckle_track_rod_outer_y_by_upper_rear_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_x_by_upper_front_outer_x: T,
+        track_rod_by_track_rod_outer_y: T,
+        knuckle_lower_rear_outer_y_by_lower_front_outer_x: T,
+        knuckle_lower_rear_outer_y_by_upper_rear_outer_y: T,
+        knuckle_lower_rear_outer_y_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_y_by_upper_front_outer_y: T,
+        knuckle_lower_rear_outer_y_by_upper_rear_outer_z: T,
+        knuckle_lower_rear_outer_y_by_upper_front_outer_z: T,
+        knuckle_lower_rear_outer_y_by_upper_rear_outer_x: T,
+        knuckle_lower_rear_outer_x_by_lower_rear_outer_y: T,
         upper_rear_by_upper_rear_outer_x: T,
-        upper_rear_by_upper_rear_outer_z: T,
         upper_rear_by_upper_rear_outer_y: T,
+        upper_rear_by_upper_rear_outer_z: T,
+        track_rod_by_upper_rear_outer_x: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
         knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
         knuckle_lower_rear_outer_x_by_upper_rear_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_x: T,
+        knuckle_lower_rear_outer_z_by_lower_front_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_y: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_y: T,
+        knuckle_lower_rear_outer_z_by_upper_rear_outer_z: T,
+        knuckle_lower_rear_outer_z_by_upper_front_outer_z: T,
+        knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T,
+        knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z: T,
+        knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x: T,
+        knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x: T,
+        knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y: T,
+        upper_front_by_upper_front_outer_z: T,
+        track_rod_by_upper_front_outer_z: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z: T,
+        knuckle_lower_rear_outer_x_by_upper_front_outer_z: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        track_rod_by_upper_rear_outer_z: T,
         knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_y: T,
         knuckle_lower_rear_outer_x_by_upper_rear_outer_z: T,
+        upper_front_by_upper_front_outer_y: T,
+        upper_front_by_lower_front_outer_x: T,
+        upper_front_by_upper_front_outer_x: T,
+        track_rod_by_upper_front_outer_y: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y: T,
+        knuckle_lower_rear_outer_x_by_upper_front_outer_y: T,
+        track_rod_by_upper_front_outer_x: T,
+        track_rod_by_lower_front_outer_x: T,
+        track_rod_by_upper_rear_outer_y: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: T,
+        knuckle_lower_rear_outer_x_by_upper_front_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
+        knuckle_lower_rear_outer_x_by_upper_rear_outer_y: T,
+        knuckle_lower_rear_outer_x_by_lower_front_outer_x: T,
     }
 
     impl<T: Scalar> JacobianFactors<T, 15> for Factors<T> {
@@ -1911,6 +1940,11 @@ pub mod five_link {
         fn solve(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); 15];
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
+                    rows[equation::LOWER_REAR],
+                );
             rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
                 .minus_product(
                     self.lower_front_by_lower_front_outer_z,
@@ -1958,31 +1992,6 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_z_by_lower_front_outer_z,
                     rows[equation::THETA],
                 );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_y,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 .minus_product(
                     self
@@ -2000,6 +2009,21 @@ pub mod five_link {
                     self.knuckle_lower_rear_outer_x_by_lower_front_outer_y,
                     rows[equation::LOWER_FRONT],
                 );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 .minus_product(
                     self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
@@ -2010,10 +2034,98 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
                     rows[equation::LOWER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_upper_rear_outer_x,
+                    rows[equation::UPPER_REAR],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
                     self
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    rows[equation::UPPER_REAR],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    rows[equation::UPPER_REAR],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    rows[equation::UPPER_REAR],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                    rows[equation::UPPER_REAR],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
+            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
+                .minus_product(
+                    self.upper_front_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_upper_front_outer_y,
                     rows[equation::UPPER_FRONT],
                 );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
@@ -2027,133 +2139,71 @@ pub mod five_link {
                     self.knuckle_lower_rear_outer_x_by_upper_front_outer_y,
                     rows[equation::UPPER_FRONT],
                 );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
-                    rows[equation::UPPER_FRONT],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                    rows[equation::UPPER_FRONT],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_x,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
                     self
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                    rows[equation::TRACK_ROD],
                 );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    rows[equation::UPPER_REAR],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    rows[equation::UPPER_REAR],
+                    rows[equation::TRACK_ROD],
                 );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
                     rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                * self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z;
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
             unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y)
                 .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = (rows[equation::UPPER_REAR]
-                * self.upper_rear_by_upper_rear_outer_x)
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::TRACK_ROD]
+                * self.track_rod_by_upper_front_outer_x)
                 .minus_product(
-                    self.upper_rear_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                    self.track_rod_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 )
                 .minus_product(
-                    self.upper_rear_by_upper_rear_outer_y,
+                    self.track_rod_by_upper_rear_outer_y,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
                 );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x)
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = (rows[equation::UPPER_FRONT]
+                * self.upper_front_by_upper_front_outer_y)
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                    self.upper_front_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 )
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                    self.upper_front_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
                 );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x)
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z)
                 .minus_product(
                     self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 )
                 .minus_product(
                     self
                         .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 * self
                     .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z)
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
                 .minus_product(
                     self
                         .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
@@ -2161,43 +2211,159 @@ pub mod five_link {
                 )
                 .minus_product(
                     self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
                     unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = (rows[equation::UPPER_REAR]
+                * self.upper_rear_by_upper_rear_outer_x)
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
                 );
             unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
                 .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 )
                 .minus_product(
                     self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
                 )
                 .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
                     self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
                     unknowns[unknown::UPPER_FRONT_OUTER_X],
                 )
                 .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
                 )
                 .minus_product(
                     self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
                     unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = (rows[equation::UPPER_FRONT]
-                * self.upper_front_by_upper_front_outer_y)
-                .minus_product(
-                    self.upper_front_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
                 )
                 .minus_product(
-                    self.upper_front_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
                 * self.lower_front_by_lower_front_outer_y)
@@ -2205,126 +2371,17 @@ pub mod five_link {
                     self.lower_front_by_lower_front_outer_x,
                     unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
-            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
+            unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
             unknowns[unknown::LOWER_REAR_OUTER_X] = (rows[equation::LOWER_REAR]
                 * self.lower_rear_by_lower_rear_outer_x)
                 .minus_product(
-                    self.lower_rear_by_lower_rear_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                )
-                .minus_product(
                     self.lower_rear_by_lower_rear_outer_z,
                     unknowns[unknown::LOWER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.lower_rear_by_lower_rear_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
                 );
-            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::TRACK_ROD_OUTER_Y] = (rows[equation::TRACK_ROD]
-                * self.track_rod_by_track_rod_outer_y)
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                )
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
             SVector::from(unknowns)
         }
 
@@ -2358,21 +2415,6 @@ pub mod five_link {
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = -(self
                 .knuckle_track_rod_outer_z_by_lower_front_outer_z
                 * rows[equation::THETA]);
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 .minus_product(
                     self
@@ -2390,6 +2432,21 @@ pub mod five_link {
                     self.knuckle_lower_rear_outer_x_by_lower_front_outer_y,
                     rows[equation::LOWER_FRONT],
                 );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 .minus_product(
                     self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
@@ -2400,10 +2457,34 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
                     rows[equation::LOWER_FRONT],
                 );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+            rows[equation::TRACK_ROD] = -(self.track_rod_by_track_rod_outer_z
+                * rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]);
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                    self.track_rod_by_track_rod_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
+            rows[equation::UPPER_FRONT] = -(self.upper_front_by_upper_front_outer_z
+                * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]);
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -(self
                 .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
@@ -2413,93 +2494,103 @@ pub mod five_link {
                     self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
                     rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                    self.track_rod_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
                     rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
                     rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                    self.track_rod_by_upper_front_outer_y,
+                    rows[equation::UPPER_FRONT],
+                );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
+                    rows[equation::UPPER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_y,
+                    rows[equation::UPPER_FRONT],
                 );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
                     self
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                    rows[equation::TRACK_ROD],
                 );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                    rows[equation::TRACK_ROD],
                 );
             rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
                     rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                * self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z;
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
             unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y)
                 .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = (-(self
-                .upper_rear_by_upper_rear_outer_z
-                * unknowns[unknown::UPPER_REAR_OUTER_Z]))
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::TRACK_ROD]
+                * self.track_rod_by_upper_front_outer_x)
                 .minus_product(
-                    self.upper_rear_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x)
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                    self.track_rod_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 )
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    self.track_rod_by_upper_rear_outer_y,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = (rows[equation::UPPER_FRONT]
+                * self.upper_front_by_upper_front_outer_y)
+                .minus_product(
+                    self.upper_front_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 )
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                    self.upper_front_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
                 );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x)
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z)
                 .minus_product(
                     self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 )
                 .minus_product(
                     self
                         .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 * self
                     .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z)
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
                 .minus_product(
                     self
                         .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
@@ -2507,40 +2598,156 @@ pub mod five_link {
                 )
                 .minus_product(
                     self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
                     unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = (-(self
+                .upper_rear_by_upper_rear_outer_y
+                * unknowns[unknown::UPPER_REAR_OUTER_Y]))
+                .minus_product(
+                    self.upper_rear_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
                 );
             unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
                 .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 )
                 .minus_product(
                     self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
                 )
                 .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
                     self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
                     unknowns[unknown::UPPER_FRONT_OUTER_X],
                 )
                 .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                )
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
                 )
                 .minus_product(
                     self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
                     unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = (-(self
-                .upper_front_by_upper_front_outer_x
-                * unknowns[unknown::UPPER_FRONT_OUTER_X]))
+                )
                 .minus_product(
-                    self.upper_front_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
                 * self.lower_front_by_lower_front_outer_y)
@@ -2548,119 +2755,14 @@ pub mod five_link {
                     self.lower_front_by_lower_front_outer_x,
                     unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
-            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::LOWER_REAR_OUTER_X] = (-(self
-                .lower_rear_by_lower_rear_outer_y
-                * unknowns[unknown::LOWER_REAR_OUTER_Y]))
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::TRACK_ROD_OUTER_Y] = (-(self.track_rod_by_track_rod_outer_z
-                * unknowns[unknown::TRACK_ROD_OUTER_Z]))
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
             unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
+            unknowns[unknown::LOWER_REAR_OUTER_X] = (-(self
+                .lower_rear_by_lower_rear_outer_z
+                * unknowns[unknown::LOWER_REAR_OUTER_Z]))
+                .minus_product(
+                    self.lower_rear_by_lower_rear_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
             SVector::from(unknowns)
         }
 
@@ -2668,164 +2770,24 @@ pub mod five_link {
         fn solve_transposed(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut unknowns] = right.data.0;
             let mut rows = [T::zero(); 15];
-            unknowns[unknown::TRACK_ROD_OUTER_Z] = unknowns[unknown::TRACK_ROD_OUTER_Z]
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z]
                 .minus_product(
-                    self.track_rod_by_track_rod_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_Y],
-                );
-            unknowns[unknown::TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_Y] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                    self.lower_rear_by_lower_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_X],
                 );
             unknowns[unknown::LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y]
                 .minus_product(
                     self.lower_rear_by_lower_rear_outer_y,
                     unknowns[unknown::LOWER_REAR_OUTER_X],
                 );
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_Y] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_Y] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
             unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
                     self.lower_front_by_lower_front_outer_x,
                     unknowns[unknown::LOWER_FRONT_OUTER_Y],
                 );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
-                    self.upper_front_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.upper_front_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
+                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
                     unknowns[unknown::TRACK_ROD_OUTER_Z],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
@@ -2833,19 +2795,19 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
                     unknowns[unknown::TRACK_ROD_OUTER_Z],
                 );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
             unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
                 .minus_product(
                     self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
                     unknowns[unknown::TRACK_ROD_OUTER_Z],
                 );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
                 .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
+                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
                     unknowns[unknown::TRACK_ROD_OUTER_Z],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
@@ -2853,55 +2815,115 @@ pub mod five_link {
                     self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
                     unknowns[unknown::TRACK_ROD_OUTER_Z],
                 );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
                 .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Z],
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
                 .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
                 );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
                 .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_X],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Y],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
                 .minus_product(
                     self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                    unknowns[unknown::TRACK_ROD_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::TRACK_ROD_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
+                    unknowns[unknown::TRACK_ROD_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::TRACK_ROD_OUTER_Y],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
                 .minus_product(
                     self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                    unknowns[unknown::TRACK_ROD_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
                 .minus_product(
-                    self.upper_rear_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Y],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
                 .minus_product(
@@ -2910,105 +2932,140 @@ pub mod five_link {
                 );
             unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
                 .minus_product(
+                    self.upper_rear_by_upper_rear_outer_z,
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
+                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.upper_front_by_lower_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                .minus_product(
+                    self.upper_front_by_upper_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self.track_rod_by_lower_front_outer_x,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.track_rod_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
                 );
-            rows[equation::THETA] = unknowns[unknown::LOWER_FRONT_OUTER_Z];
-            rows[equation::TRACK_ROD] = unknowns[unknown::TRACK_ROD_OUTER_Y]
-                * self.track_rod_by_track_rod_outer_y;
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X];
             rows[equation::LOWER_REAR] = unknowns[unknown::LOWER_REAR_OUTER_X]
                 * self.lower_rear_by_lower_rear_outer_x;
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y];
+            rows[equation::THETA] = unknowns[unknown::LOWER_FRONT_OUTER_Z];
             rows[equation::LOWER_FRONT] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
                 * self.lower_front_by_lower_front_outer_y;
-            rows[equation::UPPER_FRONT] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                * self.upper_front_by_upper_front_outer_y;
             rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = unknowns[unknown::TRACK_ROD_OUTER_Z];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = unknowns[unknown::TRACK_ROD_OUTER_Y];
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y];
+            rows[equation::UPPER_REAR] = unknowns[unknown::UPPER_REAR_OUTER_X]
+                * self.upper_rear_by_upper_rear_outer_x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z];
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
                 * self
                     .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                * self.knuckle_track_rod_outer_y_by_upper_front_outer_x;
-            rows[equation::UPPER_REAR] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                * self.upper_rear_by_upper_rear_outer_x;
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            rows[equation::UPPER_FRONT] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
+                * self.upper_front_by_upper_front_outer_y;
+            rows[equation::TRACK_ROD] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                * self.track_rod_by_upper_front_outer_x;
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_Y]
                 * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                * self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
                     rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
                 );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
                     self
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
                     rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
                     self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
                     rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
                 );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_x,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
             rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
                 .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                    self.track_rod_by_upper_front_outer_y,
+                    rows[equation::TRACK_ROD],
                 );
             rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
                 .minus_product(
@@ -3021,15 +3078,94 @@ pub mod five_link {
                     self.knuckle_lower_rear_outer_x_by_upper_front_outer_y,
                     rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
                 );
-            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                    self.track_rod_by_upper_rear_outer_z,
+                    rows[equation::TRACK_ROD],
                 );
-            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self.upper_front_by_upper_front_outer_z,
+                    rows[equation::UPPER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self.track_rod_by_upper_front_outer_z,
+                    rows[equation::TRACK_ROD],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self.track_rod_by_upper_rear_outer_x,
+                    rows[equation::TRACK_ROD],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_y,
+                    rows[equation::TRACK_ROD],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_x,
+                    rows[equation::TRACK_ROD],
+                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_z,
+                    rows[equation::TRACK_ROD],
                 );
             rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
                 .minus_product(
@@ -3050,6 +3186,21 @@ pub mod five_link {
                 );
             rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
                 .minus_product(
+                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                );
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
+                .minus_product(
+                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                );
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
+                .minus_product(
                     self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
                     rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
@@ -3057,31 +3208,6 @@ pub mod five_link {
                 .minus_product(
                     self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
                     rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_track_rod_outer_y,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
                 );
             rows[equation::THETA] = rows[equation::THETA]
                 .minus_product(
@@ -3129,6 +3255,11 @@ pub mod five_link {
                 .minus_product(
                     self.knuckle_track_rod_outer_z_by_lower_front_outer_z,
                     rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
+                );
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
+                .minus_product(
+                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
                 );
             SVector::from(rows)
         }

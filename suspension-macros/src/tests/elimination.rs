@@ -228,6 +228,26 @@ fn a_singular_design_leaves_the_structure() {
     assert_eq!(degenerate.steps.len(), 3);
 }
 
+/// A pivot with another sign elsewhere on the motion is zero on the way, however large it is in
+/// the positions that are looked at.
+#[test]
+fn pivots_keep_their_sign() {
+    let entry = |row, column, values: [f64; 2]| Entry {
+        row,
+        column,
+        values: values.to_vec(),
+        unit: false,
+    };
+    let entries = [
+        entry(0, 0, [1.0, -1.0]),
+        entry(0, 1, [0.5, 0.5]),
+        entry(1, 0, [0.5, 0.5]),
+        entry(1, 1, [0.1, 0.1]),
+    ];
+    let pivots = order(2, &entries).steps;
+    assert!(pivots.iter().all(|step| step.row != step.column));
+}
+
 #[test]
 fn the_catalogue_is_eliminated_as_cheaply_as_ever() {
     let of = |name| {
@@ -240,8 +260,8 @@ fn the_catalogue_is_eliminated_as_cheaply_as_ever() {
         order
     };
     let [listed, rigid] = ["attia2003", "five_link"].map(of);
-    assert!(listed.operations <= 132 && listed.chain <= 33 && listed.growth < 18.0);
-    assert!(rigid.operations <= 126 && rigid.chain <= 36 && rigid.growth < 13.0);
+    assert!(listed.operations <= 141 && listed.chain <= 33 && listed.growth < 12.0);
+    assert!(rigid.operations <= 134 && rigid.chain <= 32 && rigid.growth < 15.0);
 }
 
 /// Printed with `--nocapture`; the bound holds without optimisation on a slow computer.

@@ -1,0 +1,12 @@
+//! Steps of fixed cost against solutions of their own at each instant, and what they refuse.
+
+mod support;
+
+mod bounded {
+    mod accuracy;
+    mod assemblies;
+    mod case;
+    mod pivots;
+    mod random;
+    mod refusals;
+}

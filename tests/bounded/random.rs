@@ -1,0 +1,122 @@
+//! Random geometries near the published one: a step of fixed cost is the step to tolerance.
+//! Failing cases print their values.
+
+use nalgebra::Vector3;
+use proptest::prelude::*;
+use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::{
+    Bounded, Build, Inputs, Motion, Named, Newton, Signal, Still, Tracker, assemble,
+};
+
+use super::case::differences;
+use crate::support;
+
+const STEP: f64 = 1e-3;
+
+/// Steps that both made, and those that one or both refused.
+#[derive(Clone, Copy, Debug, Default)]
+struct Counts {
+    compared: usize,
+    refused: usize,
+}
+
+/// What rounding may make of the motion where the Jacobian's inverse has the norm `inverse`.
+fn bounds(inverse: f64, motion: &Motion<f64, 15>) -> [f64; 3] {
+    let position = 64.0 * f64::EPSILON * inverse;
+    let speed = 1.0 + motion.velocity.amax();
+    let velocity = 4.0 * position * inverse * speed;
+    [position, velocity, 4.0 * velocity * inverse * speed]
+}
+
+/// Steps through a tenth of a second from a displaced design, each step from the same motion.
+fn compare<L: Build<15, Scalar = f64>>(
+    rough: &L::Points,
+    by: &[f64],
+    speed: f64,
+) -> Result<Counts, TestCaseError> {
+    let mut counts = Counts::default();
+    let mut displaced = rough.values().zip(by.chunks_exact(3));
+    let design = L::Points::from_fn(|_| {
+        let (point, by) = displaced.next().expect("as many as names");
+        point + Vector3::new(by[0], by[1], by[2])
+    });
+    let Ok(model) = L::new(&design) else {
+        return Ok(counts);
+    };
+    let start = model.drives_at(&design);
+    let inputs = |t: f64| -> Inputs<Still, L::Drives> {
+        Inputs::still(Signal {
+            value: start.map(|start| start + speed * t),
+            rate: start.map(|_| speed),
+            second_rate: start.map(|_| 0.0),
+        })
+    };
+    let mut q = L::unknowns(&design);
+    let mut motion = Motion::at_rest(q);
+    let tracker = Tracker::default();
+    if assemble(&Newton::from_afar(), &model, &inputs(0.0), &mut q).is_err()
+        || tracker
+            .step(&model, &inputs(0.0), 0.0, &mut motion)
+            .is_err()
+    {
+        return Ok(counts);
+    }
+    for step in 1..=20 {
+        let inputs = inputs(f64::from(step) * STEP);
+        let mut bounded = motion;
+        let stepped = Bounded::<f64, 3>::default().step(&model, &inputs, STEP, &mut bounded);
+        let before = motion;
+        let tracked = tracker.step(&model, &inputs, STEP, &mut motion);
+        match (stepped, tracked) {
+            (Ok(settled), Ok(_)) => {
+                prop_assert!(settled.residual <= settled.tolerance);
+                let jacobian = model.jacobian(&motion.position, model.fixed());
+                let inverse = jacobian.try_inverse().expect("regular").norm();
+                let found = differences(&bounded, &motion);
+                for (found, bound) in found.into_iter().zip(bounds(inverse, &motion)) {
+                    prop_assert!(
+                        found <= bound,
+                        "{found:e} > {bound:e} at |1/J| = {inverse:e}"
+                    );
+                }
+                counts.compared += 1;
+            }
+            (stepped, tracked) => {
+                if stepped.is_err() {
+                    prop_assert_eq!(bounded, before);
+                }
+                counts.refused += 1;
+                if tracked.is_err() {
+                    return Ok(counts);
+                }
+            }
+        }
+    }
+    Ok(counts)
+}
+
+#[test]
+fn a_step_of_fixed_cost_is_the_step_to_tolerance() {
+    let config = ProptestConfig {
+        cases: 500,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
+    let all = std::cell::Cell::new(Counts::default());
+    let cases = (prop::collection::vec(-0.03_f64..0.03, 33), -1.0_f64..1.0);
+    proptest!(config, |((by, speed) in cases)| {
+        let listed = compare::<attia2003::Model<f64>>(&support::attia_rough(), &by, speed)?;
+        let rigid = compare::<five_link::Model<f64>>(&support::five_link_rough(), &by, speed)?;
+        let sum = all.get();
+        all.set(Counts {
+            compared: sum.compared + listed.compared + rigid.compared,
+            refused: sum.refused + listed.refused + rigid.refused,
+        });
+    });
+    let all = all.get();
+    println!("{all:?}");
+    assert!(
+        all.compared > 10_000 && 20 * all.refused < all.compared,
+        "{all:?}"
+    );
+}

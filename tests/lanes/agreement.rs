@@ -1,0 +1,121 @@
+//! Each lane is the step that it would make alone, to rounding.
+
+use suspension::lanes::{Instructions, Lane, Lanes};
+use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::{Bounded, Build, Inputs, Listing, Outputs};
+
+use super::fleet::{ALL, Fleet, Make, bits};
+use crate::support;
+
+const STEP: f64 = 1e-3;
+
+/// The largest differences in position, velocity and acceleration from steps made alone, over
+/// 0.6 s. Instructions that the processor lacks are replaced by what it has.
+fn worst<G, T, const LANES: usize>(
+    fleet: &Fleet<G, T, LANES>,
+    instructions: Instructions,
+) -> [f64; 3]
+where
+    G: Listing<15>,
+    T: Lane + std::fmt::LowerExp,
+    G::Model<T>: Build<15>,
+    Lanes<G, T, 15, LANES>: Make<G, T, LANES>,
+{
+    let mut lanes = fleet.lanes(instructions);
+    let mut alone = fleet.starts;
+    let dt = T::constant(STEP);
+    let mut worst = [0.0_f64; 3];
+    for step in 1..=600 {
+        let drives = fleet.drives(f64::from(step) * STEP);
+        let results = lanes.step(Outputs::Acceleration, &drives, dt);
+        for (lane, result) in results.into_iter().enumerate() {
+            let inputs = Inputs::still(drives[lane]);
+            let expected = &mut alone[lane];
+            let settled = Bounded::<T>::default()
+                .step(&fleet.models[lane], &inputs, dt, expected)
+                .unwrap_or_else(|error| panic!("lane {lane}, step {step} alone: {error}"));
+            let result = result.unwrap_or_else(|error| panic!("lane {lane}, step {step}: {error}"));
+            assert_eq!(result.tolerance, settled.tolerance);
+            let found = lanes.motion(lane);
+            assert_eq!(found.positive_determinant, expected.positive_determinant);
+            if instructions == Instructions::Plain {
+                assert_eq!(bits(&found), bits(expected));
+            }
+            let differences = [
+                (found.position - expected.position).amax(),
+                (found.velocity - expected.velocity).amax(),
+                (found.acceleration - expected.acceleration).amax(),
+            ];
+            for (worst, difference) in worst.iter_mut().zip(differences) {
+                *worst = worst.max(difference.to_subset().expect("finite"));
+            }
+        }
+    }
+    worst
+}
+
+fn agree<G, T, const LANES: usize>(rough: &G::Points<T>, bounds: [f64; 3])
+where
+    G: Listing<15>,
+    T: Lane + std::fmt::LowerExp,
+    G::Model<T>: Build<15>,
+    Lanes<G, T, 15, LANES>: Make<G, T, LANES>,
+{
+    let fleet = Fleet::<G, T, LANES>::near(rough);
+    for instructions in ALL {
+        let found = worst(&fleet, instructions);
+        let number = std::any::type_name::<T>();
+        println!("{LANES} lanes of {number}, {instructions:?}: {found:?}");
+        for (found, bound) in found.into_iter().zip(bounds) {
+            assert!(found <= bound, "{found:e} > {bound:e}");
+        }
+    }
+}
+
+fn all_lanes<T: Lane + std::fmt::LowerExp>(bounds: [f64; 3]) {
+    println!("the best here: {:?}", Instructions::best());
+    let listed = support::attia_rough::<T>();
+    agree::<attia2003::Listing, T, 4>(&listed, bounds);
+    let rigid = support::five_link_rough::<T>();
+    agree::<five_link::Listing, T, 1>(&rigid, bounds);
+    agree::<five_link::Listing, T, 4>(&rigid, bounds);
+    agree::<five_link::Listing, T, 8>(&rigid, bounds);
+}
+
+#[test]
+fn lanes_of_f64_agree_with_steps_alone() {
+    all_lanes::<f64>([1e-14, 2e-12, 5e-11]);
+}
+
+#[test]
+fn lanes_of_f32_agree_with_steps_alone() {
+    all_lanes::<f32>([5e-6, 1e-3, 2e-2]);
+}
+
+/// Motions come out of the lanes as they went in, and models are gathered number by number.
+#[test]
+fn lanes_keep_what_they_are_given() {
+    fn kept<T: Lane>() {
+        let fleet = Fleet::<five_link::Listing, T, 8>::near(&support::five_link_rough());
+        for instructions in ALL {
+            let lanes = fleet.lanes(instructions);
+            for (lane, start) in fleet.starts.iter().enumerate() {
+                assert_eq!(bits(&lanes.motion(lane)), bits(start));
+            }
+        }
+        let models = fleet.models.each_ref();
+        for (lane, model) in models.into_iter().enumerate() {
+            let gathered: five_link::Model<T> =
+                five_link::Listing::gather(models, |numbers: [T; 8]| numbers[lane]);
+            assert_eq!(gathered, *model);
+        }
+    }
+    kept::<f64>();
+    kept::<f32>();
+    let single = support::five_link_model::<f32>();
+    let double: five_link::Model<f64> =
+        five_link::Listing::gather([&single], |[x]: [f32; 1]| f64::from(x));
+    let back: five_link::Model<f32> =
+        five_link::Listing::gather([&double], |[x]: [f64; 1]| x as f32);
+    assert_eq!(back, single);
+}

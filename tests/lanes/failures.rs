@@ -1,0 +1,112 @@
+//! A lane that fails says why and stays where it is; its neighbours do not notice.
+
+use nalgebra::Vector3;
+use suspension::lanes::{Lane, Lanes};
+use suspension_core::linkage::Factors as _;
+use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::{Bounded, Inputs, Linkage, Outputs, SolveError, Tracker};
+
+use super::fleet::{ALL, Fleet, Make, bits};
+use crate::support;
+
+const STEP: f64 = 1e-3;
+
+/// Angles that no step of a millisecond reaches: none at all, one half a radian on, and one at
+/// which the linkage has no configuration.
+const OUT_OF_REACH: [fn(f64) -> f64; 3] = [|_| f64::NAN, |start| start + 0.5, |_| 3.1];
+
+/// Follows a fleet with the angle of lane `bad` out of reach in the tenth step, and without.
+fn one_fails<T, const LANES: usize>(bad: usize)
+where
+    T: Lane + std::fmt::LowerExp,
+    Lanes<five_link::Listing, T, 15, LANES>: Make<five_link::Listing, T, LANES>,
+{
+    let fleet = Fleet::<five_link::Listing, T, LANES>::near(&support::five_link_rough());
+    let dt = T::constant(STEP);
+    let all = ALL.into_iter();
+    for (instructions, out_of_reach) in all.flat_map(|one| OUT_OF_REACH.map(|angle| (one, angle))) {
+        let mut sound = fleet.lanes(instructions);
+        let mut spoiled = fleet.lanes(instructions);
+        for step in 1..=20 {
+            let mut drives = fleet.drives(f64::from(step) * STEP);
+            let results = sound.step(Outputs::Acceleration, &drives, dt);
+            assert!(results.iter().all(Result::is_ok));
+            let theta = &mut drives[bad].value.theta;
+            if step == 10 {
+                *theta = T::constant(out_of_reach(theta.to_subset().expect("f64")));
+            }
+            let before = spoiled.motion(bad);
+            let results = spoiled.step(Outputs::Acceleration, &drives, dt);
+            for lane in (0..LANES).filter(|lane| *lane != bad) {
+                assert!(results[lane].is_ok());
+                assert_eq!(bits(&spoiled.motion(lane)), bits(&sound.motion(lane)));
+            }
+            if step == 10 {
+                let error = results[bad].expect_err("out of reach");
+                assert_eq!(bits(&spoiled.motion(bad)), bits(&before));
+                let inputs = Inputs::still(drives[bad]);
+                let alone = Bounded::<T>::default()
+                    .step(&fleet.models[bad], &inputs, dt, &mut before.clone())
+                    .expect_err("nor alone");
+                assert_eq!(error, alone);
+                let not_a_number = matches!(error, SolveError::NotFinite { equation: 14 });
+                assert_eq!(not_a_number, !inputs.drives.value.theta.is_finite());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_lane_that_fails_stays_and_its_neighbours_go_on() {
+    one_fails::<f64, 1>(0);
+    one_fails::<f64, 4>(2);
+    one_fails::<f64, 8>(7);
+    one_fails::<f32, 1>(0);
+    one_fails::<f32, 4>(0);
+    one_fails::<f32, 8>(3);
+}
+
+/// Designs with link 6-1 square to an axis, where a pivot of the macro's order is zero, among
+/// others: what is solved with partial pivoting succeeds, and does not touch its neighbours.
+#[test]
+fn an_unhealthy_lane_is_solved_with_pivoting() {
+    use attia2003::{Listing, Model, Points};
+    let design = support::attia_rough::<f64>();
+    let square_to = |link| Points {
+        p6: design.p1 + link,
+        ..design
+    };
+    let squares = [Vector3::new(0.0, 0.3, 0.33), Vector3::new(0.3, 0.0, 0.33)].map(square_to);
+    let mixed = Fleet::<Listing, f64, 4>::of([design, squares[0], squares[1], design]);
+    let sound = Fleet::<Listing, f64, 4>::of([design; 4]);
+    let unhealthy = [1, 2].map(|lane: usize| {
+        let model: &Model<f64> = &mixed.models[lane];
+        let factors = model.factor(&mixed.starts[lane].position, model.fixed());
+        !factors.growth_squared().is_finite()
+    });
+    assert!(unhealthy.contains(&true), "a zero pivot along x or y");
+    for instructions in ALL {
+        let [mut lanes, mut others] = [&mixed, &sound].map(|fleet| fleet.lanes(instructions));
+        let drives = mixed.drives(0.0);
+        for result in lanes.step(Outputs::Acceleration, &drives, 0.0) {
+            let settled = result.expect("regular");
+            assert!(settled.growth < 1e3 && settled.residual <= settled.tolerance);
+        }
+        let results = others.step(Outputs::Acceleration, &sound.drives(0.0), 0.0);
+        assert!(results.iter().all(Result::is_ok));
+        for lane in [0, 3] {
+            assert_eq!(bits(&lanes.motion(lane)), bits(&others.motion(lane)));
+        }
+        for lane in [1, 2] {
+            let mut expected = mixed.starts[lane];
+            let inputs = Inputs::still(drives[lane]);
+            Tracker::default()
+                .step(&mixed.models[lane], &inputs, 0.0, &mut expected)
+                .expect("regular");
+            let found = lanes.motion(lane);
+            assert!((found.position - expected.position).amax() < 1e-14);
+            assert!((found.velocity - expected.velocity).amax() < 1e-12);
+            assert!((found.acceleration - expected.acceleration).amax() < 1e-11);
+        }
+    }
+}
