@@ -1,8 +1,10 @@
 //! Our solver, as the macro writes it: iterated to a tolerance, and in a fixed number of
 //! operations.
 
+use suspension::lanes::Lanes;
 use suspension_core::bounded::{Bounded, Outputs};
 use suspension_core::factored::with_factors;
+use suspension_core::linkages::attia2003::Listing;
 use suspension_core::{Linkage, Newton, Tracker};
 
 use crate::{Mechanism, Method, STEP, Stopwatch};
@@ -10,6 +12,7 @@ use crate::{Mechanism, Method, STEP, Stopwatch};
 pub(crate) fn time(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
     to_tolerance(mechanism, watch);
     bounded(mechanism, watch);
+    one_lane(mechanism, watch);
 }
 
 fn to_tolerance(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
@@ -65,5 +68,27 @@ fn bounded(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
             .step(model, inputs, STEP, &mut motion)
             .expect("a regular motion");
         motion
+    });
+}
+
+/// The bounded step for the instructions of this processor, found out at run time.
+fn one_lane(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
+    let method = Method {
+        name: "ours, one lane",
+        version: env!("CARGO_PKG_VERSION"),
+        note: "bounded, instructions chosen at run time; geometry read at run time; tested against the residual",
+    };
+    let start = |motion| Lanes::<Listing, f64, 15, 1>::new([mechanism.model], &[motion]);
+    let mut last = mechanism.starts[0].motion;
+    let mut lane = start(last);
+    watch.step(&method, |motion, inputs| {
+        // A round begins anew.
+        if motion.position != last.position {
+            lane = start(*motion);
+        }
+        let [settled] = lane.step(Outputs::Acceleration, &[inputs.drives], STEP);
+        settled.expect("a regular motion");
+        last = lane.motion(0);
+        last
     });
 }
