@@ -82,7 +82,7 @@ fn an_unhealthy_lane_is_solved_with_pivoting() {
     let unhealthy = [1, 2].map(|lane: usize| {
         let model: &Model<f64> = &mixed.models[lane];
         let factors = model.factor(&mixed.starts[lane].position, model.fixed());
-        !factors.growth_squared().is_finite()
+        factors.growth_squared().is_nan() || factors.growth_squared() > 1e6
     });
     assert!(unhealthy.contains(&true), "a zero pivot along x or y");
     for instructions in ALL {

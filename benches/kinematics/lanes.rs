@@ -1,0 +1,53 @@
+//! Steps in lanes: each lane a tenth of a second ahead of the one before it.
+
+use std::hint::black_box;
+
+use criterion::Criterion;
+use suspension::lanes::{Lane, Lanes};
+use suspension_core::{Build, Listing};
+
+use super::case::{Case, OUTPUTS, STEP};
+
+/// As many as lead the eighth lane to 1.8 s; then from the start again.
+const STEPS: u32 = 2200;
+
+fn time(lane: usize, step: u32) -> f64 {
+    0.1 * lane as f64 + f64::from(step) * STEP
+}
+
+macro_rules! follow {
+    ($criterion:ident, $case:ident, $lanes:literal) => {
+        let mut group = $criterion.benchmark_group(concat!("lanes", $lanes));
+        let all: Vec<[_; $lanes]> = (1..=STEPS)
+            .map(|step| std::array::from_fn(|lane| $case.inputs(time(lane, step)).drives))
+            .collect();
+        let starts: [_; $lanes] = std::array::from_fn(|lane| $case.motion(time(lane, 0)));
+        for (name, outputs) in OUTPUTS {
+            group.bench_function(format!("{name}/{}", $case.name), |bencher| {
+                let from_start = || Lanes::<G, T, 15, $lanes>::new([$case.model; $lanes], &starts);
+                let mut lanes = from_start();
+                let mut ahead = all.iter();
+                bencher.iter(|| {
+                    let drives = ahead.next().unwrap_or_else(|| {
+                        lanes = from_start();
+                        ahead = all.iter();
+                        &all[0]
+                    });
+                    let results = lanes.step(outputs, black_box(drives), T::constant(STEP));
+                    assert!(results.iter().all(Result::is_ok), "a regular motion");
+                    results
+                });
+            });
+        }
+        drop(group);
+    };
+}
+
+pub(crate) fn bench<G: Listing<15> + 'static, T: Lane>(criterion: &mut Criterion, case: &Case<G, T>)
+where
+    G::Model<T>: Build<15>,
+{
+    follow!(criterion, case, 1);
+    follow!(criterion, case, 4);
+    follow!(criterion, case, 8);
+}
