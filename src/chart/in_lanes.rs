@@ -16,36 +16,25 @@ use super::trial::{Candidate, Failed, Label, Trial};
 use crate::lanes::{Lane, Lanes};
 
 /// Makes lanes at motions of one model each.
-type Make<G, T, const N: usize, const LANES: usize, const SWEEPS: usize> =
-    fn(
-        [<G as Listing<N>>::Model<T>; LANES],
-        &[Motion<T, N>; LANES],
-    ) -> Lanes<G, T, N, LANES, SWEEPS>;
+type Make<G, T, const N: usize, const LANES: usize> =
+    fn([<G as Listing<N>>::Model<T>; LANES], &[Motion<T, N>; LANES]) -> Lanes<G, T, N, LANES>;
 
 /// The same suspension in every lane.
-pub struct InLanes<
-    'a,
-    G: Listing<N>,
-    T: Lane,
-    const N: usize,
-    const LANES: usize,
-    const SWEEPS: usize,
-> {
+pub struct InLanes<'a, G: Listing<N>, T: Lane, const N: usize, const LANES: usize> {
     label: Label,
     model: &'a G::Model<T>,
-    make: Make<G, T, N, LANES, SWEEPS>,
+    make: Make<G, T, N, LANES>,
 }
 
-impl<'a, G, T, const N: usize, const LANES: usize, const SWEEPS: usize>
-    InLanes<'a, G, T, N, LANES, SWEEPS>
+impl<'a, G, T, const N: usize, const LANES: usize> InLanes<'a, G, T, N, LANES>
 where
     G: Listing<N>,
     T: Lane,
 {
     /// Lanes under the name of the method that they run.
-    pub fn new(method: String, model: &'a G::Model<T>, make: Make<G, T, N, LANES, SWEEPS>) -> Self {
+    pub fn new(method: &str, model: &'a G::Model<T>, make: Make<G, T, N, LANES>) -> Self {
         let label = Label {
-            method,
+            method: method.to_owned(),
             scalar: std::any::type_name::<T>(),
             lanes: LANES,
         };
@@ -93,15 +82,15 @@ where
         Ok((errors, runs))
     }
 
-    fn at(&self, motion: &Motion<T, N>) -> Lanes<G, T, N, LANES, SWEEPS> {
+    fn at(&self, motion: &Motion<T, N>) -> Lanes<G, T, N, LANES> {
         let models = [(); LANES].map(|()| G::gather([self.model], |[x]: [T; 1]| x));
         (self.make)(models, &[*motion; LANES])
     }
 }
 
 /// Runs of consecutive steps: lanes keep their motions.
-struct Runs<'a, G: Listing<N>, T: Lane, const N: usize, const LANES: usize, const SWEEPS: usize> {
-    lanes: InLanes<'a, G, T, N, LANES, SWEEPS>,
+struct Runs<'a, G: Listing<N>, T: Lane, const N: usize, const LANES: usize> {
+    lanes: InLanes<'a, G, T, N, LANES>,
     outputs: Outputs,
     dt: T,
     runs: Vec<Run<T, G::Drives<T>, N>>,
@@ -120,8 +109,7 @@ type Followed<G, T, const N: usize> = ([f64; 3], Vec<Run<T, <G as Listing<N>>::D
 const RUNS: usize = 8;
 const RUN: usize = 12;
 
-impl<G, T, const N: usize, const LANES: usize, const SWEEPS: usize> Batch
-    for Runs<'_, G, T, N, LANES, SWEEPS>
+impl<G, T, const N: usize, const LANES: usize> Batch for Runs<'_, G, T, N, LANES>
 where
     G: Listing<N>,
     T: Lane,
@@ -147,8 +135,8 @@ where
     }
 }
 
-impl<'a, G, T, const N: usize, const LANES: usize, const SWEEPS: usize>
-    Candidate<'a, G::Drives<f64>, N> for InLanes<'a, G, T, N, LANES, SWEEPS>
+impl<'a, G, T, const N: usize, const LANES: usize> Candidate<'a, G::Drives<f64>, N>
+    for InLanes<'a, G, T, N, LANES>
 where
     G: Listing<N> + 'a,
     T: Lane + 'a,
@@ -167,7 +155,7 @@ where
         let tried = ALL_OUTPUTS.map(|outputs| {
             let followed = self.follow(outputs, dt, course, stride, reference);
             let (errors, runs) = followed.map_err(|at| (outputs, at))?;
-            let lanes = Self::new(self.label.method.clone(), self.model, self.make);
+            let lanes = Self::new(&self.label.method, self.model, self.make);
             let batch: Box<dyn Batch + 'a> = Box::new(Runs {
                 lanes,
                 outputs,

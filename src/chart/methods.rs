@@ -64,26 +64,15 @@ impl<'a, D: Named<f64> + 'a, const N: usize> Methods<'a, D, N> {
         G: Listing<N, Drives<f64> = D> + 'static,
         T: Lane,
     {
-        self.add_sweeps::<G, T, 1>(model);
-        self.add_sweeps::<G, T, 2>(model);
-    }
-
-    fn add_sweeps<G, T, const SWEEPS: usize>(&mut self, model: &'a G::Model<T>)
-    where
-        G: Listing<N, Drives<f64> = D> + 'static,
-        T: Lane,
-    {
-        let name = format!("bounded_{SWEEPS}");
-        let one = InLanes::new(
-            format!("{name}_vector"),
-            model,
-            Lanes::<G, T, N, 1, SWEEPS>::new,
-        );
-        let four = InLanes::new(name.clone(), model, Lanes::<G, T, N, 4, SWEEPS>::new);
-        let eight = InLanes::new(name, model, Lanes::<G, T, N, 8, SWEEPS>::new);
-        self.rows.push(Box::new(one));
-        self.rows.push(Box::new(four));
-        self.rows.push(Box::new(eight));
+        let one = Lanes::<G, T, N, 1>::new;
+        self.rows
+            .push(Box::new(InLanes::new("bounded_1_vector", model, one)));
+        let four = Lanes::<G, T, N, 4>::new;
+        self.rows
+            .push(Box::new(InLanes::new("bounded_1", model, four)));
+        let eight = Lanes::<G, T, N, 8>::new;
+        self.rows
+            .push(Box::new(InLanes::new("bounded_1", model, eight)));
     }
 
     /// A baked motion, in `f64` and `f32`.
