@@ -12,13 +12,17 @@ use nalgebra::Vector3;
 use suspension::bake::{Baked, Continuity, Path, TERMS, Wanted, Wish, bake};
 use suspension::detail::{Detail, Method, Need, Outputs, choose};
 use suspension_core::baked::Curve;
-use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
+use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
 
 linkage! {
     /// Front-left double wishbone. Axes of ISO 8855.
     mod double_wishbone {
-        fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
-        free:  lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+        fixed: lower_front at [0.20, 0.35, 0.16], lower_rear at [-0.20, 0.35, 0.16],
+               upper_front at [0.15, 0.42, 0.42], upper_rear at [-0.15, 0.42, 0.42],
+               rack at [0.11, 0.34, 0.20];
+        free:  lower_ball at [0.005, 0.70, 0.17], upper_ball at [-0.015, 0.66, 0.44],
+               tie_ball at [0.12, 0.68, 0.21], axle_inner at [0.0, 0.65, 0.30],
+               axle_outer at [0.0, 0.75, 0.30];
 
         link lower_fore: lower_front -> lower_ball;
         link lower_aft:  lower_rear  -> lower_ball;
@@ -50,6 +54,7 @@ type Read = [Vector3<f64>; 2];
 #[derive(Clone)]
 enum Corner<'a> {
     Exact(Box<Motion<f64, 15>>),
+    Bounded(Box<Motion<f64, 15>>),
     Baked(Curve<'a, f64, 6, TERMS>),
 }
 
@@ -63,6 +68,13 @@ impl Corner<'_> {
             Self::Exact(motion) => {
                 let inputs = Inputs::still(*drives);
                 Tracker::default().step(model, &inputs, STEP, motion)?;
+                let points = motion.points(model, &inputs);
+                Ok([points.value.axle_outer, points.rate.axle_outer])
+            }
+            Self::Bounded(motion) => {
+                let inputs = Inputs::still(*drives);
+                let step = Bounded::<f64>::default();
+                step.step_to(Outputs::Velocity, model, &inputs, STEP, motion)?;
                 let points = motion.points(model, &inputs);
                 Ok([points.value.axle_outer, points.rate.axle_outer])
             }
@@ -171,7 +183,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             table = baked.table().ok_or("a wheel has six outputs")?;
             Corner::Baked(baked.curve(&table))
         }
-        Method::Exact | Method::Bounded { .. } | Method::Series { .. } => exact.clone(),
+        Method::Exact => exact.clone(),
+        Method::Bounded { corrections: 1 } => Corner::Bounded(Box::new(scene.start())),
+        other => return Err(format!("this scene has no corners of method {other}").into()),
     };
     let mut chosen = vec![exact.clone(); PLAYERS];
     chosen.resize(CORNERS, others);

@@ -19,24 +19,19 @@
 //! values of `v` and `a` are the rates of the prediction, corrected by what `e` tells of the term
 //! that the prediction lacks: with a prediction of order `p` it grows as `dt^(p + 1)`.
 
-use core::marker::PhantomData;
-
-use nalgebra::SVector;
-
-use crate::entrywise::{difference, minus_multiple, sum};
 use crate::error::SolveError;
 use crate::factored::{is_healthy, smallest_pivot, with_pivoting};
 use crate::linkage::{Factors, Linkage};
-use crate::magnitude::sum_of_squares;
-use crate::motion::{Motion, Prescribed, input_terms};
-use crate::scalar::{Real, Scalar};
+use crate::motion::{Motion, Prescribed};
+use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 
 mod judge;
 mod predict;
+mod step;
 
 pub use judge::{Measures, Refusal, Settled};
-use predict::Prediction;
+pub use step::Step;
 
 /// See [`Bounded::tolerance`]: the norm of fifteen residuals that [`Newton`](crate::Newton) would
 /// just accept.
@@ -173,154 +168,5 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
             }
             Err(refusal) => Err(step.explain(self, refusal, &next, &measures)),
         }
-    }
-}
-
-/// A step on its way, over any numbers: nothing here compares.
-#[derive(Clone, Copy, Debug)]
-pub struct Step<
-    'a,
-    L: Linkage<N>,
-    C,
-    const N: usize,
-    const SWEEPS: usize = 1,
-    const ORDER: usize = 2,
-> {
-    linkage: &'a L,
-    chassis: PhantomData<C>,
-    prescribed: &'a Prescribed<L::Fixed, L::Drives>,
-    from: &'a Motion<L::Scalar, N>,
-    prediction: Prediction<L::Scalar, N, ORDER>,
-}
-
-impl<'a, L, C, const N: usize, const SWEEPS: usize, const ORDER: usize>
-    Step<'a, L, C, N, SWEEPS, ORDER>
-where
-    L: Linkage<N>,
-    C: ChassisMotion<L::Fixed>,
-{
-    /// Predicts the position after `dt`.
-    #[inline(always)]
-    pub fn new(
-        linkage: &'a L,
-        prescribed: &'a Prescribed<L::Fixed, L::Drives>,
-        from: &'a Motion<L::Scalar, N>,
-        dt: L::Scalar,
-    ) -> Self {
-        Self {
-            linkage,
-            chassis: PhantomData,
-            prescribed,
-            from,
-            prediction: Prediction::new(from, dt),
-        }
-    }
-
-    /// The motion in the macro's order of pivots, and what to judge it by.
-    #[inline(always)]
-    pub fn in_fixed_order(&self, outputs: Outputs) -> (Motion<L::Scalar, N>, Measures<L::Scalar>) {
-        let at = &self.prediction.position;
-        let factors = self.linkage.factor(at, &self.prescribed.fixed.value);
-        self.settle(&factors, outputs)
-    }
-
-    #[inline(always)]
-    fn settle<F: Factors<L::Scalar, N>>(
-        &self,
-        factors: &F,
-        outputs: Outputs,
-    ) -> (Motion<L::Scalar, N>, Measures<L::Scalar>) {
-        let (error, residual) = self.error(factors);
-        let position = difference(&self.prediction.position, &error);
-        let (velocity, acceleration) = self.rates(factors, outputs, &position, &error);
-        let measures = Measures {
-            residual_squared: sum_of_squares(residual.data.0[0]),
-            error_squared: sum_of_squares(error.data.0[0]),
-            rates_squared: sum_of_squares(acceleration.data.0[0]),
-            growth_squared: factors.growth_squared(),
-            determinant_sign: factors.determinant_sign(),
-        };
-        let motion = Motion {
-            position,
-            velocity,
-            acceleration,
-            positive_determinant: None,
-        };
-        (motion, measures)
-    }
-}
-
-impl<L, C, const N: usize, const SWEEPS: usize, const ORDER: usize> Step<'_, L, C, N, SWEEPS, ORDER>
-where
-    L: Linkage<N>,
-    C: ChassisMotion<L::Fixed>,
-{
-    /// The error of the prediction, and the residual that is left without it.
-    #[inline(always)]
-    fn error<F: Factors<L::Scalar, N>>(
-        &self,
-        factors: &F,
-    ) -> (SVector<L::Scalar, N>, SVector<L::Scalar, N>) {
-        let half = L::Scalar::constant(0.5);
-        let Prescribed { fixed, drives } = self.prescribed;
-        let at = &self.prediction.position;
-        let residual = self.linkage.residual(at, &fixed.value, &drives.value);
-        let mut right = residual;
-        let mut error = factors.solve(&right);
-        for _ in 1..SWEEPS {
-            right = minus_multiple(&residual, &self.curvature(&error, &error), -half);
-            error = factors.solve(&right);
-        }
-        // F(q0 - e) = F(q0) - J e + C(e, e) / 2, and J e is what was on the right.
-        let quadratic = minus_multiple(&residual, &self.curvature(&error, &error), -half);
-        (error, difference(&quadratic, &right))
-    }
-
-    /// Velocity and acceleration at `position`.
-    #[inline(always)]
-    fn rates<F: Factors<L::Scalar, N>>(
-        &self,
-        factors: &F,
-        outputs: Outputs,
-        position: &SVector<L::Scalar, N>,
-        error: &SVector<L::Scalar, N>,
-    ) -> (SVector<L::Scalar, N>, SVector<L::Scalar, N>) {
-        let Prescribed { fixed, drives } = self.prescribed;
-        let inputs = |fixed_rate: &L::Fixed, drive_rate: &L::Drives| {
-            input_terms::<L, C, N>(self.linkage, position, &fixed.value, fixed_rate, drive_rate)
-        };
-        if outputs == Outputs::Position {
-            let velocity = self.prediction.velocity_from_positions(error);
-            let acceleration = self.prediction.mean_acceleration(self.from, &velocity);
-            return (velocity, acceleration);
-        }
-        let terms = inputs(&fixed.rate, &drives.rate);
-        let mut velocity = self.prediction.velocity(error);
-        for _ in 0..SWEEPS {
-            velocity = factors.solve(&sum(&terms, &self.curvature(error, &velocity)));
-        }
-        if outputs == Outputs::Velocity {
-            let acceleration = self.prediction.mean_acceleration(self.from, &velocity);
-            return (velocity, acceleration);
-        }
-        let rate = &fixed.rate;
-        let quadratic = self.linkage.curvature(&velocity, rate, &velocity, rate);
-        let terms = difference(&inputs(&fixed.second_rate, &drives.second_rate), &quadratic);
-        let mut acceleration = self.prediction.acceleration(error);
-        for _ in 0..SWEEPS {
-            acceleration = factors.solve(&sum(&terms, &self.curvature(error, &acceleration)));
-        }
-        (velocity, acceleration)
-    }
-
-    /// `C(v, w)` of changes that leave the chassis where it is.
-    #[inline(always)]
-    fn curvature(
-        &self,
-        v: &SVector<L::Scalar, N>,
-        w: &SVector<L::Scalar, N>,
-    ) -> SVector<L::Scalar, N> {
-        let at_rest = L::Fixed::default();
-        self.linkage.curvature(v, &at_rest, w, &at_rest)
     }
 }

@@ -98,8 +98,8 @@ impl<T: Real> Tracker<T> {
         self.by_iteration::<_, C, N>(linkage, &prescribed, dt, motion)
     }
 
-    /// The step where one correction of the prediction meets every condition, as most steps of a
-    /// control loop do.
+    /// The step where two corrections with the same factors meet every condition, as in most steps
+    /// of a control loop.
     #[inline(always)]
     fn at_once<L, C, const N: usize>(
         &self,
@@ -113,12 +113,14 @@ impl<T: Real> Tracker<T> {
         C: ChassisMotion<L::Fixed>,
     {
         let Prescribed { fixed, drives } = prescribed;
+        let residual_at = |q: &SVector<T, N>| linkage.residual(q, &fixed.value, &drives.value);
         let predicted = motion.predict(dt);
-        let residual = linkage.residual(&predicted, &fixed.value, &drives.value);
         let factors = linkage.factor(&predicted, &fixed.value);
-        let error = factors.solve(&residual);
-        let position = difference(&predicted, &error);
-        let left = linkage.residual(&position, &fixed.value, &drives.value);
+        let error = factors.solve(&residual_at(&predicted));
+        // The second correction takes off what the square of the first has left.
+        let nearly = difference(&predicted, &error);
+        let position = difference(&nearly, &factors.solve(&residual_at(&nearly)));
+        let left = residual_at(&position);
         let last = linkage.factor(&position, &fixed.value);
         let next = rates_at::<T, L, C, N>(linkage, prescribed, &position, &last).motion();
         let (residual, error) = (magnitude(&left).ok()?, magnitude(&error).ok()?);
