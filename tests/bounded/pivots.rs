@@ -29,7 +29,8 @@ fn unhealthy(model: &Model<f64>, design: &Points<f64>) -> usize {
     let mut count = 0;
     let mut step = |t: f64, dt: f64, motion: &mut Motion<f64, 15>| {
         let factors = model.factor(&motion.predict(dt), model.fixed());
-        let is_unhealthy = !(factors.growth_squared() < 1e6);
+        let growth_squared = factors.growth_squared();
+        let is_unhealthy = growth_squared.is_nan() || growth_squared > 1e6;
         count += usize::from(is_unhealthy);
         let mut expected = *motion;
         let inputs = inputs(start, t);

@@ -64,12 +64,12 @@ where
             at_start,
         };
         let drives = fleet.drives(0.0);
-        for lane in 0..LANES {
+        for (lane, drives) in drives.into_iter().enumerate() {
             let mut motion = fleet.starts[lane];
             Bounded::<T, 3>::default()
                 .step(
                     &fleet.models[lane],
-                    &Inputs::still(drives[lane]),
+                    &Inputs::still(drives),
                     T::zero(),
                     &mut motion,
                 )
