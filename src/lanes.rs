@@ -4,12 +4,13 @@
 //! is found out when [`Lanes`] are made, so that a default build is fast wherever it runs.
 
 mod engine;
+mod lane;
 mod number;
 mod plain;
 
-use engine::{Engine, Vectors};
+use engine::Engine;
 use fearless_simd::{Avx2, Avx512, Level};
-pub use number::Lane;
+pub use lane::Lane;
 use plain::Plain;
 use suspension_core::{
     Bounded, Inputs, Linkage, Listing, Motion, Outputs, Settled, Signal, SolveError,
@@ -63,7 +64,7 @@ pub struct Lanes<
 
 /// How many lanes there can be, and what they are made of.
 macro_rules! lanes {
-    ($lanes:literal, $avx2:ty, $avx512:ty) => {
+    ($lanes:literal, $engine:ident) => {
         impl<G, T, const N: usize, const SWEEPS: usize, const ORDER: usize>
             Lanes<G, T, N, $lanes, SWEEPS, ORDER>
         where
@@ -102,14 +103,10 @@ macro_rules! lanes {
                     .filter(|_| instructions != Instructions::Plain);
                 match (wide, narrow) {
                     (Some(proof), _) => {
-                        Some(Box::new(
-                            Vectors::<G, Avx512, $avx512, N, SWEEPS, ORDER>::new(proof, models),
-                        ))
+                        Some(T::$engine::<G, Avx512, N, SWEEPS, ORDER>(proof, models))
                     }
                     (None, Some(proof)) => {
-                        Some(Box::new(Vectors::<G, Avx2, $avx2, N, SWEEPS, ORDER>::new(
-                            proof, models,
-                        )))
+                        Some(T::$engine::<G, Avx2, N, SWEEPS, ORDER>(proof, models))
                     }
                     (None, None) => None,
                 }
@@ -126,9 +123,9 @@ macro_rules! lanes {
     };
 }
 
-lanes!(1, T::One, T::One);
-lanes!(4, T::Four<Avx2>, T::Four<Avx512>);
-lanes!(8, T::Eight<Avx2>, T::Eight<Avx512>);
+lanes!(1, one_lane);
+lanes!(4, four_lanes);
+lanes!(8, eight_lanes);
 
 impl<G, T, const N: usize, const LANES: usize, const SWEEPS: usize, const ORDER: usize>
     Lanes<G, T, N, LANES, SWEEPS, ORDER>

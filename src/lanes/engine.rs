@@ -10,9 +10,7 @@ use suspension_core::{Inputs, Listing, Motion, Named, Outputs, Real, Signal, Sti
 use super::number::{Number, Token, Vector};
 
 /// Models and motions in lanes, whatever the instructions.
-pub(super) trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>:
-    Send + Sync
-{
+pub trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>: Send + Sync {
     /// Computes the next motion of all lanes, to be judged.
     fn attempt(
         &mut self,
@@ -185,3 +183,49 @@ where
         set(&mut last.acceleration, &motion.acceleration);
     }
 }
+
+/// Lanes in two halves: for vectors that are half as long.
+pub(super) struct Halves<E>(pub(super) [E; 2]);
+
+macro_rules! halves {
+    ($lanes:literal, $half:literal) => {
+        impl<G, T, E, const N: usize> Engine<G, T, N, $lanes> for Halves<E>
+        where
+            G: Listing<N>,
+            T: Real,
+            E: Engine<G, T, N, $half>,
+        {
+            fn attempt(
+                &mut self,
+                outputs: Outputs,
+                drives: &[Signal<G::Drives<T>>; $lanes],
+                dt: T,
+            ) -> [Measures<T>; $lanes] {
+                let mut measures = [Measures::default(); $lanes];
+                let halves = self.0.iter_mut().zip(drives.as_chunks::<$half>().0);
+                for ((half, drives), found) in halves.zip(measures.as_chunks_mut::<$half>().0) {
+                    *found = half.attempt(outputs, drives, dt);
+                }
+                measures
+            }
+
+            fn accept(&mut self) {
+                self.0.iter_mut().for_each(E::accept);
+            }
+
+            fn motion(&self, lane: usize) -> Motion<T, N> {
+                self.0[lane / $half].motion(lane % $half)
+            }
+
+            fn next(&self, lane: usize) -> Motion<T, N> {
+                self.0[lane / $half].next(lane % $half)
+            }
+
+            fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>) {
+                self.0[lane / $half].set_motion(lane % $half, motion);
+            }
+        }
+    };
+}
+
+halves!(8, 4);

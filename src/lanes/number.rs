@@ -6,7 +6,7 @@
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use fearless_simd::{Simd, SimdFloat, f32x4, f32x8, f64x4, f64x8};
+use fearless_simd::{Simd, SimdFloat, f32x4, f32x8, f64x4};
 use num_traits::{One, Zero};
 use suspension_core::Scalar;
 
@@ -33,7 +33,7 @@ token!(Avx2);
 token!(Avx512);
 
 /// Lanes of `f32` or `f64`, and one alone.
-pub trait Vector: Copy + Send + Sync + std::fmt::Debug + 'static {
+pub(super) trait Vector: Copy + Send + Sync + std::fmt::Debug + 'static {
     /// A lane.
     type Lane: Copy;
 
@@ -101,11 +101,10 @@ macro_rules! vector {
 vector!(f32x4, f32);
 vector!(f32x8, f32);
 vector!(f64x4, f64);
-vector!(f64x8, f64);
 
 /// One number that rounds `a + b c` once: fast only in code for processors that do.
 #[derive(Clone, Copy, Debug)]
-pub struct Fused<T>(T);
+pub(super) struct Fused<T>(T);
 
 macro_rules! fused {
     ($lane:ty) => {
@@ -240,26 +239,4 @@ impl<V: Vector> Scalar for Number<V> {
     fn minus_product(self, a: Self, b: Self) -> Self {
         Self(self.0.plus_product(a.0.negative(), b.0))
     }
-}
-
-/// A number that comes in lanes.
-pub trait Lane: suspension_core::Real {
-    /// One alone.
-    type One: Vector<Lane = Self>;
-    /// Four side by side.
-    type Four<S: Token>: Vector<Lane = Self>;
-    /// Eight side by side.
-    type Eight<S: Token>: Vector<Lane = Self>;
-}
-
-impl Lane for f32 {
-    type One = Fused<f32>;
-    type Four<S: Token> = f32x4<S>;
-    type Eight<S: Token> = f32x8<S>;
-}
-
-impl Lane for f64 {
-    type One = Fused<f64>;
-    type Four<S: Token> = f64x4<S>;
-    type Eight<S: Token> = f64x8<S>;
 }

@@ -53,6 +53,9 @@ pub enum Outputs {
 /// acceleration, 1 or more, from a prediction of order `ORDER`: 0 is the last position, 1 adds its
 /// velocity, 2 its acceleration. More sweeps allow for longer steps.
 ///
+/// A first step from rest is one with `dt = 0`: it finds velocity and acceleration. At 1 ms one sweep
+/// is enough where the acceleration is solved for; with less two are, or half the step.
+///
 /// The instructions that a step executes do not depend on its data, as long as the pivots of the
 /// macro's order are healthy and the step is accepted.
 #[derive(Clone, Copy, Debug, PartialEq)]

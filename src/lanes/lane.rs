@@ -1,0 +1,72 @@
+//! What one, four and eight lanes of a number are made of.
+
+use fearless_simd::{f32x4, f32x8, f64x4};
+use suspension_core::{Listing, Real};
+
+use super::engine::{Engine, Halves, Vectors};
+use super::number::{Fused, Token};
+
+type Boxed<G, T, const N: usize, const LANES: usize> = Box<dyn Engine<G, T, N, LANES>>;
+
+macro_rules! engine_of {
+    ($name:ident, $lanes:literal) => {
+        /// An engine of so many lanes, for the instructions that `S` proves.
+        fn $name<G, S, const N: usize, const SWEEPS: usize, const ORDER: usize>(
+            proof: S,
+            models: [&G::Model<Self>; $lanes],
+        ) -> Boxed<G, Self, N, $lanes>
+        where
+            G: Listing<N> + 'static,
+            S: Token;
+    };
+}
+
+/// A number that comes in lanes.
+pub trait Lane: Real {
+    engine_of!(one_lane, 1);
+    engine_of!(four_lanes, 4);
+    engine_of!(eight_lanes, 8);
+}
+
+macro_rules! engine {
+    ($name:ident, $lanes:literal, $vector:ty) => {
+        fn $name<G, S, const N: usize, const SWEEPS: usize, const ORDER: usize>(
+            proof: S,
+            models: [&G::Model<Self>; $lanes],
+        ) -> Boxed<G, Self, N, $lanes>
+        where
+            G: Listing<N> + 'static,
+            S: Token,
+        {
+            Box::new(Vectors::<G, S, $vector, N, SWEEPS, ORDER>::new(
+                proof, models,
+            ))
+        }
+    };
+}
+
+impl Lane for f32 {
+    engine!(one_lane, 1, Fused<f32>);
+    engine!(four_lanes, 4, f32x4<S>);
+    engine!(eight_lanes, 8, f32x8<S>);
+}
+
+impl Lane for f64 {
+    engine!(one_lane, 1, Fused<f64>);
+    engine!(four_lanes, 4, f64x4<S>);
+
+    /// Two halves: vectors of 512 bits take as long as two of 256 here, and without them eight
+    /// lanes do not fit the registers.
+    fn eight_lanes<G, S, const N: usize, const SWEEPS: usize, const ORDER: usize>(
+        proof: S,
+        models: [&G::Model<Self>; 8],
+    ) -> Boxed<G, Self, N, 8>
+    where
+        G: Listing<N> + 'static,
+        S: Token,
+    {
+        let [a, b, c, d, e, f, g, h] = models;
+        let half = |models| Vectors::<G, S, f64x4<S>, N, SWEEPS, ORDER>::new(proof, models);
+        Box::new(Halves([half([a, b, c, d]), half([e, f, g, h])]))
+    }
+}
