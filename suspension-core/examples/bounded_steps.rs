@@ -82,7 +82,7 @@ fn inputs<L: Linkage<15>>(start: &L::Drives, step: usize) -> Inputs<Still, L::Dr
     let number = L::Scalar::constant;
     let (amplitude, rate) = (0.1, TAU);
     let (sine, cosine) = (rate * step as f64 * STEP).sin_cos();
-    let sign = if step % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = if step.is_multiple_of(2) { 1.0 } else { -1.0 };
     let turns = (step % 7) as f64 - 3.0;
     let swing = number(sign * amplitude * (1.0 - cosine) + turns * TAU);
     Inputs::still(Signal {
