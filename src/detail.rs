@@ -117,14 +117,14 @@ mod tests {
 
     const TABLE: &str = "\
 method,scalar,lanes,step_s,outputs,nanoseconds,spread_ns,error_position_m,error_velocity_m_s,error_acceleration_m_s2,points
-nalgebra_lu,f64,1,0.001,position,5,1,1e-15,,,
-generated,f64,1,0.001,position,400,1,1e-15,,,
-generated,f64,1,0.001,acceleration,800,1,1e-15,1e-12,1e-10,
-bounded_1,f64,1,0.001,position,150,1,2e-12,,,
-bounded_1,f64,1,0.02,position,150,1,1e-5,,,
-bounded_1,f64,4,0.001,position,40,1,2e-12,,,
-series_4,f32,1,0.001,position,30,1,1e-7,,,
-baked_1e-4,f64,1,0.02,velocity,8,1,9e-5,1e-2,,
+nalgebra_lu,f64,1,0.001,position,5,1,1e-15,,,all
+generated,f64,1,0.001,position,400,1,1e-15,,,all
+generated,f64,1,0.001,acceleration,800,1,1e-15,1e-12,1e-10,all
+bounded_1,f64,1,0.001,position,150,1,2e-12,,,all
+bounded_1,f64,1,0.02,position,150,1,1e-5,,,all
+bounded_1,f64,4,0.001,position,40,1,2e-12,,,all
+series_4,f32,1,0.001,position,30,1,1e-7,,,all
+baked_1e-4,f64,1,0.02,velocity,8,1,9e-5,1e-2,,wheel
 baked_1e-6,f64,1,0.02,velocity,9,1,9e-7,1e-4,,wheel
 baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
 ";
@@ -164,25 +164,6 @@ baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
     }
 
     #[test]
-    fn a_table_without_points_is_of_wheels_where_it_is_baked() {
-        let without: String = TABLE
-            .lines()
-            .filter_map(|line| line.rsplit_once(','))
-            .map(|(line, _)| format!("{line}\n"))
-            .collect();
-        let figures = Figures::parse("table", &without).expect("a table");
-        let need = |points| Need {
-            tolerance: 1e-4,
-            outputs: Outputs::Velocity,
-            points,
-            step: 1e-3,
-        };
-        let method = |points| figures.choose(&need(points)).map(|detail| detail.method);
-        assert_eq!(method(Wish::Wheel), Some(Method::Baked { tolerance: 1e-4 }));
-        assert_eq!(method(Wish::AllPoints), Some(Method::Exact));
-    }
-
-    #[test]
     fn a_wrong_table_is_refused_with_its_line() {
         let text = TABLE.replace("400", "fast");
         let refused = Figures::parse("table.csv", &text).expect_err("not a number");
@@ -202,10 +183,10 @@ baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
                 points: Wish::AllPoints,
                 step: 1e-3,
             };
-            assert_eq!(
-                choose(&need).map(|detail| detail.method),
-                Some(Method::Exact)
-            );
+            let method = choose(&need).map(|detail| detail.method);
+            let is_exact_or_bounded =
+                matches!(method, Some(Method::Exact | Method::Bounded { .. }));
+            assert!(is_exact_or_bounded, "{method:?}");
         }
     }
 }

@@ -9,6 +9,7 @@ mod number;
 mod plain;
 
 use engine::Engine;
+#[cfg(target_arch = "x86_64")]
 use fearless_simd::{Avx2, Avx512, Level};
 pub use lane::Lane;
 use plain::Plain;
@@ -30,14 +31,16 @@ pub enum Instructions {
 impl Instructions {
     /// The best that this processor has.
     pub fn best() -> Self {
-        let level = Level::new();
         #[cfg(target_arch = "x86_64")]
-        if level.as_avx512().is_some() {
-            return Self::Avx512;
-        } else if level.as_avx2().is_some() {
-            return Self::Avx2;
+        {
+            let level = Level::new();
+            if level.as_avx512().is_some() {
+                return Self::Avx512;
+            }
+            if level.as_avx2().is_some() {
+                return Self::Avx2;
+            }
         }
-        let _ = level;
         Self::Plain
     }
 }
@@ -182,7 +185,8 @@ where
         if judged.iter().all(Option::is_some) {
             self.engine.accept();
             self.signs = measures.map(|measures| Some(measures.determinant_sign > T::zero()));
-            return judged.map(|settled| Ok(settled.unwrap_or_default()));
+            // Each is there: no lane is left to step alone.
+            return judged.map(Option::unwrap_or_default).map(Ok);
         }
         std::array::from_fn(|lane| match judged[lane] {
             Some(settled) => {

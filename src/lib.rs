@@ -1,8 +1,10 @@
 //! The program `suspension`: motion files in, tables, CSV files and plots out.
 //!
-//! All kinematics are those of [`suspension_core`]. This crate reads a motion file and brings the
-//! mechanism to its first instant ([`input`]), sweeps through the instants ([`study`]), writes
-//! what the core found ([`output`]), and compares it with the paper ([`published`]).
+//! All kinematics are those of [`suspension_core`], save other formulations that the [`chart`] sets
+//! beside it. This crate reads a motion file and brings the mechanism to its first instant
+//! ([`input`]), sweeps through the instants ([`study`]), writes what the core found ([`output`]), and
+//! compares it with the paper ([`published`]). It runs steps in [`lanes`], [`bake`]s motions, charts
+//! every method, and chooses the cheapest for a need ([`detail`]).
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

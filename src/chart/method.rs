@@ -37,9 +37,6 @@ pub trait Method<D, const N: usize> {
     /// A motion in the method's own coordinates.
     type State: Copy;
 
-    /// Suspensions that one step moves.
-    const LANES: usize = 1;
-
     /// What a step between two instants is given.
     fn input(&self, from: &Given<D>, to: &Given<D>) -> Self::Input;
 

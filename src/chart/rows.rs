@@ -30,6 +30,8 @@ pub struct Row {
     pub error_velocity_m_s: Option<f64>,
     /// The same of an acceleration.
     pub error_acceleration_m_s2: Option<f64>,
+    /// Of which points: `all` here; other tables know `wheel`.
+    pub points: String,
 }
 
 /// A row of the table that `benches/rivals` writes.
@@ -103,7 +105,7 @@ impl Rival {
 }
 
 /// The columns: the fields of a [`Row`].
-const COLUMNS: [&str; 10] = [
+const COLUMNS: [&str; 11] = [
     "method",
     "scalar",
     "lanes",
@@ -114,6 +116,7 @@ const COLUMNS: [&str; 10] = [
     "error_position_m",
     "error_velocity_m_s",
     "error_acceleration_m_s2",
+    "points",
 ];
 
 /// The rows as comma-separated values.

@@ -228,6 +228,7 @@ fn row(tried: Tried<'_>, metre: f64) -> Option<Row> {
         error_position_m: error(Outputs::Position),
         error_velocity_m_s: error(Outputs::Velocity),
         error_acceleration_m_s2: error(Outputs::Acceleration),
+        points: "all".to_owned(),
     })
 }
 

@@ -60,7 +60,7 @@ impl<M: Method<D, N>, D, const N: usize> Batch for Steps<M, D, N> {
     }
 
     fn steps(&self) -> usize {
-        self.starts.len() * M::LANES
+        self.starts.len()
     }
 }
 

@@ -81,7 +81,7 @@ impl<M, D> Entry<M, D> {
         let label = Label {
             method: name.to_owned(),
             scalar,
-            lanes: M::LANES,
+            lanes: 1,
         };
         let drives = PhantomData;
         Self {

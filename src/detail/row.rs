@@ -2,7 +2,7 @@
 
 use serde::de::{Deserialize, Deserializer, Error};
 
-use crate::detail::{Detail, Method, Outputs, Wish};
+use crate::detail::{Detail, Outputs, Wish};
 
 /// One measurement, as tables have it; columns that are not needed here are left out.
 #[derive(Clone, Debug, serde::Deserialize)]
@@ -15,19 +15,24 @@ pub(super) struct Row {
     outputs: Outputs,
     nanoseconds: f64,
     error_position_m: f64,
-    /// Where the column is missing or empty, a baked curve is the wheel's; a solver finds all.
-    points: Option<String>,
+    points: Points,
+}
+
+/// Whose position it is.
+#[derive(Clone, Copy, Debug, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Points {
+    All,
+    Wheel,
 }
 
 impl Row {
     /// `None` where it is not of one suspension in `f64`, or there for comparison only.
     pub(super) fn detail(&self) -> Option<Detail> {
         let method = self.method.parse().ok()?;
-        let baked = matches!(method, Method::Baked { .. });
-        let points = match self.points.as_deref() {
-            Some("wheel") => Wish::Wheel,
-            None if baked => Wish::Wheel,
-            _ => Wish::AllPoints,
+        let points = match self.points {
+            Points::Wheel => Wish::Wheel,
+            Points::All => Wish::AllPoints,
         };
         (self.scalar == "f64" && self.lanes == 1).then_some(Detail {
             method,

@@ -1,13 +1,12 @@
 //! The step in lanes, for one set of instructions each.
 
-use std::marker::PhantomData;
-
+use fearless_simd::Simd;
 use nalgebra::SVector;
 use suspension_core::bounded::{Measures, Step};
 use suspension_core::motion::Prescribed;
 use suspension_core::{Inputs, Listing, Motion, Named, Outputs, Real, Signal, Still};
 
-use super::number::{Number, Token, Vector};
+use super::number::{Number, Vector};
 
 /// Models and motions in lanes, whatever the instructions.
 pub trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>: Send + Sync {
@@ -32,10 +31,9 @@ pub trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>: Se
     fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>);
 }
 
-/// Lanes as vectors of numbers `V`, in code for the instructions that `S` proves.
+/// Lanes as vectors of numbers `V`, in code for the instructions that they need.
 pub(super) struct Vectors<
     G: Listing<N>,
-    S,
     V: Vector,
     const N: usize,
     const SWEEPS: usize,
@@ -45,24 +43,25 @@ pub(super) struct Vectors<
     /// The last motion and the next, in turns.
     motions: [Motion<Number<V>, N>; 2],
     last: usize,
-    instructions: PhantomData<S>,
+    proof: V::Proof,
 }
 
-impl<G, S, V, const N: usize, const SWEEPS: usize, const ORDER: usize>
-    Vectors<G, S, V, N, SWEEPS, ORDER>
+impl<G, V, const N: usize, const SWEEPS: usize, const ORDER: usize> Vectors<G, V, N, SWEEPS, ORDER>
 where
     G: Listing<N>,
-    S: Token,
     V: Vector<Lane: Real>,
 {
-    /// Of one model a lane, at rest. The proof shows that the processor has the instructions.
-    pub(super) fn new<const LANES: usize>(_proof: S, models: [&G::Model<V::Lane>; LANES]) -> Self {
+    /// Of one model a lane, at rest.
+    pub(super) fn new<const LANES: usize>(
+        proof: V::Proof,
+        models: [&G::Model<V::Lane>; LANES],
+    ) -> Self {
         let at_rest = Motion::at_rest(SVector::from([Number::default(); N]));
         Self {
             model: G::gather(models, packed),
             motions: [at_rest; 2],
             last: 0,
-            instructions: PhantomData,
+            proof,
         }
     }
 }
@@ -120,11 +119,10 @@ fn packed_drives<G: Listing<N>, V: Vector<Lane: Real>, const N: usize, const LAN
     })
 }
 
-impl<G, S, V, const N: usize, const LANES: usize, const SWEEPS: usize, const ORDER: usize>
-    Engine<G, V::Lane, N, LANES> for Vectors<G, S, V, N, SWEEPS, ORDER>
+impl<G, V, const N: usize, const LANES: usize, const SWEEPS: usize, const ORDER: usize>
+    Engine<G, V::Lane, N, LANES> for Vectors<G, V, N, SWEEPS, ORDER>
 where
     G: Listing<N>,
-    S: Token,
     V: Vector<Lane: Real>,
 {
     fn attempt(
@@ -133,7 +131,8 @@ where
         drives: &[Signal<G::Drives<V::Lane>>; LANES],
         dt: V::Lane,
     ) -> [Measures<V::Lane>; LANES] {
-        S::assumed().vectorize(
+        let proof = self.proof;
+        proof.vectorize(
             #[inline(always)]
             || {
                 align_frame();

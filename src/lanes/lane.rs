@@ -38,21 +38,19 @@ macro_rules! engine {
             G: Listing<N> + 'static,
             S: Token,
         {
-            Box::new(Vectors::<G, S, $vector, N, SWEEPS, ORDER>::new(
-                proof, models,
-            ))
+            Box::new(Vectors::<G, $vector, N, SWEEPS, ORDER>::new(proof, models))
         }
     };
 }
 
 impl Lane for f32 {
-    engine!(one_lane, 1, Fused<f32>);
+    engine!(one_lane, 1, Fused<S, f32>);
     engine!(four_lanes, 4, f32x4<S>);
     engine!(eight_lanes, 8, f32x8<S>);
 }
 
 impl Lane for f64 {
-    engine!(one_lane, 1, Fused<f64>);
+    engine!(one_lane, 1, Fused<S, f64>);
     engine!(four_lanes, 4, f64x4<S>);
 
     /// Two halves: vectors of 512 bits take as long as two of 256 here, and without them eight
@@ -66,7 +64,7 @@ impl Lane for f64 {
         S: Token,
     {
         let [a, b, c, d, e, f, g, h] = models;
-        let half = |models| Vectors::<G, S, f64x4<S>, N, SWEEPS, ORDER>::new(proof, models);
+        let half = |models| Vectors::<G, f64x4<S>, N, SWEEPS, ORDER>::new(proof, models);
         Box::new(Halves([half([a, b, c, d]), half([e, f, g, h])]))
     }
 }

@@ -1,9 +1,8 @@
 //! Vectors of numbers as one number: what generated code computes with in lanes.
 //!
-//! A value of these types is made only in code that an [`Engine`](super::engine::Engine) runs
-//! after it has found the processor to have the instructions; the types do not leave this room.
 #![allow(unsafe_code)]
 
+use std::marker::PhantomData;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use fearless_simd::{Simd, SimdFloat, f32x4, f32x8, f64x4};
@@ -12,8 +11,12 @@ use suspension_core::Scalar;
 
 /// Proof that the processor has certain instructions.
 pub trait Token: Simd {
-    /// The proof, taken for granted: see the module.
-    fn assumed() -> Self;
+    /// The proof, taken for granted.
+    ///
+    /// # Safety
+    ///
+    /// The processor has the instructions.
+    unsafe fn assumed() -> Self;
 }
 
 macro_rules! token {
@@ -21,8 +24,8 @@ macro_rules! token {
         #[cfg(target_arch = "x86_64")]
         impl Token for fearless_simd::$token {
             #[inline(always)]
-            fn assumed() -> Self {
-                // SAFETY: numbers that need this proof exist only behind an engine that has it.
+            unsafe fn assumed() -> Self {
+                // SAFETY: the caller's.
                 unsafe { Self::assume_supported() }
             }
         }
@@ -36,6 +39,11 @@ token!(Avx512);
 pub(super) trait Vector: Copy + Send + Sync + std::fmt::Debug + 'static {
     /// A lane.
     type Lane: Copy;
+
+    /// What proves that the processor has the instructions for it. An
+    /// [`Engine`](super::engine::Engine) is made of such a proof, and no vector is made without an
+    /// engine.
+    type Proof: Token;
 
     /// Beside a number this large there is no room for a fraction.
     const LARGE: f64;
@@ -56,11 +64,14 @@ macro_rules! vector {
     ($vector:ident, $lane:ty) => {
         impl<S: Token> Vector for $vector<S> {
             type Lane = $lane;
+            type Proof = S;
             const LARGE: f64 = 1.5 / <$lane>::EPSILON as f64;
 
             #[inline(always)]
             fn splat(value: f64) -> Self {
-                fearless_simd::SimdBase::splat(S::assumed(), value as $lane)
+                // SAFETY: see `Vector::Proof`.
+                let proof = unsafe { S::assumed() };
+                fearless_simd::SimdBase::splat(proof, value as $lane)
             }
             #[inline(always)]
             fn lane(&self, index: usize) -> $lane {
@@ -104,17 +115,18 @@ vector!(f64x4, f64);
 
 /// One number that rounds `a + b c` once: fast only in code for processors that do.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Fused<T>(T);
+pub(super) struct Fused<S, T>(T, PhantomData<S>);
 
 macro_rules! fused {
     ($lane:ty) => {
-        impl Vector for Fused<$lane> {
+        impl<S: Token> Vector for Fused<S, $lane> {
             type Lane = $lane;
+            type Proof = S;
             const LARGE: f64 = 1.5 / <$lane>::EPSILON as f64;
 
             #[inline(always)]
             fn splat(value: f64) -> Self {
-                Self(value as $lane)
+                Self(value as $lane, PhantomData)
             }
             #[inline(always)]
             fn lane(&self, _: usize) -> $lane {
@@ -126,27 +138,27 @@ macro_rules! fused {
             }
             #[inline(always)]
             fn add(self, other: Self) -> Self {
-                Self(self.0 + other.0)
+                Self(self.0 + other.0, PhantomData)
             }
             #[inline(always)]
             fn subtract(self, other: Self) -> Self {
-                Self(self.0 - other.0)
+                Self(self.0 - other.0, PhantomData)
             }
             #[inline(always)]
             fn multiply(self, other: Self) -> Self {
-                Self(self.0 * other.0)
+                Self(self.0 * other.0, PhantomData)
             }
             #[inline(always)]
             fn divide(self, other: Self) -> Self {
-                Self(self.0 / other.0)
+                Self(self.0 / other.0, PhantomData)
             }
             #[inline(always)]
             fn negative(self) -> Self {
-                Self(-self.0)
+                Self(-self.0, PhantomData)
             }
             #[inline(always)]
             fn plus_product(self, a: Self, b: Self) -> Self {
-                Self(a.0.mul_add(b.0, self.0))
+                Self(a.0.mul_add(b.0, self.0), PhantomData)
             }
         }
     };

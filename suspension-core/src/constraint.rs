@@ -12,12 +12,12 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::generated::gather_vectors;
 use crate::scalar::{Real, Scalar};
 use crate::signal::Signal;
 use crate::trigonometry::sine_cosine;
 use crate::vector::{
-    cross, difference, dot, minus_multiple, multiple, opposite, plus_cross, plus_multiple,
+    cross, difference, dot, gather_vectors, minus_multiple, multiple, opposite, plus_cross,
+    plus_multiple,
 };
 
 /// A constant length `L` between two points, with `d` the vector from one to the other:

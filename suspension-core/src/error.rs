@@ -40,7 +40,7 @@ pub enum SolveError<T> {
     Diverging {
         /// The unknown with the largest correction.
         unknown: usize,
-        /// Its size, in units of length.
+        /// Its size, in units of length; of a bounded step the norm of all.
         step: T,
         /// What it had to stay within.
         bound: T,
@@ -59,7 +59,7 @@ pub enum SolveError<T> {
     NotConverged {
         /// The equation with the largest residual.
         equation: usize,
-        /// Its size, in units of length.
+        /// Its size, in units of length; of a bounded step the norm of all.
         residual: T,
         /// What it had to reach.
         tolerance: T,

@@ -13,25 +13,12 @@ pub use crate::magnitude::sum_of_squares;
 pub use crate::parts;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
-pub use crate::vector::{difference, dot};
+pub use crate::vector::{difference, dot, gather_vectors};
 
 /// A matrix from its columns.
 #[inline(always)]
 pub fn from_columns<T: Scalar, const N: usize>(columns: [[T; N]; N]) -> SMatrix<T, N, N> {
     SMatrix::from_array_storage(nalgebra::ArrayStorage(columns))
-}
-
-/// Vectors of one number type gathered into another's.
-#[inline(always)]
-pub fn gather_vectors<S: Scalar, T: Scalar, const K: usize>(
-    vectors: [Vector3<S>; K],
-    gather: &impl Fn([S; K]) -> T,
-) -> Vector3<T> {
-    Vector3::new(
-        gather(vectors.map(|vector| vector.x)),
-        gather(vectors.map(|vector| vector.y)),
-        gather(vectors.map(|vector| vector.z)),
-    )
 }
 
 /// The product, in four chains side by side.

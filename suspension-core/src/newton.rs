@@ -36,7 +36,7 @@ pub struct Newton<T> {
 /// What a successful iteration did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Converged<T> {
-    /// Factorisations made.
+    /// Factorisations made for the position.
     pub iterations: usize,
     /// The largest residual of the result, in units of length.
     pub residual: T,

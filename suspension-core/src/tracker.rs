@@ -119,18 +119,25 @@ impl<T: Real> Tracker<T> {
         let error = factors.solve(&residual_at(&predicted));
         // The second correction takes off what the square of the first has left.
         let nearly = difference(&predicted, &error);
-        let position = difference(&nearly, &factors.solve(&residual_at(&nearly)));
+        let second = factors.solve(&residual_at(&nearly));
+        let position = difference(&nearly, &second);
         let left = residual_at(&position);
         let last = linkage.factor(&position, &fixed.value);
         let next = rates_at::<T, L, C, N>(linkage, prescribed, &position, &last).motion();
         let (residual, error) = (magnitude(&left).ok()?, magnitude(&error).ok()?);
-        let tolerance = self.newton.tolerance * self.newton.rounding_at(linkage, &position);
-        let bound = self.correction_bound(linkage, &(difference(&position, &motion.position)));
+        let rounding = self.newton.rounding_at(linkage, &position);
+        let tolerance = self.newton.tolerance * rounding;
+        let bound = self.correction_bound(linkage, &difference(&predicted, &motion.position));
+        let [second] = second.data.0;
+        let contracts = self.newton.contraction.is_none_or(|contraction| {
+            largest(second) <= (contraction * error).max(rounding * T::constant(1024.0))
+        });
         let next = next.ok()?;
         let is_same_assembly = motion.positive_determinant.is_none()
             || motion.positive_determinant == next.positive_determinant;
         let is_good = residual <= tolerance
             && error <= bound
+            && contracts
             && is_same_assembly
             && is_healthy(factors.growth_squared())
             && is_healthy(last.growth_squared());

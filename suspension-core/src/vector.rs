@@ -68,3 +68,16 @@ pub(crate) fn minus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) ->
         sum.z.minus_product(a.z, k),
     )
 }
+
+/// Vectors of one number type gathered into another's.
+#[inline(always)]
+pub fn gather_vectors<S: Scalar, T: Scalar, const K: usize>(
+    vectors: [Vector3<S>; K],
+    gather: &impl Fn([S; K]) -> T,
+) -> Vector3<T> {
+    Vector3::new(
+        gather(vectors.map(|vector| vector.x)),
+        gather(vectors.map(|vector| vector.y)),
+        gather(vectors.map(|vector| vector.z)),
+    )
+}

@@ -69,6 +69,19 @@ fn a_residual_above_tolerance_names_its_equation() {
 }
 
 #[test]
+fn a_tolerance_that_is_none_accepts_nothing() {
+    let case = five_link();
+    for tolerance in [f64::NAN, -64.0] {
+        let bounded = Bounded::<f64> {
+            tolerance,
+            ..Bounded::default()
+        };
+        let error = refused(&case, &bounded, &(case.inputs)(STEP), STEP);
+        assert!(matches!(error, SolveError::NotConverged { .. }), "{error}");
+    }
+}
+
+#[test]
 fn numbers_that_are_none() {
     let case = five_link();
     let bounded = Bounded::<f64>::default();

@@ -59,7 +59,7 @@ def machine():
     """The processor and the system, for the head of the table."""
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         models = [line.split(":")[1].strip() for line in file if line.startswith("model name")]
-    return f"{models[0] if models else platform.processor()}, {platform.system()} {platform.release()}"
+    return f"{models[0] if models else platform.processor()}, {platform.system()}"
 
 
 def _run(command):

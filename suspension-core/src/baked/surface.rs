@@ -46,7 +46,10 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Surface<'a, T, OUT, TER
         let ([first_start, _], [second_start, _]) = (first_range, second_range);
         let (row, u) = ((first - first_start) * first_scale).split(row);
         let (column, v) = ((second - second_start) * second_scale).split(column);
-        match (self.patches.get(row * self.across + column), outside) {
+        let index = row
+            .checked_mul(self.across)
+            .and_then(|start| start.checked_add(column));
+        match (index.and_then(|index| self.patches.get(index)), outside) {
             (Some(patch), None) => Ok(SurfacePlace {
                 patch,
                 variables: [u, v],

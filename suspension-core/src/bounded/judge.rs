@@ -18,7 +18,7 @@ pub struct Measures<T> {
     pub residual_squared: T,
     /// The error of the predicted position, square of a length.
     pub error_squared: T,
-    /// The acceleration: not finite where any rate is not.
+    /// The acceleration, to which every rate contributes: not finite where one of them is not.
     pub rates_squared: T,
     /// The health of the pivots: see [`Factors::growth_squared`](crate::linkage::Factors).
     pub growth_squared: T,
@@ -102,6 +102,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
     ) -> Result<Settled<T>, Refusal> {
         let tolerance = self.tolerance * T::EPSILON * size;
         let is_positive = measures.determinant_sign > T::zero();
+        let is_root = tolerance >= T::zero() && measures.residual_squared <= tolerance * tolerance;
         let of_size = self.correction_of_size * size;
         let error_squared = measures.error_squared;
         let is_near = error_squared <= of_size * of_size
@@ -110,7 +111,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
             Err(Refusal::NotFinite)
         } else if !is_near {
             Err(Refusal::Diverging)
-        } else if measures.residual_squared > tolerance * tolerance {
+        } else if !is_root {
             Err(Refusal::NotConverged)
         } else if before.is_some_and(|before| before != is_positive) {
             Err(Refusal::CrossedSingularity)

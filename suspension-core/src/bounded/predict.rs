@@ -55,9 +55,10 @@ impl<T: Scalar, const N: usize, const ORDER: usize> Prediction<T, N, ORDER> {
         minus_multiple(&self.acceleration, error, rate)
     }
 
-    /// The velocity at the end from positions alone: after a prediction with the acceleration the
-    /// backward difference of the last three, else that of the last two. With the full power of
-    /// [`velocity`](Self::velocity) in its place errors would grow from step to step.
+    /// The velocity at the end from positions alone. After a prediction with the (mean) acceleration
+    /// it is `3/2 d - (v1 + v2) / 4`, with `d` the mean velocity of the step and `v1`, `v2` the
+    /// velocities before it: of second order, errors halve from step to step. After others it is `d`.
+    /// With the full power of [`velocity`](Self::velocity) in its place errors would grow.
     #[inline(always)]
     pub(super) fn velocity_from_positions(&self, error: &SVector<T, N>) -> SVector<T, N> {
         let power = T::constant(if ORDER < 2 { 1.0 } else { 1.5 });

@@ -45,6 +45,12 @@ where
         from: &'a Motion<L::Scalar, N>,
         dt: L::Scalar,
     ) -> Self {
+        const {
+            assert!(
+                SWEEPS >= 1 && ORDER <= 2,
+                "one sweep or more, of order 0, 1 or 2"
+            )
+        };
         Self {
             linkage,
             chassis: PhantomData,

@@ -1,4 +1,5 @@
-//! Positions along the motion: from the design, each drive is moved both ways by the tangent.
+//! Positions along the motion: from the design, each drive of a free point is moved both ways by the
+//! tangent.
 //! Lengths drift a little on the way, which the size of pivots does not notice.
 
 use super::{Design, derivative};
