@@ -2,13 +2,13 @@
 
 use nalgebra::SVector;
 use suspension_core::bounded::Bounded;
-use suspension_core::{Inputs, Linkage, Motion, Named, Newton, Real, Still, Tangent, Tracker};
+use suspension_core::{Inputs, Linkage, Motion, Named, Real, Still, Tracker};
 
 use super::course::{Given, cast_drives};
 use super::formulation::to_f64;
 use super::method::{Coordinates, Method, Outputs};
 
-/// The generated elimination, iterated to tolerance.
+/// The generated elimination, iterated to tolerance: all of the motion, whatever is asked.
 #[derive(Clone, Copy, Debug)]
 pub struct Generated<R>(pub R);
 
@@ -31,24 +31,14 @@ where
 
     fn step(
         &self,
-        outputs: Outputs,
+        _: Outputs,
         input: &Self::Input,
         dt: f64,
         from: &Motion<T, N>,
     ) -> Option<Motion<T, N>> {
-        let dt = T::constant(dt);
         let mut next = *from;
-        if outputs == Outputs::Acceleration {
-            let step = Tracker::default().step(self.0, input, dt, &mut next);
-            return step.ok().map(|_| next);
-        }
-        next.position = from.predict(dt);
-        let newton = Newton::near_by();
-        newton.solve(self.0, input, &mut next.position).ok()?;
-        if outputs == Outputs::Velocity {
-            next.velocity = Tangent::new(self.0, input, &next.position).ok()?.velocity();
-        }
-        Some(next)
+        let step = Tracker::default().step(self.0, input, T::constant(dt), &mut next);
+        step.ok().map(|_| next)
     }
 
     fn coordinates(&self, state: &Motion<T, N>) -> Coordinates<N> {
