@@ -5,6 +5,8 @@
 mod assembly;
 #[cfg(feature = "solving")]
 mod baked;
+#[cfg(feature = "solving")]
+mod bounded;
 #[cfg(feature = "construction")]
 mod construction;
 #[cfg(feature = "series")]
