@@ -86,8 +86,23 @@ pub fn bound(coefficients: &[[f64; 3]], length: f64, exact: &[Derivatives]) -> R
 
 /// A bound of the length of a vector over the whole segment, from its samples.
 fn largest(samples: &[Vector3<f64>]) -> f64 {
+    over_all(seen(samples), beyond(samples))
+}
+
+/// The largest length between samples, from the largest of them and what lies beyond [`DEGREE`].
+fn over_all(seen: f64, beyond: f64) -> f64 {
+    let between_samples = (PI * DEGREE as f64 / (2.0 * SAMPLES as f64)).cos().recip();
+    (seen + beyond) * between_samples + beyond
+}
+
+/// The largest sample.
+fn seen(samples: &[Vector3<f64>]) -> f64 {
+    samples.iter().map(Vector3::norm).fold(0.0, f64::max)
+}
+
+/// The Chebyshev coefficients beyond [`DEGREE`], added up.
+fn beyond(samples: &[Vector3<f64>]) -> f64 {
     let count = samples.len() as f64;
-    let seen = samples.iter().map(Vector3::norm).fold(0.0, f64::max);
     let coefficient = |degree: usize| {
         let terms = samples.iter().enumerate().map(|(index, sample)| {
             let angle = PI * degree as f64 * (index as f64 + 0.5) / count;
@@ -95,8 +110,7 @@ fn largest(samples: &[Vector3<f64>]) -> f64 {
         });
         terms.sum::<Vector3<f64>>().norm() * 2.0 / count
     };
-    let beyond: f64 = (DEGREE + 1..samples.len()).map(coefficient).sum();
-    (seen + beyond) * between_samples() + beyond
+    (DEGREE + 1..samples.len()).map(coefficient).sum()
 }
 
 /// Bounds a difference over a square from its values at [`places`] in both directions: along each
@@ -107,15 +121,12 @@ pub fn bound_over_square<E>(
 ) -> f64 {
     let places = places();
     let at = |u: usize, v: usize| difference(places[u], places[v], &exact[u][v]);
-    let lines = (0..SAMPLES).map(|fixed| {
+    let (mut on_lines, mut beyond_across) = (0.0_f64, 0.0_f64);
+    for fixed in 0..SAMPLES {
         let along: Vec<_> = (0..SAMPLES).map(|free| at(fixed, free)).collect();
         let across: Vec<_> = (0..SAMPLES).map(|free| at(free, fixed)).collect();
-        largest(&along).max(largest(&across))
-    });
-    lines.fold(0.0, f64::max) * between_samples()
-}
-
-/// By how much a polynomial of degree [`DEGREE`] may exceed its samples.
-fn between_samples() -> f64 {
-    (PI * DEGREE as f64 / (2.0 * SAMPLES as f64)).cos().recip()
+        on_lines = on_lines.max(largest(&along));
+        beyond_across = beyond_across.max(beyond(&across));
+    }
+    over_all(on_lines, beyond_across)
 }

@@ -53,6 +53,12 @@ pub trait Method<D, const N: usize> {
         from: &Self::State,
     ) -> Option<Self::State>;
 
-    /// The coordinates of the free points; of lanes, those of the worst.
+    /// What is computed on the way through a course whose errors are those of `outputs`: everything,
+    /// but by methods that go on from their own estimates of what they leave out.
+    fn on_the_way(&self, _outputs: Outputs) -> Outputs {
+        Outputs::Acceleration
+    }
+
+    /// The coordinates of the free points.
     fn coordinates(&self, state: &Self::State) -> Coordinates<N>;
 }

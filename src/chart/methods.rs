@@ -13,7 +13,7 @@ use super::formulation::relative::Relative;
 use super::in_lanes::InLanes;
 use super::method::Method;
 use super::newton::{Nalgebra, Newton, Own};
-use super::tracked::{Generated, InSweeps};
+use super::tracked::{InSweeps, ToTolerance, Tracked};
 use super::trial::{Candidate, Entry};
 use crate::lanes::{Lane, Lanes};
 
@@ -40,10 +40,10 @@ impl<'a, D: Named<f64> + 'a, const N: usize> Methods<'a, D, N> {
         let (scalar, points) = (std::any::type_name::<T>(), Points(model));
         self.add("nalgebra_lu", scalar, Newton::new(points, Nalgebra));
         self.add("dense_lu", scalar, Newton::new(points, Own));
-        self.add("generated", scalar, Generated(model));
-        self.add("bounded_1", scalar, InSweeps::<_, 1>(model));
-        self.add("bounded_2", scalar, InSweeps::<_, 2>(model));
-        self.add("bounded_3", scalar, InSweeps::<_, 3>(model));
+        self.add("generated", scalar, tracked(model, ToTolerance));
+        self.add("bounded_1", scalar, tracked(model, InSweeps::<1>));
+        self.add("bounded_2", scalar, tracked(model, InSweeps::<2>));
+        self.add("bounded_3", scalar, tracked(model, InSweeps::<3>));
         self.add("series_2", scalar, BySeries::<_, 2>(model));
         self.add("series_3", scalar, BySeries::<_, 3>(model));
         self.add("series_4", scalar, BySeries::<_, 4>(model));
@@ -87,4 +87,8 @@ impl<'a, D: Named<f64> + 'a, const N: usize> Methods<'a, D, N> {
     {
         self.rows.push(Box::new(Entry::new(name, scalar, method)));
     }
+}
+
+fn tracked<R, S>(linkage: R, stepper: S) -> Tracked<R, S> {
+    Tracked { linkage, stepper }
 }

@@ -1,4 +1,4 @@
-//! The real-time loop of the core.
+//! The real-time loops of the core.
 
 use nalgebra::SVector;
 use suspension_core::bounded::Bounded;
@@ -8,53 +8,88 @@ use super::course::{Given, cast_drives};
 use super::formulation::to_f64;
 use super::method::{Coordinates, Method, Outputs};
 
-/// The generated elimination, iterated to tolerance: all of the motion, whatever is asked.
+/// A linkage, stepped by one of the core's loops.
 #[derive(Clone, Copy, Debug)]
-pub struct Generated<R>(pub R);
+pub struct Tracked<R, S> {
+    /// The linkage.
+    pub linkage: R,
+    /// The loop.
+    pub stepper: S,
+}
 
-impl<T, D, L, const N: usize> Method<D, N> for Generated<&L>
-where
-    T: Real,
-    D: Named<f64>,
-    L: Linkage<N, Scalar = T>,
-{
-    type Input = Inputs<Still, L::Drives>;
-    type State = Motion<T, N>;
+/// A loop of the core.
+pub trait Stepper: Copy {
+    /// The next motion; `None` where there is none.
+    fn step<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
+        &self,
+        outputs: Outputs,
+        linkage: &L,
+        inputs: &Inputs<Still, L::Drives>,
+        dt: T,
+        from: &Motion<T, N>,
+    ) -> Option<Motion<T, N>>;
 
-    fn input(&self, _: &Given<D>, to: &Given<D>) -> Self::Input {
-        Inputs::still(cast_drives(&to.signal))
-    }
+    /// See [`Method::on_the_way`].
+    fn on_the_way(&self, outputs: Outputs) -> Outputs;
+}
 
-    fn rest(&self, position: &SVector<f64, N>) -> Motion<T, N> {
-        Motion::at_rest(position.map(T::constant))
-    }
+/// To tolerance: all of the motion, whatever is asked.
+#[derive(Clone, Copy, Debug)]
+pub struct ToTolerance;
 
-    fn step(
+impl Stepper for ToTolerance {
+    fn step<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
         &self,
         _: Outputs,
-        input: &Self::Input,
-        dt: f64,
+        linkage: &L,
+        inputs: &Inputs<Still, L::Drives>,
+        dt: T,
         from: &Motion<T, N>,
     ) -> Option<Motion<T, N>> {
         let mut next = *from;
-        let step = Tracker::default().step(self.0, input, T::constant(dt), &mut next);
+        let step = Tracker::default().step(linkage, inputs, dt, &mut next);
         step.ok().map(|_| next)
     }
 
-    fn coordinates(&self, state: &Motion<T, N>) -> Coordinates<N> {
-        [state.position, state.velocity, state.acceleration].map(to_f64)
+    fn on_the_way(&self, _: Outputs) -> Outputs {
+        Outputs::Acceleration
     }
 }
 
 /// One factorisation and `SWEEPS` solutions for each of position, velocity and acceleration.
 #[derive(Clone, Copy, Debug)]
-pub struct InSweeps<R, const SWEEPS: usize>(pub R);
+pub struct InSweeps<const SWEEPS: usize>;
 
-impl<T, D, L, const N: usize, const SWEEPS: usize> Method<D, N> for InSweeps<&L, SWEEPS>
+impl<const SWEEPS: usize> Stepper for InSweeps<SWEEPS> {
+    fn step<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
+        &self,
+        outputs: Outputs,
+        linkage: &L,
+        inputs: &Inputs<Still, L::Drives>,
+        dt: T,
+        from: &Motion<T, N>,
+    ) -> Option<Motion<T, N>> {
+        let bounded = Bounded::<T, SWEEPS> {
+            // The chart shows the error, whatever it is.
+            tolerance: T::one() / T::EPSILON,
+            ..Bounded::default()
+        };
+        let mut next = *from;
+        let step = bounded.step_to(outputs, linkage, inputs, dt, &mut next);
+        step.ok().map(|_| next)
+    }
+
+    fn on_the_way(&self, outputs: Outputs) -> Outputs {
+        outputs
+    }
+}
+
+impl<T, D, L, S, const N: usize> Method<D, N> for Tracked<&L, S>
 where
     T: Real,
     D: Named<f64>,
     L: Linkage<N, Scalar = T>,
+    S: Stepper,
 {
     type Input = Inputs<Still, L::Drives>;
     type State = Motion<T, N>;
@@ -74,14 +109,12 @@ where
         dt: f64,
         from: &Motion<T, N>,
     ) -> Option<Motion<T, N>> {
-        let bounded = Bounded::<T, SWEEPS> {
-            // The chart shows the error, whatever it is.
-            tolerance: T::one() / T::EPSILON,
-            ..Bounded::default()
-        };
-        let mut next = *from;
-        let step = bounded.step_to(outputs, self.0, input, T::constant(dt), &mut next);
-        step.ok().map(|_| next)
+        let dt = T::constant(dt);
+        self.stepper.step(outputs, self.linkage, input, dt, from)
+    }
+
+    fn on_the_way(&self, outputs: Outputs) -> Outputs {
+        self.stepper.on_the_way(outputs)
     }
 
     fn coordinates(&self, state: &Motion<T, N>) -> Coordinates<N> {

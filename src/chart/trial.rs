@@ -102,6 +102,7 @@ struct Followed<S, I> {
 /// finds no configuration.
 fn follow<M: Method<D, N>, D, const N: usize>(
     method: &M,
+    outputs: Outputs,
     course: &Course<D>,
     stride: usize,
     reference: &Reference<N>,
@@ -126,7 +127,7 @@ fn follow<M: Method<D, N>, D, const N: usize>(
         if number.is_multiple_of(every) {
             starts.push(start);
         }
-        from = start.step(method, Outputs::Acceleration).ok_or(next)?;
+        from = start.step(method, outputs).ok_or(next)?;
         let found = reference.distance(next, &method.coordinates(&from));
         if !found.iter().all(|error| error.is_finite()) {
             return Err(next);
@@ -153,17 +154,18 @@ where
         stride: usize,
         reference: &Reference<N>,
     ) -> Vec<Result<Trial<'a>, Failed>> {
-        let followed = follow(&self.method, course, stride, reference);
         let tried = ALL_OUTPUTS.map(|outputs| {
-            let Followed { errors, starts } = followed.as_ref().map_err(|at| (outputs, *at))?;
+            let on_the_way = self.method.on_the_way(outputs);
+            let followed = follow(&self.method, on_the_way, course, stride, reference);
+            let Followed { errors, starts } = followed.map_err(|at| (outputs, at))?;
             let batch: Box<dyn Batch + 'a> = Box::new(Steps::<M, D, N> {
                 method: self.method,
                 outputs,
-                starts: starts.clone(),
+                starts,
             });
             Ok(Trial {
                 outputs,
-                errors: *errors,
+                errors,
                 batch,
             })
         });

@@ -1,5 +1,5 @@
 //! Vectors of numbers as one number: what generated code computes with in lanes.
-//!
+// Numbers are made of nothing, the proof of their instructions with them: see `Vector::Proof`.
 #![allow(unsafe_code)]
 
 use std::marker::PhantomData;

@@ -25,6 +25,7 @@ use crate::linkage::{Factors, Linkage};
 use crate::motion::{Motion, Prescribed};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
+use crate::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
 
 mod judge;
 mod predict;
@@ -73,8 +74,8 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Default for Bounded<T, SW
     fn default() -> Self {
         Self {
             tolerance: T::constant(DEFAULT_TOLERANCE),
-            correction_of_move: T::constant(0.1),
-            correction_of_size: T::constant(0.02),
+            correction_of_move: T::constant(CORRECTION_OF_MOVE),
+            correction_of_size: T::constant(CORRECTION_OF_SIZE),
         }
     }
 }

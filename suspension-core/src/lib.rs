@@ -3,8 +3,9 @@
 //! A suspension is a list of at-most-quadratic constraints over points. [`linkage!`] expands the
 //! list at compile time into straight-line, stack-only code (an implementation of [`Linkage`]);
 //! this crate runs Newton's method on it ([`Newton`]), takes velocities and accelerations from
-//! one factorisation ([`Tangent`]), follows a motion in time ([`Tracker`]), and reads off the
-//! wheel what engineers want to know ([`wheel`]).
+//! one factorisation ([`Tangent`]), follows a motion in time to a tolerance ([`Tracker`]), at a fixed
+//! cost ([`Bounded`]) or by its Taylor series ([`Series`]), looks up a motion that was baked
+//! ([`baked`]), and reads off the wheel what engineers want to know ([`wheel`]).
 #![no_std]
 #![forbid(unsafe_code)]
 // Nothing on the solving path may panic.

@@ -14,6 +14,12 @@ use crate::newton::{Converged, Newton};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 
+/// See [`Tracker::correction_of_move`].
+pub(crate) const CORRECTION_OF_MOVE: f64 = 0.1;
+
+/// See [`Tracker::correction_of_size`].
+pub(crate) const CORRECTION_OF_SIZE: f64 = 0.02;
+
 /// How to follow a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tracker<T> {
@@ -67,8 +73,8 @@ impl<T: Real> Default for Tracker<T> {
         Self {
             newton: Newton::near_by(),
             max_steps: 200,
-            correction_of_move: T::constant(0.1),
-            correction_of_size: T::constant(0.02),
+            correction_of_move: T::constant(CORRECTION_OF_MOVE),
+            correction_of_size: T::constant(CORRECTION_OF_SIZE),
         }
     }
 }

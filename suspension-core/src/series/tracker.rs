@@ -17,7 +17,8 @@ pub struct SeriesTracker<T> {
     /// It speaks of positions. A truncated series of order `K` has about `K / dt` times their error
     /// in velocities, and `K^2 / dt^2` times in accelerations.
     pub tolerance: T,
-    /// The longest step, as a part of the [radius of convergence](Series::radius).
+    /// The longest step, as a part of the [radius of convergence](Series::radius). Where the radius is
+    /// not known, below order 3 say, only the residual decides.
     pub part_of_radius: T,
 }
 
