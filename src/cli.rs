@@ -2,6 +2,7 @@
 
 mod bake;
 mod chart;
+mod failures;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -53,6 +54,11 @@ pub enum Command {
     /// Writes a table, a figure and a page with all figures; see also benches/rivals.
     #[command(after_long_help = chart::NOTES)]
     Chart(chart::Arguments),
+    /// Counts how often each method fails: bad starts, long steps, turning points.
+    ///
+    /// Writes a table, a figure and a page with all counts.
+    #[command(after_long_help = failures::NOTES)]
+    Failures(failures::Arguments),
 }
 
 impl Command {
@@ -69,6 +75,7 @@ impl Command {
             }
             Self::Bake(arguments) => arguments.run(interrupted),
             Self::Chart(arguments) => arguments.run(interrupted),
+            Self::Failures(arguments) => arguments.run(interrupted),
         }
     }
 }
