@@ -2,8 +2,10 @@
 
 pub mod axes;
 pub mod closure;
+pub mod drift_figure;
 pub mod figure;
 pub mod integration;
+pub mod long_run;
 pub mod marquardt;
 pub mod method;
 pub mod outcome;
@@ -18,8 +20,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::SVector;
-use suspension_core::Stopped;
 use suspension_core::linkage::Listing;
+use suspension_core::{Linkage, Named, Real, Stopped};
 
 use crate::failure::Failure;
 use crate::input::drives::DriveLaws;
@@ -33,9 +35,10 @@ use crate::output::progress::Progress;
 use crate::study::{Assembled, Suspension, cause};
 use axes::{POINTS, Subject};
 use closure::{Closures, NINE_DISTANCES, RIGID_BODY};
+use long_run::{Label, LongRun, Way};
 use page::Findings;
-use rows::{Row, to_csv};
-use survey::{Effort, Survey};
+use rows::to_csv;
+use survey::{Counted, Effort, Survey};
 use truth::Truth;
 use turning::turning_points;
 
@@ -50,6 +53,8 @@ pub struct Wanted {
     pub effort: Effort,
 }
 
+const TABLE: &str = "failures.csv";
+
 /// Tries all methods and draws the map.
 ///
 /// # Errors
@@ -57,8 +62,7 @@ pub struct Wanted {
 /// See [`Failure`]. Where the user interrupts, what was counted is written.
 pub fn failures(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = Source::read(&wanted.file)?;
-    let csv = wanted.folder.join("failures.csv");
-    refuse_input(&csv, &wanted.file, "--out")?;
+    refuse_input(&wanted.folder.join(TABLE), &wanted.file, "--out")?;
     let (study, instants) = setup::load(&source)?;
     let [first, last] = instants.ends();
     if first == last {
@@ -67,7 +71,7 @@ pub fn failures(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure
             "{name}: a motion of one instant has no steps to try"
         )));
     }
-    let rows = study.failures([first, last], &wanted.effort, interrupted)?;
+    let counted = study.failures([first, last], &wanted.effort, interrupted)?;
     let findings = Findings {
         motion: format!(
             "{}, {} of t = {} s to {} s",
@@ -77,11 +81,11 @@ pub fn failures(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure
             number(last)
         ),
         effort: wanted.effort,
-        rows,
+        counted,
     };
-    write(&findings, &wanted.folder, csv)?;
+    write(&findings, &wanted.folder)?;
     if interrupted.load(Ordering::Relaxed) {
-        let kept = findings.rows.len();
+        let kept = findings.counted.rows.len();
         return Err(Failure::Interrupted(format!(
             "interrupted: {kept} rows were kept"
         )));
@@ -89,18 +93,21 @@ pub fn failures(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure
     Ok(())
 }
 
-fn write(findings: &Findings, folder: &Path, csv: PathBuf) -> Result<(), Failure> {
-    let mut written = vec![csv];
-    write_file(&written[0], &to_csv(&findings.rows)?)?;
-    if !findings.rows.is_empty() {
-        for (name, text) in [
-            ("failures.svg", findings.svg()),
-            ("failures.html", findings.html()),
-        ] {
-            let path = folder.join(name);
-            write_file(&path, &text)?;
-            written.push(path);
-        }
+fn write(findings: &Findings, folder: &Path) -> Result<(), Failure> {
+    let Counted { rows, long_runs } = &findings.counted;
+    let mut files = vec![(TABLE, to_csv(rows)?)];
+    if !rows.is_empty() {
+        files.push(("failures.svg", findings.svg()));
+        files.push(("failures.html", findings.html()));
+    }
+    if !long_runs.is_empty() {
+        files.push(("long_runs.csv", to_csv(long_runs)?));
+    }
+    let mut written = Vec::new();
+    for (name, text) in files {
+        let path = folder.join(name);
+        write_file(&path, &text)?;
+        written.push(path);
     }
     job::announce(&written);
     Ok(())
@@ -117,14 +124,14 @@ pub fn measure<L: Suspension<N>, const N: usize>(
     ends: [f64; 2],
     effort: &Effort,
     interrupted: &AtomicBool,
-) -> Result<Vec<Row>, Failure> {
+) -> Result<Counted, Failure> {
     let closures = Closures::of(assembled).and_then(Result::ok);
     let models = if closures.is_some() { 4 } else { 2 };
     let mut survey = Survey {
         effort,
         metre: assembled.unit.metre(),
         interrupted,
-        rows: Vec::new(),
+        counted: Counted::default(),
         progress: Progress::new(models * POINTS, "points"),
     };
     let motion = Followed {
@@ -147,7 +154,7 @@ pub fn measure<L: Suspension<N>, const N: usize>(
             first.and_then(|()| motion.add(&mut survey, RIGID_BODY, rigid_body, start))
         }
     };
-    stopped.map(|()| survey.rows)
+    stopped.map(|()| survey.counted)
 }
 
 /// A motion that is tried with several models.
@@ -177,7 +184,32 @@ impl Followed<'_> {
         subject.try_all(survey);
         let single = L::Listing::gather([model], |[x]: [f64; 1]| x as f32);
         subject.with_model(&single).try_all(survey);
+        // How bodies are closed is of no account here.
+        if closure != NINE_DISTANCES {
+            for way in Way::ALL {
+                self.run(survey, LongRun::new(way, model, &truth), closure);
+                self.run(survey, LongRun::new(way, &single, &truth), closure);
+            }
+        }
         Ok(())
+    }
+
+    fn run<D, M, T, const N: usize>(
+        &self,
+        survey: &mut Survey<'_>,
+        run: LongRun<'_, D, M, T, N>,
+        closure: &str,
+    ) where
+        D: Named<f64>,
+        M: Linkage<N, Scalar = T>,
+        T: Real,
+    {
+        let label = Label {
+            closure,
+            metre: survey.metre,
+        };
+        let rows = long_run::rows(run, label, survey.effort.long_run, survey.interrupted);
+        survey.counted.long_runs.extend(rows);
     }
 
     fn no_motion<L: Suspension<N>, const N: usize>(&self, stopped: &Stopped<f64>) -> Failure {

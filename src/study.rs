@@ -99,7 +99,7 @@ pub trait Study {
         ends: [f64; 2],
         effort: &failures::survey::Effort,
         interrupted: &AtomicBool,
-    ) -> Result<Vec<failures::rows::Row>, Failure>;
+    ) -> Result<failures::survey::Counted, Failure>;
 }
 
 /// How a sweep ended.
@@ -247,7 +247,7 @@ where
         ends: [f64; 2],
         effort: &failures::survey::Effort,
         interrupted: &AtomicBool,
-    ) -> Result<Vec<failures::rows::Row>, Failure> {
+    ) -> Result<failures::survey::Counted, Failure> {
         failures::measure(self, ends, effort, interrupted)
     }
 }

@@ -79,13 +79,14 @@ fn legend() -> Markup {
             rect x=(x) y="32" width="12" height="12" fill=(colour) {}
             text x=(x + 17.0) y="42" { (name) }
         }
-        text x=(LEFT + 450.0) y="42" fill="#666666" { "height of a bar: all trials" }
     }
 }
 
 /// A logarithmic axis whose difficulty grows to the right.
 struct Column {
     axis: Axis,
+    /// The table's unit.
+    unit: String,
     left: f64,
     /// Exponents of ten at the left end and at the right end.
     ends: [f64; 2],
@@ -107,6 +108,9 @@ impl Column {
         let last = bars.last().map_or(1.0, |ends| ends[1]);
         Self {
             axis,
+            unit: rows
+                .first()
+                .map_or_else(String::new, |row| row.unit.clone()),
             left,
             ends: [first, last],
             bars: values.into_iter().zip(bars).collect(),
@@ -119,7 +123,11 @@ impl Column {
     }
 
     fn cell(&self, line: &Line, rows: &[&Row], top: f64) -> Markup {
-        let own: Vec<&Row> = rows.iter().copied().filter(|row| Line::of(row) == *line).collect();
+        let own: Vec<&Row> = rows
+            .iter()
+            .copied()
+            .filter(|row| Line::of(row) == *line)
+            .collect();
         html! {
             @if own.is_empty() && !rows.is_empty() {
                 text x=(self.left + COLUMN / 2.0) y=(top + 17.0) text-anchor="middle" font-size="10" fill="#888888" {
@@ -154,7 +162,8 @@ impl Column {
     }
 
     fn details(&self, row: &Row) -> String {
-        let value = format!("{} {}", rounded(row.value, 3), self.unit());
+        let (unit, exponent) = self.scale_unit();
+        let value = format!("{} {unit}", rounded(row.value * 10_f64.powi(exponent), 3));
         let residual = rounded(row.residual_m, 2);
         format!(
             "{}, {}, {}\n{} {value}\nright {} of {}, wrong {} (mirrored {}), no root {}\nlargest residual {residual} m",
@@ -171,9 +180,13 @@ impl Column {
     }
 
     fn scale(&self, bottom: f64) -> Markup {
-        let [low, high] = [self.ends[0].min(self.ends[1]), self.ends[0].max(self.ends[1])];
+        let [low, high] = [
+            self.ends[0].min(self.ends[1]),
+            self.ends[0].max(self.ends[1]),
+        ];
         let apart = if high - low > 6.0 { 3 } else { 1 };
-        let decades = (low.ceil() as i32..=high.floor() as i32).filter(|d| d.rem_euclid(apart) == 0);
+        let decades =
+            (low.ceil() as i32..=high.floor() as i32).filter(|d| d.rem_euclid(apart) == 0);
         html! {
             @if !self.bars.is_empty() {
                 line x1=(self.left) x2=(self.left + COLUMN) y1=(bottom) y2=(bottom) stroke=(INK) {}
@@ -183,25 +196,24 @@ impl Column {
                     text x=(x) y=(bottom + 16.0) text-anchor="middle" font-size="11" { (self.tick(decade)) }
                 }
                 text x=(self.left + COLUMN / 2.0) y=(bottom + 34.0) text-anchor="middle" {
-                    (self.axis.in_words()) ", " (self.unit())
+                    (self.axis.in_words()) ", " (self.scale_unit().0)
                 }
             }
         }
     }
 
-    fn unit(&self) -> &'static str {
+    /// The unit of the scale, a power of ten of the table's.
+    fn scale_unit(&self) -> (String, i32) {
         match self.axis {
-            Axis::StartNoise => "m",
-            Axis::Step => "s",
-            Axis::TurningPoint => "rad",
+            Axis::TurningPoint => (self.unit.clone(), 0),
+            _ => (format!("m{}", self.unit), 3),
         }
     }
 
     fn tick(&self, decade: i32) -> String {
-        if decade.abs() <= 4 && self.axis != Axis::TurningPoint {
-            rounded(10_f64.powi(decade), 1)
-        } else {
-            power(decade)
+        match self.axis {
+            Axis::TurningPoint => power(decade),
+            _ => rounded(10_f64.powi(decade + self.scale_unit().1), 1),
         }
     }
 }

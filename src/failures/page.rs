@@ -3,10 +3,11 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::closure::NINE_DISTANCES;
+use super::drift_figure;
 use super::figure::{Line, WIDTH, draw, height};
 use super::method::Method;
 use super::rows::Row;
-use super::survey::Effort;
+use super::survey::{Counted, Effort};
 use crate::chart::page::document;
 use crate::number::rounded;
 
@@ -18,7 +19,7 @@ pub struct Findings {
     /// How much was tried.
     pub effort: Effort,
     /// The counts.
-    pub rows: Vec<Row>,
+    pub counted: Counted,
 }
 
 impl Findings {
@@ -30,13 +31,18 @@ impl Findings {
             line.closure != NINE_DISTANCES
                 || begins_anywhere.iter().any(|it| it.name() == line.method)
         });
-        self.map("Where methods fail", "f64", &lines).into_string()
+        self.map(&self.title(), "f64", &lines).into_string()
+    }
+
+    fn title(&self) -> String {
+        let Effort { starts, seed, .. } = self.effort;
+        format!("Where methods fail: {starts} trials a bar, seed {seed}")
     }
 
     /// The lines of a map, in the order in which they were tried.
     fn lines(&self, scalar: &str, wanted: impl Fn(&Line) -> bool) -> Vec<Line> {
         let mut lines: Vec<Line> = Vec::new();
-        for row in self.rows.iter().filter(|row| row.scalar == scalar) {
+        for row in self.counted.rows.iter().filter(|row| row.scalar == scalar) {
             let line = Line::of(row);
             if wanted(&line) && !lines.contains(&line) {
                 lines.push(line);
@@ -48,7 +54,12 @@ impl Findings {
     }
 
     fn map(&self, title: &str, scalar: &str, lines: &[Line]) -> Markup {
-        let rows: Vec<&Row> = self.rows.iter().filter(|row| row.scalar == scalar).collect();
+        let rows: Vec<&Row> = self
+            .counted
+            .rows
+            .iter()
+            .filter(|row| row.scalar == scalar)
+            .collect();
         document(WIDTH, height(lines.len()), &draw(title, lines, &rows))
     }
 
@@ -74,10 +85,36 @@ impl Findings {
                             (self.table(scalar))
                         }
                     }
+                    (self.long_runs())
                 }
             }
         };
         page.into_string()
+    }
+
+    fn long_runs(&self) -> Markup {
+        let rows = &self.counted.long_runs;
+        html! {
+            @if !rows.is_empty() {
+                h2 { "Long runs" }
+                (document(drift_figure::SIZE.0, drift_figure::SIZE.1, &drift_figure::draw(rows)))
+                details {
+                    summary { "Rows" }
+                    table {
+                        tr {
+                            th { "method" } th { "closure" } th { "number" } th { "steps" }
+                            th { "largest residual, m" } th { "iterations a step" }
+                        }
+                        @for row in rows {
+                            tr {
+                                td { (row.method) } td { (row.closure) } td { (row.scalar) } td.number { (row.steps) }
+                                td.number { (rounded(row.drift_m, 2)) } td.number { (rounded(row.iterations_a_step, 4)) }
+                            }
+                        }
+                    }
+                }
+            }
+        }
     }
 
     fn table(&self, scalar: &str) -> Markup {
@@ -89,7 +126,7 @@ impl Findings {
                         th { "axis" } th { "value" } th { "method" } th { "closure" } th { "trials" } th { "right" }
                         th { "wrong" } th { "of them mirrored" } th { "no root" } th { "largest residual, m" }
                     }
-                    @for row in self.rows.iter().filter(|row| row.scalar == scalar) {
+                    @for row in self.counted.rows.iter().filter(|row| row.scalar == scalar) {
                         tr {
                             td { (row.axis.in_words()) } td.number { (rounded(row.value, 3)) }
                             td { (row.method) } td { (row.closure) }

@@ -12,7 +12,7 @@ pub enum Axis {
     StartNoise,
     /// Length of the steps that follow the whole motion, s.
     Step,
-    /// Distance from a turning point of the drive at which a step ends, in the drive's unit.
+    /// Distance from a turning point of the drive at which a step ends, m or rad.
     TurningPoint,
 }
 
@@ -35,8 +35,10 @@ impl Axis {
 pub struct Row {
     /// What is varied.
     pub axis: Axis,
-    /// Its value, in m, s or the drive's unit.
+    /// Its value.
     pub value: f64,
+    /// The unit of the value: m, s or rad.
+    pub unit: String,
     /// The method.
     pub method: String,
     /// How bodies are closed.

@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rand_pcg::Pcg64;
 
+use super::long_run::LongRow;
 use super::method::Method;
 use super::outcome::{Counts, Outcome};
 use super::rows::{Axis, Row};
@@ -20,6 +21,15 @@ pub struct Effort {
     pub seed: u64,
 }
 
+/// All counts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Counted {
+    /// A row a method, closure, number type and point.
+    pub rows: Vec<Row>,
+    /// Rows of the long runs.
+    pub long_runs: Vec<LongRow>,
+}
+
 /// What was found so far.
 pub struct Survey<'a> {
     /// How much is tried.
@@ -29,7 +39,7 @@ pub struct Survey<'a> {
     /// Set where the user wants no more.
     pub interrupted: &'a AtomicBool,
     /// Counts.
-    pub rows: Vec<Row>,
+    pub counted: Counted,
     /// How far it is.
     pub progress: Progress,
 }
@@ -44,6 +54,8 @@ pub struct Place<'a> {
     pub axis: Axis,
     /// Its value.
     pub value: f64,
+    /// The unit of the value.
+    pub unit: &'static str,
 }
 
 impl Survey<'_> {
@@ -64,9 +76,10 @@ impl Survey<'_> {
             let (outcome, residual) = outcome(trial);
             counts.add(outcome, residual / self.metre);
         }
-        self.rows.push(Row {
+        self.counted.rows.push(Row {
             axis: place.axis,
             value: place.value,
+            unit: place.unit.to_owned(),
             method: method.name().to_owned(),
             closure: place.closure.to_owned(),
             scalar: place.scalar.to_owned(),

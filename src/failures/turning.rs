@@ -32,7 +32,9 @@ pub fn turning_points<L: Suspension<N>, const N: usize>(
     let motion = truth.at(middle);
     let drives = |t: f64| truth.drives.inputs::<L::Drives>(t).drives.value;
     let values: Vec<f64> = drives(middle).values().collect();
-    let ends = truth.ends.map(|t| drives(t).values().next().unwrap_or_default());
+    let ends = truth
+        .ends
+        .map(|t| drives(t).values().next().unwrap_or_default());
     let mean = (ends[1] - ends[0]).abs() / truth.duration();
     let found = [mean, -mean].map(|speed| {
         let way = TurningPoint {
