@@ -25,6 +25,7 @@ pub mod assemble;
 pub mod baked;
 pub mod body;
 pub mod bounded;
+pub mod certificate;
 pub mod chassis;
 pub mod constraint;
 mod entrywise;
@@ -52,6 +53,7 @@ pub use suspension_macros::linkage;
 
 pub use assemble::assemble;
 pub use bounded::{Bounded, Outputs, Settled};
+pub use certificate::{Certificate, Certifier, Unproved};
 pub use chassis::RigidMotion;
 pub use error::{GeometryError, SolveError};
 pub use linkage::{Build, DriveKind, HasKingpin, HasWheel, Linkage, Listing, Named};
