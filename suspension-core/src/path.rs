@@ -18,6 +18,8 @@
 mod arc;
 mod configuration;
 mod curve;
+mod extreme;
+mod lead;
 mod linear;
 mod place;
 mod turning;
@@ -34,6 +36,7 @@ use crate::tracker::CORRECTION_OF_MOVE;
 use arc::Arc;
 pub use configuration::Configuration;
 pub use curve::Curve;
+pub use lead::{Leader, Led, LedStep};
 use linear::Linear;
 pub use place::{End, Place, Stretch, Turning};
 

@@ -19,7 +19,7 @@ use crate::trigonometry::sine_cosine;
 /// chassis points held where the inputs have them.
 pub struct Curve<'a, L: Linkage<N>, const N: usize> {
     pub(crate) linkage: &'a L,
-    drive: usize,
+    pub(crate) drive: usize,
     pub(crate) prescribed: Prescribed<L::Fixed, L::Drives>,
 }
 
@@ -33,8 +33,15 @@ where
     where
         C: ChassisMotion<L::Fixed>,
     {
-        let names = <L::Drives as Named<T>>::NAMES;
-        names.get(drive)?;
+        let exists = drive < <L::Drives as Named<T>>::NAMES.len();
+        exists.then(|| Self::of(linkage, inputs, drive))
+    }
+
+    /// [`new`](Self::new) with the index of a drive that exists.
+    pub(crate) fn of<C>(linkage: &'a L, inputs: &Inputs<C, L::Drives>, drive: usize) -> Self
+    where
+        C: ChassisMotion<L::Fixed>,
+    {
         let Signal {
             value,
             rate,
@@ -46,11 +53,11 @@ where
             second_rate: with(&second_rate, drive, T::zero()),
         };
         let chassis = inputs.chassis;
-        Some(Self {
+        Self {
             linkage,
             drive,
             prescribed: Prescribed::new(linkage, &Inputs { chassis, drives }),
-        })
+        }
     }
 
     /// The configuration with the unknowns `q` and the freed drive where the inputs have it.
