@@ -40,6 +40,7 @@ mod magnitude;
 pub mod motion;
 pub mod newton;
 pub mod parts;
+pub mod path;
 pub mod scalar;
 pub mod series;
 pub mod signal;
