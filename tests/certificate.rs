@@ -5,6 +5,7 @@ mod support;
 mod certificate {
     pub(crate) mod judge;
     pub(crate) mod random;
+    pub(crate) mod refine;
 
     mod arithmetic;
     mod far_from_singular;
