@@ -3,7 +3,7 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::attia2003;
 use suspension_core::path::{Leader, Led, Place};
-use suspension_core::{Build, HasWheel, Motion, Signal, SolveError};
+use suspension_core::{Build, HasWheel, Motion, Signal, SolveError, Stopped};
 
 use super::case::{Case, attia, five_link};
 use crate::support::{INSTANTS, Reference, theta};
@@ -127,36 +127,27 @@ where
     height(&case.curve().moving_points(&along)).rate
 }
 
-/// Leads from one height to another in so many steps; counts switches of the parameter.
+/// Leads from one height to another in a second.
 fn lead<L>(
     case: &Case<f64, L>,
     [from, to]: [f64; 2],
-    steps: u32,
     led: &mut Led<f64, 15>,
-) -> Result<usize, SolveError<f64>>
+) -> Result<(), Stopped<f64>>
 where
     L: Build<15, Scalar = f64, Points: HasWheel<f64>>,
 {
-    let still = (case.inputs)(0.0);
-    let mut switched = 0;
-    for part in 0..=steps {
-        let dt = if part == 0 { 0.0 } else { 1.0 / f64::from(steps) };
-        let target = Signal {
-            value: from + (to - from) * f64::from(part) / f64::from(steps),
-            rate: to - from,
-            second_rate: 0.0,
-        };
-        let before = *led;
-        let step = Leader::default().step(&case.model, &still, height, &target, dt, led);
-        match step {
-            Ok(step) => switched += usize::from(step.switched.is_some()),
-            Err(error) => {
-                assert_eq!(*led, before, "a refused step leaves the state as it was");
-                return Err(error);
-            }
-        }
-    }
-    Ok(switched)
+    let still = |_| (case.inputs)(0.0);
+    let target = |t: f64| Signal {
+        value: from + (to - from) * t,
+        rate: to - from,
+        second_rate: 0.0,
+    };
+    let leader = Leader::default();
+    leader
+        .step(&case.model, &still(0.0), height, &target(0.0), 0.0, led)
+        .expect("the place where it starts");
+    let advanced = leader.advance(&case.model, still, height, target, [0.0, 1.0], led);
+    advanced.map(|_| ())
 }
 
 /// Led by its height, the wheel goes round the whole curve, turning points of the drive included,
@@ -167,33 +158,44 @@ where
 {
     let curve = case.curve();
     let stretches = case.path(true);
+    let start = |place: &Place<f64, 15>| {
+        let mut led = Led::at_rest(&curve, &place.configuration.unknowns).expect("regular");
+        led.configuration.value = place.configuration;
+        led
+    };
+    let mut led = start(&stretches[0].place);
     let (mut drive_turned, mut switched, mut turns) = (0, 0, 0);
     for pair in stretches.windows(2) {
         let [from, to] = [pair[0].place, pair[1].place];
         let heights = [from, to].map(|place| curve.points(&place.configuration).wheel()[1].z);
         let rising = slope(case, &from) > 0.0;
-        let mut led = Led::at_rest(&curve, &from.configuration.unknowns).expect("regular");
-        led.configuration.value = from.configuration;
         if rising == (slope(case, &to) > 0.0) {
-            switched += lead(case, heights, 10, &mut led).expect("the height does not turn here");
+            let before = led.parameter;
+            lead(case, heights, &mut led).expect("the height does not turn here");
+            switched += usize::from(led.parameter != before);
             let off = (led.configuration.value - to.configuration).norm();
             assert!(off <= 1e-12, "off by {off} at {} rad", to.value);
             drive_turned += usize::from(pair[1].turning.is_some());
         } else {
             let beyond = heights[0] + if rising { 1e-2 } else { -1e-2 };
-            let refused = lead(case, [heights[0], beyond], 1, &mut led);
-            let Err(SolveError::TurningPoint { asked, extreme, .. }) = refused else {
+            let refused = lead(case, [heights[0], beyond], &mut led);
+            let Err(Stopped {
+                refused: Some((_, SolveError::TurningPoint { asked, extreme, .. })),
+                ..
+            }) = refused
+            else {
                 panic!("{refused:?}")
             };
-            let passed = heights[0].max(heights[1]);
-            let least = heights[0].min(heights[1]);
-            assert_eq!(rising, asked > extreme);
-            assert!(if rising { extreme >= passed } else { extreme <= least });
+            assert!((asked - extreme).abs() <= 1e-12, "advanced up to the extreme");
+            let [before, after] = heights.map(|height| if rising { height } else { -height });
+            let extreme = if rising { extreme } else { -extreme };
+            assert!(extreme >= before.max(after));
             turns += 1;
+            led = start(&to);
         }
     }
     assert_eq!((drive_turned, turns), (4, 4));
-    println!("{switched} switches");
+    assert!(switched > 0, "no one entry is a good parameter all round");
 }
 
 #[test]
