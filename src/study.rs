@@ -309,7 +309,7 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::TurningPoint {
             asked, extreme, ..
         } => format!(
-            "the leading quantity turns at {} and does not reach {}",
+            "the leading quantity turns at {}, on the way to {}",
             number(*extreme),
             number(*asked)
         ),
