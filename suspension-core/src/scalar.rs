@@ -48,6 +48,9 @@ pub trait Real: Scalar + RealField {
     /// Distance from one to the next larger number.
     const EPSILON: Self;
 
+    /// The smallest positive number that has all its digits.
+    const SMALLEST: Self;
+
     /// The larger of two magnitudes.
     fn larger_magnitude(self, other: Self) -> Self;
 }
@@ -68,6 +71,7 @@ impl Scalar for f32 {
 
 impl Real for f32 {
     const EPSILON: Self = f32::EPSILON;
+    const SMALLEST: Self = f32::MIN_POSITIVE;
 
     #[inline(always)]
     fn larger_magnitude(self, other: Self) -> Self {
@@ -91,6 +95,7 @@ impl Scalar for f64 {
 
 impl Real for f64 {
     const EPSILON: Self = f64::EPSILON;
+    const SMALLEST: Self = f64::MIN_POSITIVE;
 
     #[inline(always)]
     fn larger_magnitude(self, other: Self) -> Self {
