@@ -14,6 +14,7 @@ use suspension_core::{
     Tracker,
 };
 
+use crate::assemblies::{self, Listed, Wish};
 use crate::bake::order::{Order, Ordered};
 use crate::bake::source::Sheet;
 use crate::chart;
@@ -76,6 +77,18 @@ pub trait Study {
     /// met.
     fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure>;
 
+    /// Lists all assemblies. `file` is what it was loaded from.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`].
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure>;
+
     /// Puts every method of the chart through the motion between two times.
     ///
     /// # Errors
@@ -137,7 +150,9 @@ pub struct Assembled<L, const N: usize> {
     pub unit: Unit,
     /// The geometry.
     pub model: L,
-    /// The configuration of the first instant.
+    /// The first instant, s.
+    pub first: f64,
+    /// The configuration there.
     pub start: Motion<f64, N>,
     /// The drives.
     pub drives: DriveLaws,
@@ -218,6 +233,15 @@ where
             order,
         };
         ordered.sheet()
+    }
+
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure> {
+        assemblies::list(self, file, wish, interrupted)
     }
 
     fn chart(
