@@ -10,6 +10,7 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+pub mod assemblies;
 pub mod bake;
 pub mod chart;
 pub mod cli;

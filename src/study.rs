@@ -14,6 +14,7 @@ use suspension_core::{
     Tracker,
 };
 
+use crate::assemblies::{self, Listed, Wish};
 use crate::bake::order::{Order, Ordered};
 use crate::bake::source::Sheet;
 use crate::chart;
@@ -23,7 +24,7 @@ use crate::failures;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
-use crate::number::rounded;
+use crate::number::{number, rounded};
 use columns::PointNames;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
@@ -76,6 +77,18 @@ pub trait Study {
     /// [`Failure::Input`] where the order makes no sense, [`Failure::Solver`] where it cannot be
     /// met.
     fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure>;
+
+    /// Lists all assemblies. `file` is what it was loaded from.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`].
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure>;
 
     /// Puts every method of the chart through the motion between two times.
     ///
@@ -150,7 +163,9 @@ pub struct Assembled<L, const N: usize> {
     pub unit: Unit,
     /// The geometry.
     pub model: L,
-    /// The configuration of the first instant.
+    /// The first instant, s.
+    pub first: f64,
+    /// The configuration there.
     pub start: Motion<f64, N>,
     /// The drives.
     pub drives: DriveLaws,
@@ -231,6 +246,15 @@ where
             order,
         };
         ordered.sheet()
+    }
+
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure> {
+        assemblies::list(self, file, wish, interrupted)
     }
 
     fn chart(
@@ -328,6 +352,13 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::StepTooLong { .. } => {
             format!("the series of unknown `{name}` is not good for so long a step")
         }
+        SolveError::TurningPoint {
+            asked, extreme, ..
+        } => format!(
+            "the leading quantity turns at {}, on the way to {}",
+            number(*extreme),
+            number(*asked)
+        ),
         SolveError::NotConverged {
             residual,
             iterations,
