@@ -1,8 +1,7 @@
-//! Turning points of the first drive, found by driving it to its locks.
+//! Turning points of the first drive.
 
-use std::f64::consts::PI;
-
-use suspension_core::{DriveKind, Motion, Named};
+use suspension_core::path::{Continuation, Curve};
+use suspension_core::{Motion, Named};
 
 use super::truth::Truth;
 use crate::input::drives::DriveLaws;
@@ -19,7 +18,7 @@ pub struct TurningPoint<const N: usize> {
     pub speed: f64,
     /// All drives' values half-way through the file's motion.
     values: Vec<f64>,
-    /// The motion there, driven at [`speed`](Self::speed).
+    /// The motion there.
     origin: Motion<f64, N>,
 }
 
@@ -30,22 +29,36 @@ pub fn turning_points<L: Suspension<N>, const N: usize>(
 ) -> Vec<TurningPoint<N>> {
     let middle = (truth.ends[0] + truth.ends[1]) / 2.0;
     let motion = truth.at(middle);
-    let drives = |t: f64| truth.drives.inputs::<L::Drives>(t).drives.value;
-    let values: Vec<f64> = drives(middle).values().collect();
-    let ends = truth
-        .ends
-        .map(|t| drives(t).values().next().unwrap_or_default());
-    let mean = (ends[1] - ends[0]).abs() / truth.duration();
-    let found = [mean, -mean].map(|speed| {
-        let way = TurningPoint {
-            value: f64::NAN,
+    let inputs = truth.drives.inputs::<L::Drives>(middle);
+    let values: Vec<f64> = inputs.drives.value.values().collect();
+    let speed = usual_speed(truth);
+    let found = [speed, -speed].map(|speed| {
+        let curve = Curve::new(truth.model, &inputs, 0)?;
+        let path = Continuation::default().path(curve, &motion.position, speed > 0.0);
+        let turning = path.ok()?.flatten().find_map(|stretch| stretch.turning)?;
+        let is_lock = !turning.is_end_of_angle && speed != 0.0;
+        is_lock.then(|| TurningPoint {
+            value: turning.place.value,
             speed,
             values: values.clone(),
             origin: motion,
-        };
-        way.located(truth.model)
+        })
     });
     found.into_iter().flatten().collect()
+}
+
+/// The first drive's range in the motion over its duration.
+fn usual_speed<L: Suspension<N>, const N: usize>(truth: &Truth<'_, L, N>) -> f64 {
+    let first = |t: f64| {
+        let drives: L::Drives = truth.drives.inputs(t).drives.value;
+        drives.values().next().unwrap_or_default()
+    };
+    let values = truth.times().map(first);
+    let [least, most] = values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], value| [least.min(value), most.max(value)],
+    );
+    (most - least) / truth.duration()
 }
 
 impl<const N: usize> TurningPoint<N> {
@@ -79,47 +92,5 @@ impl<const N: usize> TurningPoint<N> {
     /// `qdot = -a speed / (2 sqrt(x))`, and the two are `2 a sqrt(x)` apart.
     pub fn separation(&self, distance: f64, motion: &Motion<f64, N>) -> f64 {
         4.0 * distance * motion.velocity.amax() / self.speed.abs()
-    }
-
-    fn located<L: Suspension<N>>(mut self, model: &L) -> Option<Self> {
-        /// The drive's angle where its cosine turns, not the mechanism.
-        const NEAR: f64 = 1e-3;
-        let is_angle = L::DRIVE_KINDS.first() == Some(&DriveKind::Angle);
-        let farthest = match (is_angle, self.speed > 0.0) {
-            (true, true) => PI,
-            (true, false) => 0.0,
-            (false, _) => self.values[0] + self.speed.signum() * 4.0 * model.size(),
-        };
-        self.value = self.lock(model, farthest)?;
-        let is_own = is_angle && (self.value - farthest).abs() < NEAR;
-        if is_own {
-            return None;
-        }
-        self.value = self.refined(model)?;
-        Some(self)
-    }
-
-    /// Where the drive locks on its way to `farthest`, to about 12 digits.
-    fn lock<L: Suspension<N>>(&self, model: &L, farthest: f64) -> Option<f64> {
-        if self.speed == 0.0 {
-            return None;
-        }
-        let started = (self.values[0] - farthest) / self.speed;
-        let mut motion = self.origin;
-        let drives = self.drives(farthest);
-        follow(model, &drives, [started, started], &mut motion).ok()?;
-        let stopped = follow(model, &drives, [started, 0.0], &mut motion).err()?;
-        Some(farthest + self.speed * stopped.reached)
-    }
-
-    /// The same to all digits: `x = qdot speed / (2 qddot)` up to `sqrt(x)` of itself, in the
-    /// notation of [`separation`](Self::separation).
-    fn refined<L: Suspension<N>>(&self, model: &L) -> Option<f64> {
-        const BEFORE: f64 = 1e-10;
-        let end = self.before(BEFORE);
-        let motion = self.motion_at(model, end)?;
-        let fastest = motion.acceleration.iamax();
-        let (rate, second) = (motion.velocity[fastest], motion.acceleration[fastest]);
-        Some(end + self.speed * rate / (2.0 * second))
     }
 }
