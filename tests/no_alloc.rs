@@ -12,8 +12,8 @@ use nalgebra::{Isometry3, SVector, Vector3};
 use suspension::lanes::{Instructions, Lane, Lanes};
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
-    Bounded, Build, HasKingpin, HasWheel, InputSeries, Inputs, Jet, Listing, Motion, Newton,
-    Outputs, Real, RigidMotion, SeriesTracker, Still, Tangent, Tracker, assemble,
+    Bounded, Build, Certifier, HasKingpin, HasWheel, InputSeries, Inputs, Jet, Linkage, Listing,
+    Motion, Newton, Outputs, Real, RigidMotion, SeriesTracker, Still, Tangent, Tracker, assemble,
 };
 
 thread_local! {
@@ -60,10 +60,13 @@ struct Case<T, L: Build<15, Scalar = T>> {
 impl<T, L> Case<T, L>
 where
     T: Real,
-    L: Build<15, Scalar = T, Points: HasKingpin<T> + HasWheel<T>>,
+    L: Build<15, Scalar = T, Points: HasKingpin<T> + HasWheel<T>>
+        + Linkage<15, Listing: Listing<15, Model<T> = L>>
+        + Copy,
 {
     fn check(&self) {
         let q = self.first_configuration();
+        self.certificate(&q);
         let motion = self.motion(q);
         self.readings(&motion);
         self.moving_chassis(&motion);
@@ -78,6 +81,15 @@ where
         })
         .expect("assembles");
         q
+    }
+
+    fn certificate(&self, q: &SVector<T, 15>) {
+        let certifier = without_allocating("Certifier", || Certifier::new(&self.model));
+        for (t, is_root) in [(0.0, true), (0.1, false), (f64::NAN, false)] {
+            let inputs = (self.inputs)(T::constant(t));
+            let certificate = without_allocating("certify", || certifier.certify(&inputs, q));
+            assert_eq!(certificate.is_proved(), is_root);
+        }
     }
 
     fn motion(&self, mut q: SVector<T, 15>) -> Motion<T, 15> {
