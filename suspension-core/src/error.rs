@@ -9,7 +9,8 @@ use core::fmt;
 /// Why no configuration was found. The state that was passed in is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SolveError<T> {
-    /// A residual is NaN or infinite: so is an input or a start value.
+    /// A residual, or a derivative of it, is NaN or infinite: so is an input, the start or the time
+    /// step, or it is too large for the number type.
     NotFinite {
         /// The equation whose residual it is.
         equation: usize,
@@ -55,6 +56,16 @@ pub enum SolveError<T> {
         /// What it had to stay within.
         bound: T,
     },
+    /// The quantity that leads the motion turns before it meets its target: beyond its extreme
+    /// value there is no configuration on this branch.
+    TurningPoint {
+        /// The unknown that moves most there.
+        unknown: usize,
+        /// The target, in the quantity's unit.
+        asked: T,
+        /// The quantity's extreme value.
+        extreme: T,
+    },
     /// `residual > tolerance` after all iterations that were allowed.
     NotConverged {
         /// The equation with the largest residual.
@@ -79,7 +90,8 @@ impl<T> SolveError<T> {
             | Self::CrossedSingularity { unknown }
             | Self::Singular { unknown, .. }
             | Self::Diverging { unknown, .. }
-            | Self::StepTooLong { unknown, .. } => (unknowns, unknown),
+            | Self::StepTooLong { unknown, .. }
+            | Self::TurningPoint { unknown, .. } => (unknowns, unknown),
         };
         table.get(*index).copied().unwrap_or("?")
     }
@@ -124,6 +136,10 @@ impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
             } => write!(
                 f,
                 "the series of unknown {unknown} is good for a step of {bound:.1e}, not of {step:.1e}"
+            ),
+            Self::TurningPoint { asked, extreme, .. } => write!(
+                f,
+                "the leading quantity turns at {extreme:.15e}, on the way to {asked:.15e}"
             ),
             Self::NotConverged {
                 equation,
