@@ -7,18 +7,20 @@ use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use nalgebra::{Const, DimMin};
+use nalgebra::{Const, DimMin, Vector3};
 use suspension_core::linkage::Listing;
 use suspension_core::{
     Advanced, Build, HasKingpin, HasWheel, Inputs, Linkage, Motion, SolveError, Still, Stopped,
     Tracker,
 };
 
+use crate::assemblies::{self, Listed, Wish};
 use crate::bake::order::{Order, Ordered};
 use crate::bake::source::Sheet;
 use crate::chart;
 use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
+use crate::failures;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
@@ -28,14 +30,14 @@ use columns::PointNames;
 /// A linkage that this program can run: it carries a wheel on a kingpin.
 pub trait Suspension<const N: usize>:
     Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
-    + Linkage<N, Listing: Listing<N, Model<f64> = Self>>
+    + Linkage<N, Listing: Listing<N, Model<f64> = Self, Model<f32>: Build<N, Scalar = f32>>>
     + 'static
 {
 }
 
 impl<L, const N: usize> Suspension<N> for L where
     L: Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
-        + Linkage<N, Listing: Listing<N, Model<f64> = L>>
+        + Linkage<N, Listing: Listing<N, Model<f64> = L, Model<f32>: Build<N, Scalar = f32>>>
         + 'static
 {
 }
@@ -76,6 +78,18 @@ pub trait Study {
     /// met.
     fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure>;
 
+    /// Lists all assemblies. `file` is what it was loaded from.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`].
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure>;
+
     /// Puts every method of the chart through the motion between two times.
     ///
     /// # Errors
@@ -87,6 +101,18 @@ pub trait Study {
         effort: &Effort,
         interrupted: &AtomicBool,
     ) -> Result<Survey, Failure>;
+
+    /// Counts, between two times, how often each method of the failure map fails.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] where there is no motion.
+    fn failures(
+        &self,
+        ends: [f64; 2],
+        effort: &failures::survey::Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<failures::survey::Counted, Failure>;
 }
 
 /// How a sweep ended.
@@ -135,9 +161,13 @@ pub struct Assembled<L, const N: usize> {
     pub linkage: &'static str,
     /// The unit of its lengths.
     pub unit: Unit,
+    /// Where the file's coordinates have the origin of all below: zero, save far from the points.
+    pub origin: Vector3<f64>,
     /// The geometry.
     pub model: L,
-    /// The configuration of the first instant.
+    /// The first instant, s.
+    pub first: f64,
+    /// The configuration there.
     pub start: Motion<f64, N>,
     /// The drives.
     pub drives: DriveLaws,
@@ -171,7 +201,7 @@ where
             match follow(&self.model, &self.drives, [last, t], &mut motion) {
                 Ok(advanced) => {
                     let inputs = self.drives.inputs(t);
-                    let row = columns::row(&self.model, t, &inputs, &motion, &advanced);
+                    let row = columns::row(self, t, &inputs, &motion, &advanced);
                     if on_row(&row)?.is_break() {
                         return Ok(End::Cut);
                     }
@@ -220,6 +250,15 @@ where
         ordered.sheet()
     }
 
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure> {
+        assemblies::list(self, file, wish, interrupted)
+    }
+
     fn chart(
         &self,
         ends: [f64; 2],
@@ -227,6 +266,15 @@ where
         interrupted: &AtomicBool,
     ) -> Result<Survey, Failure> {
         chart::measure(self, ends, effort, interrupted)
+    }
+
+    fn failures(
+        &self,
+        ends: [f64; 2],
+        effort: &failures::survey::Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<failures::survey::Counted, Failure> {
+        failures::measure(self, ends, effort, interrupted)
     }
 }
 
@@ -309,7 +357,7 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::TurningPoint {
             asked, extreme, ..
         } => format!(
-            "the leading quantity turns at {} and does not reach {}",
+            "the leading quantity turns at {}, on the way to {}",
             number(*extreme),
             number(*asked)
         ),

@@ -139,7 +139,7 @@ impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
             ),
             Self::TurningPoint { asked, extreme, .. } => write!(
                 f,
-                "the leading quantity turns at {extreme:.15e} and does not reach {asked:.15e}"
+                "the leading quantity turns at {extreme:.15e}, on the way to {asked:.15e}"
             ),
             Self::NotConverged {
                 equation,

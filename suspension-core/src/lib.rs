@@ -46,6 +46,7 @@ pub mod path;
 pub mod scalar;
 pub mod series;
 pub mod signal;
+mod substeps;
 pub mod tracker;
 pub mod trigonometry;
 mod vector;
