@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use nalgebra::{Const, DimMin};
+use nalgebra::{Const, DimMin, Vector3};
 use suspension_core::linkage::Listing;
 use suspension_core::{
     Advanced, Build, HasKingpin, HasWheel, Inputs, Linkage, Motion, SolveError, Still, Stopped,
@@ -161,6 +161,8 @@ pub struct Assembled<L, const N: usize> {
     pub linkage: &'static str,
     /// The unit of its lengths.
     pub unit: Unit,
+    /// Where the file's coordinates have the origin of all below: zero, save far from the points.
+    pub origin: Vector3<f64>,
     /// The geometry.
     pub model: L,
     /// The first instant, s.
@@ -199,7 +201,7 @@ where
             match follow(&self.model, &self.drives, [last, t], &mut motion) {
                 Ok(advanced) => {
                     let inputs = self.drives.inputs(t);
-                    let row = columns::row(&self.model, t, &inputs, &motion, &advanced);
+                    let row = columns::row(self, t, &inputs, &motion, &advanced);
                     if on_row(&row)?.is_break() {
                         return Ok(End::Cut);
                     }

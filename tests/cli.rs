@@ -7,6 +7,7 @@ mod cli {
     mod bake;
     mod chart;
     mod files;
+    mod hostile_files;
     mod plots;
     mod program;
     mod results;
