@@ -2,6 +2,7 @@
 
 mod bake;
 mod chart;
+mod range;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -53,6 +54,11 @@ pub enum Command {
     /// Writes a table, a figure and a page with all figures; see also benches/rivals.
     #[command(after_long_help = chart::NOTES)]
     Chart(chart::Arguments),
+    /// Finds how far each drive of a file leads the mechanism, and what ends its range.
+    ///
+    /// Follows the whole curve of configurations, also where the drive cannot lead.
+    #[command(after_long_help = range::NOTES)]
+    Range(range::Arguments),
 }
 
 impl Command {
@@ -69,6 +75,7 @@ impl Command {
             }
             Self::Bake(arguments) => arguments.run(interrupted),
             Self::Chart(arguments) => arguments.run(interrupted),
+            Self::Range(arguments) => arguments.run(interrupted),
         }
     }
 }
