@@ -10,11 +10,13 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+pub mod assemblies;
 pub mod bake;
 pub mod chart;
 pub mod cli;
 pub mod detail;
 pub mod failure;
+pub mod failures;
 pub mod input;
 pub mod job;
 pub mod lanes;

@@ -14,11 +14,13 @@ use suspension_core::{
     Tracker,
 };
 
+use crate::assemblies::{self, Listed, Wish};
 use crate::bake::order::{Order, Ordered};
 use crate::bake::source::Sheet;
 use crate::chart;
 use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
+use crate::failures;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
@@ -32,14 +34,14 @@ use columns::PointNames;
 /// A linkage that this program can run: it carries a wheel on a kingpin.
 pub trait Suspension<const N: usize>:
     Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
-    + Linkage<N, Listing: Listing<N, Model<f64> = Self>>
+    + Linkage<N, Listing: Listing<N, Model<f64> = Self, Model<f32>: Build<N, Scalar = f32>>>
     + 'static
 {
 }
 
 impl<L, const N: usize> Suspension<N> for L where
     L: Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
-        + Linkage<N, Listing: Listing<N, Model<f64> = L>>
+        + Linkage<N, Listing: Listing<N, Model<f64> = L, Model<f32>: Build<N, Scalar = f32>>>
         + 'static
 {
 }
@@ -80,6 +82,18 @@ pub trait Study {
     /// met.
     fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure>;
 
+    /// Lists all assemblies. `file` is what it was loaded from.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`].
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure>;
+
     /// Puts every method of the chart through the motion between two times.
     ///
     /// # Errors
@@ -109,6 +123,18 @@ pub trait Study {
     /// When the motion is at an end of a drive's range, and at which, where it moves this drive
     /// alone.
     fn meeting(&self, drive: usize, ends: [f64; 2], instants: &Instants) -> Option<(f64, usize)>;
+
+    /// Counts, between two times, how often each method of the failure map fails.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] where there is no motion.
+    fn failures(
+        &self,
+        ends: [f64; 2],
+        effort: &failures::survey::Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<failures::survey::Counted, Failure>;
 }
 
 /// How a sweep ended.
@@ -159,7 +185,9 @@ pub struct Assembled<L, const N: usize> {
     pub unit: Unit,
     /// The geometry.
     pub model: L,
-    /// The configuration of the first instant.
+    /// The first instant, s.
+    pub first: f64,
+    /// The configuration there.
     pub start: Motion<f64, N>,
     /// The drives.
     pub drives: DriveLaws,
@@ -240,6 +268,15 @@ where
         ordered.sheet()
     }
 
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure> {
+        assemblies::list(self, file, wish, interrupted)
+    }
+
     fn chart(
         &self,
         ends: [f64; 2],
@@ -267,6 +304,15 @@ where
 
     fn meeting(&self, drive: usize, ends: [f64; 2], instants: &Instants) -> Option<(f64, usize)> {
         meeting::<L, N>(&self.drives, drive, ends, instants)
+    }
+
+    fn failures(
+        &self,
+        ends: [f64; 2],
+        effort: &failures::survey::Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<failures::survey::Counted, Failure> {
+        failures::measure(self, ends, effort, interrupted)
     }
 }
 

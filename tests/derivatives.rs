@@ -7,7 +7,7 @@ mod support;
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::constraint::{Carried, Distance, Frame, angle_to_coordinate};
-use suspension_core::{Linkage, Named, Real, Signal};
+use suspension_core::{Linkage, Named, Real, Signal, measure};
 
 const STEP: f64 = 0.125;
 
@@ -200,6 +200,80 @@ fn the_papers_list_in_both_precisions() {
 fn the_rigid_knuckle_in_both_precisions() {
     listing(&support::five_link_model::<f64>());
     listing(&support::five_link_model::<f32>());
+}
+
+/// Every kind of measure against central differences in time, of points that move as polynomials.
+#[test]
+fn measures() {
+    suspension_core::linkage! {
+        mod gauge {
+            fixed: a;
+            free:  p, q;
+            link rod:  a -> p;
+            link bar:  p -> q;
+            drive p_y: p.y;
+            drive p_z: p.z;
+            drive q_y: q.y;
+            drive q_z: q.z;
+            point hub: a, p, q;
+            measure height: hub.z;
+            measure track:  q.y - a.y;
+            measure spring: length(a -> hub);
+            measure from_x: angle(hub -> p, x);
+            measure from_y: angle(a -> q, y);
+            measure from_z: angle(q -> hub, z);
+        }
+    }
+    use gauge::{Measures, Model, Points};
+    type Point = Vector3<f64>;
+    let at = |t: f64| {
+        let terms =
+            |name: usize| [0_usize, 1, 2, 3].map(|order| crooked_vector::<f64>(10 * order + name));
+        let points = |of: &dyn Fn([Point; 4]) -> Point| {
+            let mut name = 500_usize;
+            Points::<f64>::from_fn(|_| {
+                name += 1;
+                of(terms(name))
+            })
+        };
+        Model::<f64>::measures(&Signal {
+            value: points(&|[a, b, c, d]| a + (b + (c + d * t) * t) * t),
+            rate: points(&|[_, b, c, d]| b + (c * 2.0 + d * 3.0 * t) * t),
+            second_rate: points(&|[_, _, c, d]| c * 2.0 + d * 6.0 * t),
+        })
+    };
+    let h = 1e-4;
+    for t in [-0.3, 0.1, 0.4] {
+        let (now, ahead, behind) = (at(t), at(t + h), at(t - h));
+        let change = |of: fn(&Signal<Measures<f64>>) -> Measures<f64>| {
+            let pairs = of(&ahead).values().zip(of(&behind).values());
+            pairs
+                .map(|(ahead, behind)| (ahead - behind) / (2.0 * h))
+                .collect::<Vec<_>>()
+        };
+        let names = <Measures<f64> as Named<f64>>::NAMES;
+        for (expected, found) in [
+            (change(|signal| signal.value), now.rate),
+            (change(|signal| signal.rate), now.second_rate),
+        ] {
+            for ((name, expected), found) in names.iter().zip(expected).zip(found.values()) {
+                let bound = 1e-5 * (1.0 + expected.abs());
+                assert!(
+                    (found - expected).abs() < bound,
+                    "{name} at {t}: {found} instead of {expected}"
+                );
+            }
+        }
+        let line = Vector3::x() * (t + 1.0);
+        let still = Signal {
+            value: line,
+            ..Signal::default()
+        };
+        assert_eq!(measure::length(&still).value, t + 1.0);
+        assert_eq!(measure::angle(&still, Vector3::x()).value, 0.0);
+        let right = measure::angle(&still, Vector3::z()).value;
+        assert_eq!(right, std::f64::consts::FRAC_PI_2);
+    }
 }
 
 /// The chain rule of a driving angle against differences of `L cos(theta)` in time.

@@ -77,6 +77,7 @@ where
         linkage: task.linkage,
         unit: task.file.unit,
         model,
+        first: task.first,
         start,
         drives,
     }))

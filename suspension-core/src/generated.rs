@@ -7,9 +7,10 @@ pub use crate::constraint::{Carried, Distance, Frame, angle_to_coordinate};
 pub use crate::error::GeometryError;
 pub use crate::linkage::{
     Build, DriveKind, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage,
-    Listing as AnyNumber, Named,
+    Listing as AnyNumber, MeasureKind, Named,
 };
 pub use crate::magnitude::sum_of_squares;
+pub use crate::measure;
 pub use crate::parts;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector, Vector3};
 
 use crate::error::GeometryError;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::signal::Signal;
 
 /// A struct whose fields have names: points, drives or lengths of a linkage.
@@ -37,6 +37,15 @@ pub enum DriveKind {
     Angle,
 }
 
+/// What a measure is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeasureKind {
+    /// A length, a coordinate or the difference of two, in the unit of the hardpoints.
+    Length,
+    /// An angle in radians, from 0 to pi.
+    Angle,
+}
+
 /// A factored Jacobian.
 pub trait Factors<T, const N: usize> {
     /// Solves `J x = right`.
@@ -65,6 +74,7 @@ pub trait Listing<const N: usize>: Copy {
             Scalar = T,
             Fixed = Self::Fixed<T>,
             Drives = Self::Drives<T>,
+            Measures = Self::Measures<T>,
             Points = Self::Points<T>,
             Listing = Self,
         > + Copy
@@ -74,6 +84,8 @@ pub trait Listing<const N: usize>: Copy {
     type Fixed<T: Scalar>: Named<Vector3<T>> + Default + Send + Sync;
     /// Drives, named.
     type Drives<T: Scalar>: Named<T> + Default + Send + Sync;
+    /// Measures, named.
+    type Measures<T: Scalar>: Named<T> + Default + Send + Sync;
     /// Chassis points, free points and markers, named.
     type Points<T: Scalar>: Named<Vector3<T>> + Default + Send + Sync;
 
@@ -99,6 +111,8 @@ pub trait Linkage<const N: usize> {
     type Fixed: Named<Vector3<Self::Scalar>> + Default;
     /// Drives, named.
     type Drives: Named<Self::Scalar> + Default;
+    /// Measures, named: quantities that the listing reads off the points.
+    type Measures: Named<Self::Scalar> + Default;
     /// Chassis points, free points and markers, named.
     type Points: Named<Vector3<Self::Scalar>>;
     /// The Jacobian eliminated in the order that the macro chose: straight-line code over its
@@ -110,6 +124,8 @@ pub trait Linkage<const N: usize> {
     const UNKNOWNS: [&'static str; N];
     /// What each drive measures, in the order of the drives.
     const DRIVE_KINDS: &'static [DriveKind];
+    /// What each measure is, in the order of the measures.
+    const MEASURE_KINDS: &'static [MeasureKind];
 
     /// The chassis points at rest.
     fn fixed(&self) -> &Self::Fixed;
@@ -190,6 +206,11 @@ pub trait Linkage<const N: usize> {
 
     /// The unknowns of a set of points.
     fn unknowns(points: &Self::Points) -> SVector<Self::Scalar, N>;
+
+    /// What the listing measures, from the points and their rates by the chain rule.
+    fn measures(points: &Signal<Self::Points>) -> Signal<Self::Measures>
+    where
+        Self::Scalar: Real;
 }
 
 /// A linkage that can be built from the positions or the lengths of its parts.

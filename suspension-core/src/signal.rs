@@ -11,6 +11,18 @@ pub struct Signal<V> {
     pub second_rate: V,
 }
 
+impl<V> Signal<V> {
+    /// A linear function of the quantity, with its derivatives.
+    #[inline(always)]
+    pub fn map<U>(&self, linear: impl Fn(&V) -> U) -> Signal<U> {
+        Signal {
+            value: linear(&self.value),
+            rate: linear(&self.rate),
+            second_rate: linear(&self.second_rate),
+        }
+    }
+}
+
 /// All that a step is given: the paper's `w`, drives and chassis points.
 ///
 /// The type of `chassis` chooses the code: with [`Still`] no term of a moving chassis is

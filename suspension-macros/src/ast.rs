@@ -15,6 +15,7 @@ pub(crate) struct Listing {
     pub(crate) free_span: Span,
     pub(crate) constraints: Vec<Constraint>,
     pub(crate) drives: Vec<Drive>,
+    pub(crate) measures: Vec<Measure>,
     pub(crate) markers: Vec<Marker>,
     pub(crate) wheel: Vec<Axis>,
     pub(crate) kingpin: Vec<Axis>,
@@ -60,6 +61,19 @@ pub(crate) enum Quantity {
     },
     /// `angle(from -> to, axis)`.
     Angle { from: Ident, to: Ident, axis: Ident },
+}
+
+/// `measure name: quantity;`
+pub(crate) struct Measure {
+    pub(crate) named: Named,
+    pub(crate) measured: Measured,
+}
+
+pub(crate) enum Measured {
+    /// A coordinate or an angle, as a drive would prescribe it.
+    Quantity(Quantity),
+    /// `length(from -> to)`.
+    Length { from: Ident, to: Ident },
 }
 
 pub(crate) struct Coordinate {
@@ -115,6 +129,20 @@ impl Drive {
                 ends.sort();
                 let [first, second] = ends;
                 [first, second, axis.to_string()]
+            }
+        }
+    }
+}
+
+impl Measured {
+    /// The points that it is measured by.
+    pub(crate) fn points(&self) -> [Option<&Ident>; 2] {
+        match self {
+            Self::Quantity(Quantity::Coordinate { of, minus }) => {
+                [Some(&of.point), minus.as_ref().map(|minus| &minus.point)]
+            }
+            Self::Quantity(Quantity::Angle { from, to, .. }) | Self::Length { from, to } => {
+                [Some(from), Some(to)]
             }
         }
     }

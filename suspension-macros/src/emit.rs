@@ -9,6 +9,7 @@ mod gather;
 mod indices;
 mod jacobian;
 mod lengths;
+mod measures;
 mod rates;
 mod readout;
 mod stub;

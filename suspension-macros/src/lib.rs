@@ -29,6 +29,8 @@ mod tests;
 ///     drive gap:  c.z - a.z;       prescribes a difference of coordinates
 ///     drive turn: angle(a -> c, z);  prescribes the angle from an axis to the line between two
 ///                                    points whose distance a link or a body's frame keeps
+///     measure gauge: length(a -> hub);  reads a length, a coordinate, a difference or an angle
+///                                    (as drives write them) off any points; adds no equation
 ///     point hub:  plate;           a marker carried by a body, or by three points
 ///     wheel:   d -> hub;           the spin axis, outboard; its second point is the centre
 ///     kingpin: c -> d;             upwards

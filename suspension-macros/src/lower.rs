@@ -6,7 +6,8 @@ use syn::Ident;
 
 use crate::ast::{self, Axis, Constraint, Listing, Named, Quantity};
 use crate::system::{
-    AXES, Body, Drive, Equation, Marker, Site, SiteMotion, System, Wheel, pair_name,
+    AXES, Body, Drive, Equation, Marker, Measure, Measured, Site, SiteMotion, System, Wheel,
+    pair_name,
 };
 
 /// Lowers a listing; of one with mistakes, what can be told.
@@ -61,6 +62,7 @@ pub(crate) fn system(listing: &Listing) -> System {
         equations: lowering.equations,
         closed_twice: lowering.closed_twice,
         drives,
+        measures: listing.measures.iter().map(measure).collect(),
         wheel,
         kingpin,
     }
@@ -223,10 +225,7 @@ impl Lowering<'_> {
                 (axis, to, Some(from), self.distance_between(from, to))
             }
         };
-        let axis = AXES
-            .iter()
-            .position(|name| axis == name)
-            .unwrap_or_default();
+        let axis = axis_index(axis);
         let of = self.site(of);
         if of.is_free() || minus.is_some() {
             let (drive, of) = (named.name.clone(), of.clone());
@@ -273,6 +272,33 @@ impl Lowering<'_> {
             frame,
         })
     }
+}
+
+fn measure(measure: &ast::Measure) -> Measure {
+    let line = |from: &Ident, to: &Ident| [from.clone(), to.clone()];
+    let measured = match &measure.measured {
+        ast::Measured::Quantity(Quantity::Coordinate { of, minus }) => Measured::Coordinate {
+            axis: axis_index(&of.axis),
+            of: of.point.clone(),
+            minus: minus.as_ref().map(|minus| minus.point.clone()),
+        },
+        ast::Measured::Quantity(Quantity::Angle { from, to, axis }) => Measured::Angle {
+            axis: axis_index(axis),
+            line: line(from, to),
+        },
+        ast::Measured::Length { from, to } => Measured::Length {
+            line: line(from, to),
+        },
+    };
+    Measure {
+        named: measure.named.clone(),
+        measured,
+    }
+}
+
+fn axis_index(axis: &Ident) -> usize {
+    let mut axes = AXES.iter();
+    axes.position(|name| axis == name).unwrap_or_default()
 }
 
 /// An unordered pair of points.

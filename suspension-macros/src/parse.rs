@@ -7,7 +7,8 @@ use syn::punctuated::Punctuated;
 use syn::{Attribute, Ident, Lit, Token, Visibility, braced, bracketed, parenthesized};
 
 use crate::ast::{
-    Axis, Body, Constraint, Coordinate, Drive, Link, Listing, Marker, Named, Quantity,
+    Axis, Body, Constraint, Coordinate, Drive, Link, Listing, Marker, Measure, Measured, Named,
+    Quantity,
 };
 use crate::errors::{self, Errors};
 
@@ -33,6 +34,7 @@ fn parse_listing(input: ParseStream<'_>) -> syn::Result<(Listing, Errors)> {
         design: Vec::new(),
         constraints: Vec::new(),
         drives: Vec::new(),
+        measures: Vec::new(),
         markers: Vec::new(),
         wheel: Vec::new(),
         kingpin: Vec::new(),
@@ -97,6 +99,10 @@ fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
         "drive" => {
             let (named, quantity) = (named(input, docs)?, input.parse()?);
             listing.drives.push(Drive { named, quantity });
+        }
+        "measure" => {
+            let (named, measured) = (named(input, docs)?, input.parse()?);
+            listing.measures.push(Measure { named, measured });
         }
         "point" => {
             let (named, carriers) = (named(input, docs)?, names(input)?);
@@ -204,30 +210,70 @@ fn axis(input: ParseStream<'_>, keyword: Ident) -> syn::Result<Axis> {
     Ok(Axis { keyword, from, to })
 }
 
-impl Parse for Quantity {
-    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        if input.peek(syn::token::Paren) || input.peek2(syn::token::Paren) {
-            let function: Ident = input.parse()?;
-            if function != "angle" {
-                return Err(errors::unknown_quantity(&function));
-            }
-            let content;
-            parenthesized!(content in input);
-            let (from, to) = arrow(&content)?;
+/// The word before a parenthesis.
+fn function(input: ParseStream<'_>) -> syn::Result<Option<Ident>> {
+    let is_call = input.peek(syn::token::Paren) || input.peek2(syn::token::Paren);
+    is_call.then(|| input.parse()).transpose()
+}
+
+/// What stands in parentheses, to its end.
+fn operands<T>(
+    input: ParseStream<'_>,
+    read: impl FnOnce(ParseStream<'_>) -> syn::Result<T>,
+) -> syn::Result<T> {
+    let content;
+    parenthesized!(content in input);
+    let operands = read(&content)?;
+    if content.is_empty() {
+        Ok(operands)
+    } else {
+        Err(content.error("expected `)`"))
+    }
+}
+
+impl Quantity {
+    /// `(from -> to, axis)`.
+    fn angle(input: ParseStream<'_>) -> syn::Result<Self> {
+        operands(input, |content| {
+            let (from, to) = arrow(content)?;
             content.parse::<Token![,]>()?;
             let axis = content.parse()?;
-            return if content.is_empty() {
-                Ok(Self::Angle { from, to, axis })
-            } else {
-                Err(content.error("expected `)`"))
-            };
-        }
+            Ok(Self::Angle { from, to, axis })
+        })
+    }
+
+    /// `of.axis` or `of.axis - minus.axis`.
+    fn coordinate(input: ParseStream<'_>) -> syn::Result<Self> {
         let of = input.parse()?;
         let minus = match input.parse::<Option<Token![-]>>()? {
             Some(_) => Some(input.parse()?),
             None => None,
         };
         Ok(Self::Coordinate { of, minus })
+    }
+}
+
+impl Parse for Quantity {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        match function(input)? {
+            None => Self::coordinate(input),
+            Some(function) if function == "angle" => Self::angle(input),
+            Some(function) => Err(errors::unknown_quantity(&function)),
+        }
+    }
+}
+
+impl Parse for Measured {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        match function(input)? {
+            None => Quantity::coordinate(input).map(Self::Quantity),
+            Some(function) if function == "angle" => Quantity::angle(input).map(Self::Quantity),
+            Some(function) if function == "length" => {
+                let (from, to) = operands(input, arrow)?;
+                Ok(Self::Length { from, to })
+            }
+            Some(function) => Err(errors::unknown_measure(&function)),
+        }
     }
 }
 

@@ -25,6 +25,7 @@ pub(crate) struct System {
     /// Bodies, each with two of its points whose distance another body keeps already.
     pub(crate) closed_twice: Vec<[Ident; 3]>,
     pub(crate) drives: Vec<Drive>,
+    pub(crate) measures: Vec<Measure>,
     pub(crate) wheel: Option<Wheel>,
     pub(crate) kingpin: Option<[Ident; 2]>,
 }
@@ -89,6 +90,25 @@ pub(crate) struct Drive {
     pub(crate) minus: Option<Ident>,
     /// The distance whose angle it is.
     pub(crate) angle_of: Option<Ident>,
+}
+
+/// A quantity that is read off the points.
+pub(crate) struct Measure {
+    pub(crate) named: Named,
+    pub(crate) measured: Measured,
+}
+
+pub(crate) enum Measured {
+    /// A coordinate, or difference of two.
+    Coordinate {
+        axis: usize,
+        of: Ident,
+        minus: Option<Ident>,
+    },
+    /// The angle of the line between two points from an axis.
+    Angle { axis: usize, line: [Ident; 2] },
+    /// The distance of two points.
+    Length { line: [Ident; 2] },
 }
 
 pub(crate) struct Marker {

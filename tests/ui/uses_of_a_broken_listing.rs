@@ -9,6 +9,7 @@ suspension_core::linkage! {
         drive lift: q.z;
         point hub: plate;
         wheel: p -> hub;
+        measure gap: length(a -> hub);
     }
 }
 
@@ -22,7 +23,7 @@ suspension_core::linkage! {
     }
 }
 
-use m::{Drives, Lengths, Model, Points, equation, unknown};
+use m::{Drives, Lengths, Measures, Model, Points, equation, unknown};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::wheel::Wheel;
 use suspension_core::{Build, Inputs, Linkage, Named, Newton, Signal, Tracker, assemble};
@@ -46,6 +47,8 @@ fn main() {
     assemble(&Newton::from_afar(), &model, &inputs, &mut q).unwrap();
     let mut motion = suspension_core::Motion::at_rest(q);
     Tracker::default().step(&model, &inputs, 0.1, &mut motion).unwrap();
+    let Measures { gap } = Model::measures(&motion.points(&model, &inputs)).value;
+    println!("{gap}");
     let wheel = Wheel::of(&model.points(&q, model.fixed()));
     println!("{} {} {:?}", equation::ROD, q[unknown::P_X], wheel);
     misuse();

@@ -55,6 +55,9 @@ linkage! {
         /// Wheel centre.
         point p11: p6, p7, p8;
 
+        /// Height of the wheel centre.
+        measure height: p11.z;
+
         wheel:   p8 -> p11;
         kingpin: p6 -> p7;
     }

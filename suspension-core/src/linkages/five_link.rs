@@ -37,6 +37,9 @@ linkage! {
 
         point wheel_centre: knuckle;
 
+        /// Height of the wheel centre.
+        measure height: wheel_centre.z;
+
         wheel:   upper_rear_outer -> wheel_centre;
         kingpin: lower_front_outer -> upper_front_outer;
     }

@@ -1,5 +1,5 @@
 //! The catalogue: one listing a file. Each module holds the types of one linkage: `Model`,
-//! `Points`, `Fixed`, `Drives`, `Lengths`.
+//! `Points`, `Fixed`, `Drives`, `Measures`, `Lengths`.
 
 #[path = "attia2003.rs"]
 mod attia2003_listing;

@@ -22,6 +22,9 @@ pub(crate) fn names(listing: &Listing, errors: &mut Errors) {
     check.constraints();
     check.lengths_stated_once();
     check.drives();
+    for measure in &listing.measures {
+        check.measure(measure);
+    }
     for marker in &listing.markers {
         check.marker(marker);
     }
@@ -67,6 +70,10 @@ impl<'a> Check<'a> {
             .drives
             .iter()
             .for_each(|drive| self.declare(&drive.named.name, "drive"));
+        listing
+            .measures
+            .iter()
+            .for_each(|measure| self.declare(&measure.named.name, "measure"));
         if listing.drives.is_empty() {
             self.missing(errors::nothing_declared(&listing.name, "drive"));
         }

@@ -74,6 +74,9 @@ fn used_points(listing: &Listing) -> BTreeSet<&Ident> {
             Quantity::Angle { from, to, .. } => used.extend([from, to]),
         }
     }
+    for measure in &listing.measures {
+        used.extend(measure.measured.points().into_iter().flatten());
+    }
     for marker in &listing.markers {
         used.extend(&marker.carriers);
     }

@@ -7,7 +7,7 @@ use syn::ext::IdentExt;
 use super::terms::{
     Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, vector,
 };
-use super::{elimination, jacobian, rates, readout};
+use super::{elimination, jacobian, measures, rates, readout};
 use crate::eliminate::Order;
 use crate::system::{AXES, Equation, System, carried_name, frame_name};
 
@@ -24,6 +24,7 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
         rates::drive_rate(system),
         rates::chassis_rate(system),
         readout::points(system),
+        measures::measures(system),
     ];
     quote! {
         impl<T: Scalar> Linkage<#n> for Model<T> {
@@ -31,6 +32,7 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
             type Listing = Listing;
             type Fixed = Fixed<T>;
             type Drives = Drives<T>;
+            type Measures = Measures<T>;
             type Points = Points<T>;
             type Factors = Factors<T>;
             #tables
@@ -57,10 +59,12 @@ fn tables(system: &System) -> TokenStream {
         Some(_) => quote!(DriveKind::Angle),
         None => quote!(DriveKind::Coordinate),
     });
+    let measure_kinds = measures::kinds(system);
     quote! {
         const EQUATIONS: [&'static str; #n] = [#(#equations),*];
         const UNKNOWNS: [&'static str; #n] = [#(#unknowns),*];
         const DRIVE_KINDS: &'static [DriveKind] = &[#(#kinds),*];
+        #measure_kinds
     }
 }
 

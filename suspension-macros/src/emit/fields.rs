@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Attribute, Ident};
 
-use crate::system::{AXES, Body, Drive, Equation, System, pair_name};
+use crate::system::{AXES, Body, Drive, Equation, Measure, Measured, System, pair_name};
 
 /// A field of a generated struct.
 pub(super) struct Field {
@@ -62,24 +62,48 @@ pub(super) fn fixed_fields(system: &System) -> Vec<Field> {
 
 pub(super) fn drive_fields(system: &System) -> Vec<Field> {
     let field = |drive: &Drive| {
-        let axis = AXES[drive.axis];
         let of = &drive.of.name;
         let fallback = match (&drive.minus, &drive.angle_of) {
-            (Some(from), Some(_)) => {
-                format!(" Angle of `{from} -> {of}` from the {axis} axis, radians.")
-            }
-            (Some(minus), None) => format!(" `{of}.{axis} - {minus}.{axis}`."),
-            (None, _) => format!(" `{of}.{axis}`."),
+            (Some(from), Some(_)) => angle_in_words([from, of], drive.axis),
+            (minus, _) => coordinate_in_words(of, minus.as_ref(), drive.axis),
         };
         Field::new(&drive.named.docs, &drive.named.name, fallback)
     };
     system.drives.iter().map(field).collect()
 }
 
+pub(super) fn measure_fields(system: &System) -> Vec<Field> {
+    let field = |Measure { named, measured }: &Measure| {
+        let fallback = match measured {
+            Measured::Coordinate { axis, of, minus } => {
+                coordinate_in_words(of, minus.as_ref(), *axis)
+            }
+            Measured::Angle { axis, line } => angle_in_words(line.each_ref(), *axis),
+            Measured::Length { line: [from, to] } => between(from, to),
+        };
+        Field::new(&named.docs, &named.name, fallback)
+    };
+    system.measures.iter().map(field).collect()
+}
+
+fn coordinate_in_words(of: &Ident, minus: Option<&Ident>, axis: usize) -> String {
+    let axis = AXES[axis];
+    let minus = minus.map_or(String::new(), |minus| format!(" - {minus}.{axis}"));
+    format!(" `{of}.{axis}{minus}`.")
+}
+
+fn angle_in_words([from, to]: [&Ident; 2], axis: usize) -> String {
+    let axis = AXES[axis];
+    format!(" Angle of `{from} -> {to}` from the {axis} axis, radians.")
+}
+
+fn between(a: &Ident, b: &Ident) -> String {
+    format!(" From `{a}` to `{b}`.")
+}
+
 /// The lengths of links, of bodies of two points, and of larger bodies: the frame's own, then
 /// from each carried point to the frame.
 pub(super) fn length_fields(system: &System) -> Vec<Field> {
-    let between = |a: &Ident, b: &Ident| format!(" From `{a}` to `{b}`.");
     let mut fields = Vec::new();
     for equation in &system.equations {
         if let Equation::Distance {

@@ -39,6 +39,7 @@ pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
             type Model<T: Scalar> = Model<T>;
             type Fixed<T: Scalar> = Fixed<T>;
             type Drives<T: Scalar> = Drives<T>;
+            type Measures<T: Scalar> = Measures<T>;
             type Points<T: Scalar> = Points<T>;
 
             #[inline(always)]

@@ -48,12 +48,14 @@ fn all(listing: &Listing, system: &System) -> TokenStream {
     let markers = listing.markers.iter().map(|marker| &marker.named.name);
     let points = fixed.iter().copied().chain(free).chain(markers);
     let drives = listing.drives.iter().map(|drive| &drive.named.name);
+    let measures = listing.measures.iter().map(|measure| &measure.named.name);
     let lengths = fields::length_fields(system);
     let vector = quote!(Vector3<T>);
     let structs = [
         types::named("Points", "", &vector, &distinct(points)),
         types::named("Fixed", "", &vector, &distinct(fixed.iter().copied())),
         types::named("Drives", "", &quote!(T), &distinct(drives)),
+        types::named("Measures", "", &quote!(T), &distinct(measures)),
         types::named(
             "Lengths",
             "",
@@ -99,11 +101,13 @@ fn linkage_impl(system: &System) -> TokenStream {
             type Listing = Listing;
             type Fixed = Fixed<T>;
             type Drives = Drives<T>;
+            type Measures = Measures<T>;
             type Points = Points<T>;
             type Factors = Factors<T>;
             const EQUATIONS: [&'static str; #n] = [""; #n];
             const UNKNOWNS: [&'static str; #n] = [""; #n];
             const DRIVE_KINDS: &'static [DriveKind] = &[];
+            const MEASURE_KINDS: &'static [MeasureKind] = &[];
 
             fn fixed(&self) -> &Fixed<T> { loop {} }
             fn size(&self) -> T { loop {} }
@@ -137,6 +141,7 @@ fn linkage_impl(system: &System) -> TokenStream {
                 _: &Fixed<T>,
             ) -> Points<T> { loop {} }
             fn unknowns(_: &Points<T>) -> SVector<T, #n> { loop {} }
+            fn measures(_: &Signal<Points<T>>) -> Signal<Measures<T>> where T: Real { loop {} }
         }
     }
 }

@@ -5,7 +5,9 @@ use quote::quote;
 use syn::Ident;
 use syn::ext::IdentExt;
 
-use super::fields::{Field, drive_fields, fixed_fields, length_fields, point_fields};
+use super::fields::{
+    Field, drive_fields, fixed_fields, length_fields, measure_fields, point_fields,
+};
 use super::lengths::distances;
 use crate::system::{AXES, System, carried_name, frame_name};
 
@@ -28,6 +30,13 @@ pub(super) fn all(system: &System) -> TokenStream {
         &quote!(T),
         &drive_fields(system),
     );
+    let measures = named(
+        "Measures",
+        " What is measured, or its rates: coordinates and lengths in the unit of the points, angles \
+         in radians.",
+        &quote!(T),
+        &measure_fields(system),
+    );
     let lengths = named(
         "Lengths",
         " The constant lengths of links and bodies.",
@@ -36,7 +45,7 @@ pub(super) fn all(system: &System) -> TokenStream {
     );
     let free = free(system);
     let model = model(system);
-    quote!(#points #fixed #drives #lengths #free #model)
+    quote!(#points #fixed #drives #measures #lengths #free #model)
 }
 
 /// A struct with one value for each name.

@@ -18,7 +18,7 @@ pub(crate) fn unknown_statement(keyword: &Ident) -> Error {
         keyword,
         format!(
             "unknown statement `{keyword}`; write one of `fixed`, `free`, `link`, `body`, `drive`, \
-             `point`, `wheel`, `kingpin`"
+             `measure`, `point`, `wheel`, `kingpin`"
         ),
     )
 }
@@ -35,6 +35,16 @@ pub(crate) fn unknown_quantity(function: &Ident) -> Error {
         function,
         format!(
             "a drive cannot prescribe `{function}(..)`; write `p.z`, `p.z - q.z` or `angle(p -> q, z)`"
+        ),
+    )
+}
+
+pub(crate) fn unknown_measure(function: &Ident) -> Error {
+    at(
+        function,
+        format!(
+            "`{function}(..)` cannot be measured; write `p.z`, `p.z - q.z`, `angle(p -> q, z)` or \
+             `length(p -> q)`"
         ),
     )
 }

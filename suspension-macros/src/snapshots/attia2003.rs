@@ -176,6 +176,33 @@ pub mod attia2003 {
         }
     }
 
+    /// What is measured, or its rates: coordinates and lengths in the unit of the points, angles in radians.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Measures<T> {
+        /// Height of the wheel centre.
+        pub height: T,
+    }
+
+    impl<T: Scalar> Named<T> for Measures<T> {
+        const NAMES: &'static [&'static str] = &["height"];
+        #[inline(always)]
+        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
+            Self { height: value("height") }
+        }
+
+        #[inline(always)]
+        fn values(&self) -> impl Iterator<Item = T> {
+            [self.height].into_iter()
+        }
+    }
+
+    impl<T: Scalar> Default for Measures<T> {
+        #[inline(always)]
+        fn default() -> Self {
+            Self::from_fn(|_| Default::default())
+        }
+    }
+
     /// The constant lengths of links and bodies.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Lengths<T> {
@@ -389,6 +416,7 @@ pub mod attia2003 {
         type Listing = Listing;
         type Fixed = Fixed<T>;
         type Drives = Drives<T>;
+        type Measures = Measures<T>;
         type Points = Points<T>;
         type Factors = Factors<T>;
         const EQUATIONS: [&'static str; 15] = [
@@ -426,6 +454,7 @@ pub mod attia2003 {
             "p10.z",
         ];
         const DRIVE_KINDS: &'static [DriveKind] = &[DriveKind::Angle];
+        const MEASURE_KINDS: &'static [MeasureKind] = &[MeasureKind::Length];
         fn fixed(&self) -> &Fixed<T> {
             &self.fixed
         }
@@ -1111,6 +1140,26 @@ pub mod attia2003 {
             }
                 .unknowns()
         }
+
+        fn measures(points: &Signal<Points<T>>) -> Signal<Measures<T>>
+        where
+            T: Real,
+        {
+            let each = Measures {
+                height: points.map(|points| points.p11.z),
+            };
+            Signal {
+                value: Measures {
+                    height: each.height.value,
+                },
+                rate: Measures {
+                    height: each.height.rate,
+                },
+                second_rate: Measures {
+                    height: each.height.second_rate,
+                },
+            }
+        }
     }
 
     /// The Jacobian eliminated in a fixed order, `L D U`: multipliers below each pivot, what is
@@ -1589,6 +1638,7 @@ pub mod attia2003 {
         type Model<T: Scalar> = Model<T>;
         type Fixed<T: Scalar> = Fixed<T>;
         type Drives<T: Scalar> = Drives<T>;
+        type Measures<T: Scalar> = Measures<T>;
         type Points<T: Scalar> = Points<T>;
         #[inline(always)]
         fn gather<S: Scalar, T: Scalar, const K: usize>(

@@ -184,6 +184,33 @@ pub mod five_link {
         }
     }
 
+    /// What is measured, or its rates: coordinates and lengths in the unit of the points, angles in radians.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Measures<T> {
+        /// Height of the wheel centre.
+        pub height: T,
+    }
+
+    impl<T: Scalar> Named<T> for Measures<T> {
+        const NAMES: &'static [&'static str] = &["height"];
+        #[inline(always)]
+        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
+            Self { height: value("height") }
+        }
+
+        #[inline(always)]
+        fn values(&self) -> impl Iterator<Item = T> {
+            [self.height].into_iter()
+        }
+    }
+
+    impl<T: Scalar> Default for Measures<T> {
+        #[inline(always)]
+        fn default() -> Self {
+            Self::from_fn(|_| Default::default())
+        }
+    }
+
     /// The constant lengths of links and bodies.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Lengths<T> {
@@ -441,6 +468,7 @@ pub mod five_link {
         type Listing = Listing;
         type Fixed = Fixed<T>;
         type Drives = Drives<T>;
+        type Measures = Measures<T>;
         type Points = Points<T>;
         type Factors = Factors<T>;
         const EQUATIONS: [&'static str; 15] = [
@@ -478,6 +506,7 @@ pub mod five_link {
             "track_rod_outer.z",
         ];
         const DRIVE_KINDS: &'static [DriveKind] = &[DriveKind::Angle];
+        const MEASURE_KINDS: &'static [MeasureKind] = &[MeasureKind::Length];
         fn fixed(&self) -> &Fixed<T> {
             &self.fixed
         }
@@ -1824,6 +1853,26 @@ pub mod five_link {
                 track_rod_outer: points.track_rod_outer,
             }
                 .unknowns()
+        }
+
+        fn measures(points: &Signal<Points<T>>) -> Signal<Measures<T>>
+        where
+            T: Real,
+        {
+            let each = Measures {
+                height: points.map(|points| points.wheel_centre.z),
+            };
+            Signal {
+                value: Measures {
+                    height: each.height.value,
+                },
+                rate: Measures {
+                    height: each.height.rate,
+                },
+                second_rate: Measures {
+                    height: each.height.second_rate,
+                },
+            }
         }
     }
 
@@ -3282,6 +3331,7 @@ pub mod five_link {
         type Model<T: Scalar> = Model<T>;
         type Fixed<T: Scalar> = Fixed<T>;
         type Drives<T: Scalar> = Drives<T>;
+        type Measures<T: Scalar> = Measures<T>;
         type Points<T: Scalar> = Points<T>;
         #[inline(always)]
         fn gather<S: Scalar, T: Scalar, const K: usize>(

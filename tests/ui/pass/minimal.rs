@@ -61,6 +61,28 @@ suspension_core::linkage! {
 }
 
 suspension_core::linkage! {
+    /// Shows what can be measured, of any points.
+    pub mod measures {
+        fixed: a, b;
+        free: p, q, r;
+        link rod: a -> p;
+        body plate: p, q, r;
+        drive y: p.y;
+        drive z: p.z;
+        drive lift: q.z;
+        drive side: q.y;
+        drive turn: r.z;
+        point hub: plate;
+        measure height: hub.z;
+        /// Between any two points.
+        measure spring: length(b -> hub);
+        measure track: r.y - b.y;
+        measure points: angle(b -> r, x);
+        measure each: angle(hub -> p, y);
+    }
+}
+
+suspension_core::linkage! {
     /// Shows names that are words of Rust, or of the generated code.
     pub mod keywords {
         fixed: r#type, q;

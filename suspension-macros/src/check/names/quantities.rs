@@ -1,9 +1,9 @@
-//! The operands of drives, markers and roles.
+//! The operands of drives, measures, markers and roles.
 
 use syn::Ident;
 
 use super::Check;
-use crate::ast::{Axis, Constraint, Drive, Marker, Quantity};
+use crate::ast::{Axis, Constraint, Coordinate, Drive, Marker, Measure, Measured, Quantity};
 use crate::errors;
 use crate::system::AXES;
 
@@ -36,10 +36,7 @@ impl Check<'_> {
                     self.bends_no_body(&drive.named.name, &of.point);
                 }
                 if let Some(minus) = minus {
-                    if minus.axis != of.axis {
-                        self.errors
-                            .push(errors::different_axes(&minus.axis, &of.axis));
-                    }
+                    self.along_one_axis(of, minus);
                     self.not_all_fixed(&drive.named.name, [&of.point, &minus.point]);
                 }
             }
@@ -48,6 +45,51 @@ impl Check<'_> {
                 self.sites([from, to]);
                 self.not_all_fixed(&drive.named.name, [from, to]);
             }
+        }
+    }
+
+    pub(super) fn measure(&mut self, measure: &Measure) {
+        match &measure.measured {
+            Measured::Quantity(Quantity::Coordinate { of, minus: None }) => {
+                self.axis(&of.axis);
+                self.placed(&of.point);
+            }
+            Measured::Quantity(Quantity::Coordinate {
+                of,
+                minus: Some(minus),
+            }) => {
+                self.axis(&of.axis);
+                self.along_one_axis(of, minus);
+                self.two_placed([&of.point, &minus.point]);
+            }
+            Measured::Quantity(Quantity::Angle { from, to, axis }) => {
+                self.axis(axis);
+                self.two_placed([from, to]);
+            }
+            Measured::Length { from, to } => self.two_placed([from, to]),
+        }
+    }
+
+    fn along_one_axis(&mut self, of: &Coordinate, minus: &Coordinate) {
+        if minus.axis != of.axis {
+            self.errors
+                .push(errors::different_axes(&minus.axis, &of.axis));
+        }
+    }
+
+    /// Checks that a point exists, a marker or not.
+    fn placed(&mut self, point: &Ident) {
+        let kinds = ["free point", "chassis point", "marker"];
+        if !kinds.iter().any(|kind| self.is(point, kind)) {
+            self.missing(errors::unknown_point(point));
+        }
+    }
+
+    fn two_placed(&mut self, points: [&Ident; 2]) {
+        points.into_iter().for_each(|point| self.placed(point));
+        let [first, second] = points;
+        if first == second {
+            self.errors.push(errors::same_point_twice(second));
         }
     }
 
@@ -96,17 +138,7 @@ impl Check<'_> {
                 .push(errors::role_stated_twice(&repeated.keyword));
         }
         for Axis { from, to, .. } in stated {
-            for point in [from, to] {
-                if !["free point", "chassis point", "marker"]
-                    .iter()
-                    .any(|kind| self.is(point, kind))
-                {
-                    self.missing(errors::unknown_point(point));
-                }
-            }
-            if from == to {
-                self.errors.push(errors::same_point_twice(to));
-            }
+            self.two_placed([from, to]);
         }
     }
 

@@ -1,0 +1,41 @@
+//! Quantities that are read off the points: value, rate and second rate side by side.
+//!
+//! A line is the vector `d` from one point to another with its rates.
+
+use nalgebra::Vector3;
+
+use crate::scalar::Real;
+use crate::signal::Signal;
+
+/// `|d|`, in the unit of the points. The rates are NaN where the two points coincide: the length
+/// turns back there.
+pub fn length<T: Real>(line: &Signal<Vector3<T>>) -> Signal<T> {
+    let (d, rate, second) = (line.value, line.rate, line.second_rate);
+    let length = d.norm();
+    let growth = d.dot(&rate) / length;
+    Signal {
+        value: length,
+        rate: growth,
+        second_rate: (d.dot(&second) + rate.norm_squared() - growth * growth) / length,
+    }
+}
+
+/// The angle in radians, from 0 to pi, between `d` and the unit vector `axis`: `atan2(s, c)` with
+/// `c = d . axis` and `s` the length of what is left of `d` without it. The rates are NaN where `d`
+/// lies along the axis, and the angle turns back, or is zero.
+pub fn angle<T: Real>(line: &Signal<Vector3<T>>, axis: Vector3<T>) -> Signal<T> {
+    let along = line.map(|d| d.dot(&axis));
+    let across = length(&line.map(|d| d - axis * d.dot(&axis)));
+    let (c, s) = (along, across);
+    let square = c.value * c.value + s.value * s.value;
+    // c = L cos, s = L sin: L^2 times the angle's rate, and the rate of that.
+    let swept = c.value * s.rate - s.value * c.rate;
+    let swept_rate = c.value * s.second_rate - s.value * c.second_rate;
+    let growth = (c.value * c.rate + s.value * s.rate) / square;
+    let rate = swept / square;
+    Signal {
+        value: s.value.atan2(c.value),
+        rate,
+        second_rate: swept_rate / square - (rate + rate) * growth,
+    }
+}
