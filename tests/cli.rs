@@ -9,6 +9,7 @@ mod cli {
     mod files;
     mod plots;
     mod program;
+    mod range;
     mod results;
     mod signals;
     mod stops;

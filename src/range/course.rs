@@ -152,7 +152,8 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
                 None => break,
             };
             if let Some(turning) = stretch.turning {
-                run.turns.push((run.stations.len(), turning.is_end_of_angle));
+                run.turns
+                    .push((run.stations.len(), turning.is_end_of_angle));
                 run.stations.push(at(path.curve(), &turning.place, true));
             }
             run.stations.push(at(path.curve(), &stretch.place, false));
@@ -191,7 +192,11 @@ impl DriveRange {
     /// The drive's values between which the transmission is poor: the points move more than
     /// [`POOR`] times as far for a unit of the drive as where in the range they move least.
     pub fn poor(&self) -> Vec<[f64; 2]> {
-        let least = self.usable.iter().map(|s| s.speed).fold(f64::INFINITY, f64::min);
+        let least = self
+            .usable
+            .iter()
+            .map(|s| s.speed)
+            .fold(f64::INFINITY, f64::min);
         // The inverse goes through zero where the drive turns.
         let margin = |station: &Station| 1.0 / station.speed - 1.0 / (POOR * least);
         let mut intervals: Vec<[f64; 2]> = Vec::new();

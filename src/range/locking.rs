@@ -33,7 +33,9 @@ pub fn turning_drive<L: Suspension<N>, const N: usize>(
             let apart = (turning.place.value - value).abs();
             (!turning.is_end_of_angle && apart <= NEAR * value.abs().max(1.0)).then_some(())
         };
-        [true, false].into_iter().any(|way| turns_there(way).is_some())
+        [true, false]
+            .into_iter()
+            .any(|way| turns_there(way).is_some())
     });
     drives.next().map(|(name, _)| *name)
 }

@@ -21,7 +21,10 @@ pub(super) fn chart(study: &dyn Study, range: &DriveRange) -> Chart {
     let usable = line(&range.usable);
     let marks = [usable.first(), usable.last()];
     Chart {
-        title: format!("Height of the wheel centre over the whole curve of {}", range.name),
+        title: format!(
+            "Height of the wheel centre over the whole curve of {}",
+            range.name
+        ),
         across: format!("{} ({unit})", range.name),
         quantity: format!("height z ({})", study.unit().symbol()),
         curves: vec![

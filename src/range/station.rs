@@ -65,7 +65,12 @@ pub fn station<L: Suspension<N>, const N: usize>(
     row.push(f64::from(u8::from(turns)));
     row.extend(drives);
     row.push(speed);
-    row.extend(points.values().skip(chassis).flat_map(|point| [point.x, point.y, point.z]));
+    row.extend(
+        points
+            .values()
+            .skip(chassis)
+            .flat_map(|point| [point.x, point.y, point.z]),
+    );
     let kingpin = Kingpin::of(&points);
     let wheel = Wheel::of(&points);
     let [camber, toe] = wheel.map_or([f64::NAN; 2], |wheel| [wheel.camber, wheel.toe]);

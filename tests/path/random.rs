@@ -5,9 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 use suspension_core::path::{Configuration, Continuation, Curve, End, Path, Turning};
-use suspension_core::{
-    Build, Inputs, Linkage, Named, Newton, Real, Signal, Still, assemble,
-};
+use suspension_core::{Build, Inputs, Linkage, Named, Newton, Real, Signal, Still, assemble};
 
 use crate::support;
 
@@ -44,7 +42,9 @@ impl<T: Real, L: Build<15, Scalar = T>> Displaced<T, L> {
     /// The residual with the drive at a coordinate, as a multiple of rounding.
     fn residual(&self, at: &Configuration<T, 15>) -> T {
         let drives = L::Drives::from_fn(|_| at.drive);
-        let residual = self.model.residual(&at.unknowns, self.model.fixed(), &drives);
+        let residual = self
+            .model
+            .residual(&at.unknowns, self.model.fixed(), &drives);
         residual.amax() / (T::EPSILON * self.model.size().max(at.unknowns.amax()))
     }
 
