@@ -10,6 +10,7 @@ mod cli {
     mod hostile_files;
     mod plots;
     mod program;
+    mod range;
     mod results;
     mod signals;
     mod stops;
