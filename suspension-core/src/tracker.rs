@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use crate::entrywise::difference;
 use crate::error::SolveError;
 use crate::factored::is_healthy;
+use crate::handedness::{self, count_mirrored, is_right};
 use crate::linkage::{Factors, Linkage};
 use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::{Motion, Prescribed, motion_at, rates_at};
@@ -145,6 +146,7 @@ impl<T: Real> Tracker<T> {
             && error <= bound
             && contracts
             && is_same_assembly
+            && is_right(count_mirrored(linkage, &position, &fixed.value))
             && is_healthy(factors.growth_squared())
             && is_healthy(last.growth_squared());
         is_good.then(|| {
@@ -177,6 +179,7 @@ impl<T: Real> Tracker<T> {
         let converged =
             self.newton
                 .solve_prescribed(linkage, prescribed, &mut position, Some(bound))?;
+        handedness::check(linkage, &position, &prescribed.fixed.value)?;
         let next = motion_at::<T, L, C, N>(linkage, prescribed, &position)?;
         let before = motion.positive_determinant;
         if before.is_some() && before != next.positive_determinant {
