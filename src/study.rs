@@ -22,7 +22,7 @@ use crate::failure::Failure;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
-use crate::number::rounded;
+use crate::number::{number, rounded};
 use columns::PointNames;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
@@ -309,6 +309,13 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::StepTooLong { .. } => {
             format!("the series of unknown `{name}` is not good for so long a step")
         }
+        SolveError::TurningPoint {
+            asked, extreme, ..
+        } => format!(
+            "the leading quantity turns at {} and does not reach {}",
+            number(*extreme),
+            number(*asked)
+        ),
         SolveError::NotConverged {
             residual,
             iterations,

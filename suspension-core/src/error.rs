@@ -61,6 +61,16 @@ pub enum SolveError<T> {
         /// What it had to stay within.
         bound: T,
     },
+    /// The quantity that leads the motion turns before it meets its target: beyond its extreme
+    /// value there is no configuration on this branch.
+    TurningPoint {
+        /// The unknown that moves most there.
+        unknown: usize,
+        /// The target, in the quantity's unit.
+        asked: T,
+        /// The quantity's extreme value.
+        extreme: T,
+    },
     /// `residual > tolerance` after all iterations that were allowed.
     NotConverged {
         /// The equation with the largest residual.
@@ -85,7 +95,8 @@ impl<T> SolveError<T> {
             | Self::CrossedSingularity { unknown }
             | Self::Singular { unknown, .. }
             | Self::Diverging { unknown, .. }
-            | Self::StepTooLong { unknown, .. } => (unknowns, unknown),
+            | Self::StepTooLong { unknown, .. }
+            | Self::TurningPoint { unknown, .. } => (unknowns, unknown),
             Self::Mirrored { point } => return point,
         };
         table.get(*index).copied().unwrap_or("?")
@@ -135,6 +146,10 @@ impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
             } => write!(
                 f,
                 "the series of unknown {unknown} is good for a step of {bound:.1e}, not of {step:.1e}"
+            ),
+            Self::TurningPoint { asked, extreme, .. } => write!(
+                f,
+                "the leading quantity turns at {extreme:.15e} and does not reach {asked:.15e}"
             ),
             Self::NotConverged {
                 equation,

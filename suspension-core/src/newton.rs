@@ -191,7 +191,7 @@ impl<T: Real> Default for Newton<T> {
 
 /// The size of a correction, refused where it exceeds its bound. Corrections of the size of
 /// rounding errors are not bounded.
-fn within<T: Real, const N: usize>(
+pub(crate) fn within<T: Real, const N: usize>(
     step: &SVector<T, N>,
     bound: Option<T>,
     rounding: T,

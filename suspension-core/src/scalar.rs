@@ -45,6 +45,9 @@ pub trait Real: Scalar + RealField {
     /// Distance from one to the next larger number.
     const EPSILON: Self;
 
+    /// The smallest positive number that has all its digits.
+    const SMALLEST: Self;
+
     /// The larger of two magnitudes.
     fn larger_magnitude(self, other: Self) -> Self;
 }
@@ -65,6 +68,7 @@ impl Scalar for f32 {
 
 impl Real for f32 {
     const EPSILON: Self = f32::EPSILON;
+    const SMALLEST: Self = f32::MIN_POSITIVE;
 
     #[inline(always)]
     fn larger_magnitude(self, other: Self) -> Self {
@@ -88,6 +92,7 @@ impl Scalar for f64 {
 
 impl Real for f64 {
     const EPSILON: Self = f64::EPSILON;
+    const SMALLEST: Self = f64::MIN_POSITIVE;
 
     #[inline(always)]
     fn larger_magnitude(self, other: Self) -> Self {

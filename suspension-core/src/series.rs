@@ -144,7 +144,7 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
 
 /// `1/2 sum_{i=1}^{k-1} C((q_i, u_i), (q_{k-i}, u_{k-i}))` from the coefficients of order 1 to
 /// `k - 1`: each pair once, since `C` is symmetric, and a coefficient with itself half.
-fn half_curvature<T, L, const N: usize>(
+pub(crate) fn half_curvature<T, L, const N: usize>(
     linkage: &L,
     known: &[SVector<T, N>],
     fixed: &[L::Fixed],

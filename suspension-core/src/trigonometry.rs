@@ -32,6 +32,15 @@ const COSINE: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
+/// How far [`sine_cosine`] is from sine and cosine of [`LARGEST_ANGLE`] or less if all its operations
+/// are exact: the polynomials by `2^-58` (fdlibm), the stored third and sixth by `2^-53`, the parts
+/// of a quarter turn by `2^-79`; together below `2^-52`. Any whole number of quarter turns that
+/// leaves a rest within an eighth of a turn gives the same.
+pub(crate) const FORMULA_ERROR: f64 = f64::EPSILON;
+
+/// A thousand turns, in radians: what the bounds below hold for.
+pub(crate) const LARGEST_ANGLE: f64 = 1e3 * core::f64::consts::TAU;
+
 /// Sine and cosine of an angle in radians, each off by no more than `EPSILON` for magnitudes up to a
 /// thousand turns; NaN for an angle that is not finite. `f32` and `f64` give the same bits on
 /// every target.

@@ -21,7 +21,7 @@ pub struct Jet<V, const K: usize> {
 
 impl<V: Copy, const K: usize> Jet<V, K> {
     /// A constant quantity, with the zero of its kind.
-    pub(super) fn constant(value: V, zero: V) -> Self {
+    pub(crate) fn constant(value: V, zero: V) -> Self {
         Self {
             value,
             terms: [zero; K],
@@ -36,7 +36,7 @@ impl<V: Copy, const K: usize> Jet<V, K> {
 
     /// Value and rates at `dt` by Horner's rule; `plus(a, b, s)` is `a + b s`.
     #[inline(always)]
-    pub(super) fn evaluate<T: Scalar>(
+    pub(crate) fn evaluate<T: Scalar>(
         &self,
         dt: T,
         zero: V,

@@ -1,0 +1,151 @@
+//! A proof that a root lies near a position, and only one.
+//!
+//! The equations are quadratic: `J(q + d) = J(q) + C(d, .)` with a constant `C`
+//! ([`constraint`](crate::constraint)). Let `A` be any matrix, and in the maximum norm
+//!
+//! ```text
+//! |A F(q)| <= Y        |I - A J(q)| <= Z < 1        |A C(v, w)| <= K |v| |w|        2 K Y < (1 - Z)^2
+//! ```
+//!
+//! Then `T(x) = x - A F(x)` maps the ball of each radius `r` about `q` with
+//! `K r^2 / 2 - (1 - Z) r + Y <= 0` into itself, so that it has a fixed point there (Brouwer), and
+//! that is a root, because `A` is regular where `Z < 1`. Two roots `x`, `y` obey
+//! `x - y = (I - A J((x + y) / 2)) (x - y)` exactly, so there is but one where
+//! `K (|x - q| + |y - q|) / 2 < 1 - Z`. With `h = 2 K Y / (1 - Z)^2`
+//!
+//! ```text
+//! radius = 2 Y / ((1 - Z) (2 - h))        unique_within = 2 (1 - Z) / K - radius
+//! ```
+//!
+//! meet both; there also `|I - A J| < 1`, so that the root is a regular one. This is the theorem of Newton
+//! and Kantorovich (Ortega 1968, Amer. Math. Monthly 75; Deuflhard 2011, Newton Methods for
+//! Nonlinear Problems, section 2.1) in the form of radii polynomials (Day, Lessard and Mischaikow 2007,
+//! SIAM J. Numer. Anal. 45) for quadratic equations, where it has an elementary proof.
+//!
+//! `F`, `J` and `C` are evaluated with [`Enclosed`] numbers and the bounds are rounded upwards: it is a proof
+//! in spite of rounding, and a wrong `A` makes it fail, not false. It is about the equations with lengths,
+//! constants of bodies, chassis points and drives exactly as they are stored, of driving angles with the
+//! true cosine; what [`RigidMotion`](crate::RigidMotion) rounds in the chassis points comes before.
+
+use nalgebra::SVector;
+
+use crate::error::SolveError;
+use crate::factored::with_factors;
+use crate::linkage::{DriveKind, Linkage, Listing, Named};
+use crate::magnitude::magnitude;
+use crate::motion::Prescribed;
+use crate::scalar::Real;
+use crate::signal::{ChassisMotion, Inputs, Signal};
+use crate::trigonometry::{FORMULA_ERROR, LARGEST_ANGLE};
+
+mod bounds;
+mod enclosed;
+mod verdict;
+
+use bounds::Bounds;
+pub use enclosed::Enclosed;
+pub use verdict::{Certificate, Unproved};
+
+/// The model of a linkage in enclosed numbers.
+type Enclosing<L, const N: usize> =
+    <<L as Linkage<N>>::Listing as Listing<N>>::Model<Enclosed<<L as Linkage<N>>::Scalar>>;
+
+/// What proves roots of one model; to be made once and used for many positions.
+#[derive(Clone, Copy)]
+pub struct Certifier<L, const N: usize>
+where
+    L: Linkage<N, Scalar: Real>,
+{
+    linkage: L,
+    enclosing: Enclosing<L, N>,
+    /// Bounds of `|C_k(v, w)|` over `|v|, |w| <= 1`.
+    curvatures: [L::Scalar; N],
+}
+
+impl<T, L, const N: usize> Certifier<L, N>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T, Listing: Listing<N, Model<T> = L>> + Copy,
+{
+    /// The certifier of a model.
+    pub fn new(linkage: &L) -> Self {
+        let enclosing = L::Listing::gather([linkage], |[number]| Enclosed::exact(number));
+        let any = SVector::from([Enclosed::within(T::zero(), T::one()); N]);
+        let at_rest = Default::default();
+        let [curvatures] = enclosing.curvature(&any, &at_rest, &any, &at_rest).data.0;
+        Self {
+            linkage: *linkage,
+            enclosing,
+            curvatures: curvatures.map(Enclosed::magnitude),
+        }
+    }
+
+    /// Proves that a root for `inputs`, of which the rates do not matter, lies near `q`, or says why
+    /// not. Takes about as long as a few steps.
+    pub fn certify<C>(&self, inputs: &Inputs<C, L::Drives>, q: &SVector<T, N>) -> Certificate<T>
+    where
+        C: ChassisMotion<L::Fixed>,
+    {
+        match self.bounds(inputs, q) {
+            Ok(bounds) => verdict::judge(&bounds),
+            Err(cause) => Certificate::Unproved {
+                why: Unproved::NoBounds { cause },
+            },
+        }
+    }
+
+    #[inline(always)]
+    fn bounds<C>(
+        &self,
+        inputs: &Inputs<C, L::Drives>,
+        q: &SVector<T, N>,
+    ) -> Result<Bounds<T>, SolveError<T>>
+    where
+        C: ChassisMotion<L::Fixed>,
+    {
+        let drives = self.coordinates(&inputs.drives.value);
+        let chassis = inputs.chassis.signal(self.linkage.fixed()).value;
+        let fixed = Enclosing::<L, N>::drive_anchors(
+            named(chassis.values().map(|point| point.map(Enclosed::exact))),
+            &drives,
+        );
+        let [position] = q.data.0;
+        let position = SVector::from(position.map(Enclosed::exact));
+        let residual = self.enclosing.residual(&position, &fixed, &drives);
+        let [enclosed] = residual.data.0;
+        magnitude(&SVector::from(enclosed.map(Enclosed::magnitude)))
+            .map_err(|equation| SolveError::NotFinite { equation })?;
+        let jacobian = self.enclosing.jacobian(&position, &fixed);
+        let at = Prescribed::new(&self.linkage, inputs).fixed.value;
+        with_factors(&self.linkage, q, &at, T::zero(), |factors| {
+            Bounds::new(&residual, &jacobian, &self.curvatures, factors)
+        })?
+    }
+
+    /// The coordinates that drives prescribe.
+    #[inline(always)]
+    fn coordinates(&self, drives: &L::Drives) -> <Enclosing<L, N> as Linkage<N>>::Drives {
+        let exact = named(drives.values().map(Enclosed::exact));
+        let computed = self.enclosing.coordinates(&Signal {
+            value: exact,
+            ..Signal::default()
+        });
+        let each = computed.value.values().zip(drives.values());
+        named(each.zip(L::DRIVE_KINDS).map(|((coordinate, drive), kind)| {
+            let is_covered = drive.abs() <= T::constant(LARGEST_ANGLE);
+            match kind {
+                DriveKind::Coordinate => coordinate,
+                DriveKind::Angle if is_covered => {
+                    coordinate.widened(self.linkage.size() * T::constant(FORMULA_ERROR))
+                }
+                DriveKind::Angle => coordinate / Enclosed::exact(T::zero()),
+            }
+        }))
+    }
+}
+
+/// The struct of values in the order of its names.
+#[inline(always)]
+fn named<V: Default, S: Named<V>>(mut values: impl Iterator<Item = V>) -> S {
+    S::from_fn(|_| values.next().unwrap_or_default())
+}

@@ -1,0 +1,174 @@
+//! The three bounds that the proof needs, with all rounding in them.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::enclosed::Enclosed;
+use crate::error::SolveError;
+use crate::linkage::Factors;
+use crate::magnitude::magnitude;
+use crate::scalar::Real;
+
+/// Bounds in the maximum norm, `A` an approximate inverse of the Jacobian.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bounds<T> {
+    /// `|A F(q)|`.
+    pub(super) correction: T,
+    /// `|I - A J(q)|`.
+    pub(super) defect: T,
+    /// `|A C(v, w)|` over `|v|, |w| <= 1`.
+    pub(super) curvature: T,
+}
+
+/// What an equation is known by at a position: the entries of one row.
+#[derive(Clone, Copy)]
+struct Row<T> {
+    /// The residual.
+    residual: T,
+    /// How far the residual may be off, and what the sum over the rows loses of it in rounding.
+    residual_spread: T,
+    /// The same of the row of the Jacobian, sum of magnitudes.
+    jacobian_spread: T,
+    /// The bound of the second derivative.
+    curvature: T,
+}
+
+impl<T: Real> Bounds<T> {
+    /// The bounds, by `factors` of any quality. `curvatures` bound `|C_k(v, w)|` over
+    /// `|v|, |w| <= 1`.
+    ///
+    /// A sum of `n` products is off by no more than `n EPSILON` times the sum of the products'
+    /// magnitudes (Higham 2002, Accuracy and Stability of Numerical Algorithms, section 3.1, as
+    /// long as `n EPSILON < 1`).
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Overflow`] where a bound is not finite.
+    #[inline(always)]
+    pub(super) fn new<const N: usize>(
+        residual: &SVector<Enclosed<T>, N>,
+        jacobian: &SMatrix<Enclosed<T>, N, N>,
+        curvatures: &[T; N],
+        factors: &dyn Factors<T, N>,
+    ) -> Result<Self, SolveError<T>> {
+        let inverse = inverse(factors);
+        let rows = rows(residual, jacobian, curvatures);
+        let mut defect = defect_of_middles(&inverse, jacobian);
+        let (mut correction, mut spread, mut curvature) =
+            ([T::zero(); N], [T::zero(); N], [T::zero(); N]);
+        for (column, row) in inverse.iter().zip(&rows) {
+            for (i, entry) in column.iter().enumerate() {
+                let size = entry.abs();
+                at(&mut correction, i, *entry * row.residual);
+                at(&mut spread, i, size * row.residual_spread);
+                at(&mut defect, i, size * row.jacobian_spread);
+                at(&mut curvature, i, size * row.curvature);
+            }
+        }
+        for (correction, spread) in correction.iter_mut().zip(spread) {
+            *correction = correction.abs() + spread;
+        }
+        Ok(Self {
+            correction: upper(correction)?,
+            defect: upper(defect)?,
+            curvature: upper(curvature)?,
+        })
+    }
+}
+
+/// Adds to an entry.
+#[inline(always)]
+fn at<T: Real, const N: usize>(sums: &mut [T; N], i: usize, term: T) {
+    if let Some(sum) = sums.get_mut(i) {
+        *sum += term;
+    }
+}
+
+/// `A`, column by column.
+#[inline(always)]
+fn inverse<T: Real, const N: usize>(factors: &dyn Factors<T, N>) -> [[T; N]; N] {
+    let mut columns = [[T::zero(); N]; N];
+    for (k, column) in columns.iter_mut().enumerate() {
+        [*column] = factors.solve(&unit(k)).data.0;
+    }
+    columns
+}
+
+#[inline(always)]
+fn unit<T: Real, const N: usize>(k: usize) -> SVector<T, N> {
+    let mut unit = [T::zero(); N];
+    if let Some(entry) = unit.get_mut(k) {
+        *entry = T::one();
+    }
+    SVector::from(unit)
+}
+
+/// Rounding of sums of `N + 1` products and of sums of their magnitudes, relative.
+#[inline(always)]
+fn rounding<T: Real, const N: usize>() -> T {
+    T::EPSILON * T::constant((2 * N + 16) as f64)
+}
+
+/// The equations, row by row.
+#[inline(always)]
+fn rows<T: Real, const N: usize>(
+    residual: &SVector<Enclosed<T>, N>,
+    jacobian: &SMatrix<Enclosed<T>, N, N>,
+    curvatures: &[T; N],
+) -> [Row<T>; N] {
+    let mut spreads = [T::SMALLEST; N];
+    for column in &jacobian.data.0 {
+        for (spread, entry) in spreads.iter_mut().zip(column) {
+            *spread += entry.value().abs() * rounding::<T, N>() + entry.radius();
+        }
+    }
+    let [residual] = &residual.data.0;
+    let mut rows = [Row {
+        residual: T::zero(),
+        residual_spread: T::zero(),
+        jacobian_spread: T::zero(),
+        curvature: T::zero(),
+    }; N];
+    let known = residual.iter().zip(spreads).zip(curvatures);
+    for (row, ((residual, jacobian_spread), curvature)) in rows.iter_mut().zip(known) {
+        let of_sum = residual.value().abs() * rounding::<T, N>() + T::SMALLEST;
+        *row = Row {
+            residual: residual.value(),
+            residual_spread: residual.radius() + of_sum,
+            jacobian_spread,
+            curvature: *curvature,
+        };
+    }
+    rows
+}
+
+/// The sums of the magnitudes of each row of `I - A J`, as computed from the middles of `J`.
+#[inline(always)]
+fn defect_of_middles<T: Real, const N: usize>(
+    inverse: &[[T; N]; N],
+    jacobian: &SMatrix<Enclosed<T>, N, N>,
+) -> [T; N] {
+    let mut sums = [rounding::<T, N>(); N];
+    for (j, of_jacobian) in jacobian.data.0.iter().enumerate() {
+        let [mut column] = unit::<T, N>(j).data.0;
+        for (of_inverse, entry) in inverse.iter().zip(of_jacobian) {
+            // Most entries are zero.
+            if entry.value() != T::zero() {
+                for (left, right) in column.iter_mut().zip(of_inverse) {
+                    *left -= *right * entry.value();
+                }
+            }
+        }
+        for (sum, left) in sums.iter_mut().zip(column) {
+            *sum += left.abs();
+        }
+    }
+    sums
+}
+
+/// A bound of all sums of positive numbers, which rounding made smaller.
+#[inline(always)]
+fn upper<T: Real, const N: usize>(sums: [T; N]) -> Result<T, SolveError<T>> {
+    let largest =
+        magnitude(&SVector::from(sums)).map_err(|unknown| SolveError::Overflow { unknown })?;
+    Ok(largest * (T::one() + rounding::<T, N>()) + T::SMALLEST)
+}

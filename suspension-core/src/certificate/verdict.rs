@@ -1,0 +1,114 @@
+//! What is proved, or why nothing is.
+
+use core::fmt;
+
+use super::bounds::Bounds;
+use super::enclosed::Enclosed;
+use crate::error::SolveError;
+use crate::scalar::{Real, Scalar};
+
+/// Whether a root is proved to lie near a position `q`. Distances are the largest difference of any
+/// unknown, in units of length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Certificate<T> {
+    /// A root lies within `radius` of `q`. No other lies within `unique_within`, which is not less,
+    /// and the Jacobian is regular at the root.
+    Proved {
+        /// How far the root is, at most.
+        radius: T,
+        /// How far another root is, at least.
+        unique_within: T,
+    },
+    /// There may be a root near by, or none.
+    Unproved {
+        /// Which condition of the proof is not met.
+        why: Unproved<T>,
+    },
+}
+
+impl<T> Certificate<T> {
+    /// Whether a root is proved.
+    pub fn is_proved(&self) -> bool {
+        matches!(self, Self::Proved { .. })
+    }
+}
+
+/// Which condition of the proof is not met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unproved<T> {
+    /// There are no bounds: a number is not finite, or the Jacobian has no usable pivots.
+    NoBounds {
+        /// The equation or unknown concerned.
+        cause: SolveError<T>,
+    },
+    /// `defect >= 1`: what elimination makes of the Jacobian is no inverse of it, to rounding.
+    NearSingular {
+        /// A bound of `|I - A J|`.
+        defect: T,
+    },
+    /// `correction >= bound`: for a correction of this size the curvature of the equations is too
+    /// strong. Either the residual is too large, or a singularity too near.
+    TooFar {
+        /// A bound of `|A F|`, the correction that Newton's method would make, in units of length.
+        correction: T,
+        /// What it had to stay below, in units of length.
+        bound: T,
+    },
+}
+
+impl<T: fmt::LowerExp> fmt::Display for Unproved<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoBounds { cause } => cause.fmt(f),
+            Self::NearSingular { defect } => write!(
+                f,
+                "the Jacobian is singular to rounding: its inverse is off by {defect:.1e}, needed less than 1"
+            ),
+            Self::TooFar { correction, bound } => write!(
+                f,
+                "a root may be {correction:.1e} away, and is proved only below {bound:.1e}"
+            ),
+        }
+    }
+}
+
+impl<T: fmt::Debug + fmt::LowerExp> core::error::Error for Unproved<T> {}
+
+/// The condition of the proof; see [the module](super).
+#[inline]
+pub(super) fn judge<T: Real>(bounds: &Bounds<T>) -> Certificate<T> {
+    let [correction, defect, curvature] =
+        [bounds.correction, bounds.defect, bounds.curvature].map(Enclosed::exact);
+    let two = Enclosed::constant(2.0);
+    let margin = Enclosed::exact(T::one()) - defect;
+    if !is_above(margin.least(), T::zero()) {
+        let defect = bounds.defect;
+        return unproved(Unproved::NearSingular { defect });
+    }
+    let bound = (margin * margin / (two * curvature)).least();
+    if !is_above(bound, bounds.correction) {
+        let correction = bounds.correction;
+        return unproved(Unproved::TooFar { correction, bound });
+    }
+    let share = correction / Enclosed::exact(bound);
+    let radius = (two * correction / (margin * (two - share))).magnitude();
+    let unique_within = (two * margin / curvature - Enclosed::exact(radius)).least();
+    if is_above(unique_within, radius) {
+        Certificate::Proved {
+            radius,
+            unique_within,
+        }
+    } else {
+        let correction = bounds.correction;
+        unproved(Unproved::TooFar { correction, bound })
+    }
+}
+
+/// `a > b`, which is false where one of them is no number.
+fn is_above<T: Real>(a: T, b: T) -> bool {
+    a > b
+}
+
+fn unproved<T>(why: Unproved<T>) -> Certificate<T> {
+    Certificate::Unproved { why }
+}

@@ -1,0 +1,330 @@
+//! Following a mechanism where its drive cannot: through turning points, round closed curves, up
+//! to bifurcations.
+//!
+//! One drive is set free, and with its coordinate `h` the configurations `(q, h)` form a
+//! [`Curve`]: `N` equations in `N + 1` unknowns. It is followed by predictor and corrector in a
+//! local parametrisation (W. C. Rheinboldt and J. V. Burkardt, ACM Transactions on Mathematical
+//! Software 9(2), 1983): the entry that moves fastest is the parameter, the curve's Taylor series
+//! in it the predictor, Newton's method with it held the corrector. All entries are in units of
+//! length, and the series is exact in that the equations are quadratic in them.
+//!
+//! Along the tangent `t`, oriented by continuity,
+//!
+//! - the sign of `t_h` changes where the drive turns: there, driven by it, the mechanism locks;
+//! - the sign of `det [J, dF/dh; t^T]` changes where the derivative loses rank: where another
+//!   curve crosses (a simple bifurcation). A path ends there and never steps across. An even
+//!   number of crossings within one step is not seen.
+
+mod arc;
+mod configuration;
+mod curve;
+mod extreme;
+mod lead;
+mod linear;
+mod place;
+mod turning;
+
+use nalgebra::SVector;
+
+use crate::error::SolveError;
+use crate::linkage::Linkage;
+use crate::magnitude::index_of_largest;
+use crate::newton::Newton;
+use crate::scalar::Real;
+use crate::tracker::CORRECTION_OF_MOVE;
+
+use arc::Arc;
+pub use configuration::Configuration;
+pub use curve::Curve;
+pub use lead::{Leader, Led, LedStep};
+use linear::Linear;
+pub use place::{End, Place, Stretch, Turning};
+
+/// Terms of the predictor.
+const ORDER: usize = 4;
+
+/// The least cosine of the angle between the tangents at the ends of a step: then the parameter's
+/// entry keeps its sign where `N` is 15 or less, and the orientation is beyond doubt.
+const STRAIGHT: f64 = 0.97;
+
+/// How often a step may be halved.
+const HALVINGS: usize = 40;
+
+/// How to follow a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Continuation<T> {
+    /// How each place is corrected.
+    pub newton: Newton<T>,
+    /// The longest step of the parameter, as a part of the linkage's size.
+    pub longest: T,
+    /// The last term of the predictor, as a part of the linkage's size.
+    pub precision: T,
+    /// Steps that a path may make.
+    pub max_steps: usize,
+    /// The drive's values within which to stay; `None` for all.
+    pub range: Option<[T; 2]>,
+}
+
+impl<T: Real> Default for Continuation<T> {
+    fn default() -> Self {
+        Self {
+            newton: Newton::near_by(),
+            longest: T::constant(0.1),
+            precision: T::constant(1e-4),
+            max_steps: 10_000,
+            range: None,
+        }
+    }
+}
+
+/// A path along a curve: an iterator over its stretches, which ends with the first that has an
+/// [`End`], or with an error where no step however short succeeds.
+pub struct Path<'a, L: Linkage<N>, const N: usize> {
+    curve: Curve<'a, L, N>,
+    settings: Continuation<L::Scalar>,
+    start: Place<L::Scalar, N>,
+    here: Place<L::Scalar, N>,
+    /// The last step of the parameter.
+    last_step: L::Scalar,
+    steps: usize,
+    ended: bool,
+}
+
+impl<T: Real> Continuation<T> {
+    /// The path from a configuration with the unknowns `q`, corrected first, in the direction in
+    /// which the drive's value at first increases, or decreases.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError`] where `q` is no configuration, or [`SolveError::Singular`] where it is a
+    /// bifurcation.
+    pub fn path<'a, L, const N: usize>(
+        &self,
+        curve: Curve<'a, L, N>,
+        q: &SVector<T, N>,
+        increasing: bool,
+    ) -> Result<Path<'a, L, N>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+    {
+        let start = self.start(&curve, q, increasing)?;
+        let last_step = self.longest * curve.linkage.size();
+        Ok(Path {
+            curve,
+            settings: *self,
+            start,
+            here: start,
+            last_step,
+            steps: 0,
+            ended: false,
+        })
+    }
+
+    fn start<L, const N: usize>(
+        &self,
+        curve: &Curve<'_, L, N>,
+        q: &SVector<T, N>,
+        increasing: bool,
+    ) -> Result<Place<T, N>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+    {
+        let size = curve.linkage.size();
+        let guess = curve.configuration(q);
+        let parameter = curve.steepest(&guess)?;
+        let bound = T::constant(CORRECTION_OF_MOVE) * size;
+        let (configuration, converged) = curve.correct(&self.newton, guess, parameter, bound)?;
+        let linear = curve.linear(&configuration, parameter)?;
+        // The angle increases where its cosine decreases.
+        let sign = increasing == curve.length().is_none();
+        let forwards = Configuration {
+            drive: if sign { T::one() } else { -T::one() },
+            ..Configuration::zero()
+        };
+        let tangent = linear.unit_tangent(&forwards);
+        Ok(curve.place(configuration, &linear, tangent, converged.residual))
+    }
+}
+
+impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Iterator for Path<'_, L, N> {
+    type Item = Result<Stretch<T, N>, SolveError<T>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.ended {
+            return None;
+        }
+        let stretch = self.step();
+        self.ended = !matches!(stretch, Ok(Stretch { end: None, .. }));
+        Some(stretch)
+    }
+}
+
+impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'a, L, N> {
+    /// The curve.
+    pub fn curve(&self) -> &Curve<'a, L, N> {
+        &self.curve
+    }
+
+    /// Where the path has come to; at first its start.
+    pub fn here(&self) -> &Place<T, N> {
+        &self.here
+    }
+
+    /// One step, as long as the series and the corrector allow.
+    fn step(&mut self) -> Result<Stretch<T, N>, SolveError<T>> {
+        let Continuation {
+            longest, precision, ..
+        } = self.settings;
+        let linear = self
+            .curve
+            .linear(&self.here.configuration, self.here.parameter)?;
+        let arc = Arc::new(
+            &self.curve,
+            &self.here.configuration,
+            &linear,
+            &self.here.tangent,
+        );
+        let size = self.curve.linkage.size();
+        // Of the last term, which grows with the fourth power.
+        let reach = (precision * size / arc.last_term()).sqrt().sqrt();
+        let mut distance = (longest * size)
+            .min(reach)
+            .min(self.last_step * T::constant(2.0));
+        let mut result = Err(SolveError::CrossedSingularity {
+            unknown: index_of_largest(&self.here.tangent.unknowns),
+        });
+        for _ in 0..HALVINGS {
+            result = self.stretch(&arc, distance);
+            if result.is_ok() {
+                break;
+            }
+            distance *= T::constant(0.5);
+        }
+        let mut stretch = result?;
+        self.steps += 1;
+        if self.steps >= self.settings.max_steps && stretch.end.is_none() {
+            stretch.end = Some(End::Steps);
+        }
+        self.last_step = distance;
+        self.here = stretch.place;
+        Ok(stretch)
+    }
+
+    /// The stretch to a distance, cut short where the path ends within it.
+    fn stretch(
+        &self,
+        arc: &Arc<T, N, ORDER>,
+        distance: T,
+    ) -> Result<Stretch<T, N>, SolveError<T>> {
+        let place = self.arrive(arc, distance)?;
+        let bent = SolveError::CrossedSingularity {
+            unknown: index_of_largest(&(place.configuration - self.here.configuration).unknowns),
+        };
+        if place.positive != self.here.positive {
+            return self.bifurcation(arc, distance).ok_or(bent);
+        }
+        if place.tangent.dot(&self.here.tangent) < T::constant(STRAIGHT)
+            || self.turns(arc, distance) > 1
+        {
+            return Err(bent);
+        }
+        let (distance, place, end) = match self.closure(arc, distance) {
+            Some((distance, place, gap)) => (distance, place, Some(End::Closed { gap })),
+            None => (distance, place, None),
+        };
+        let turning = if self.turns_between(&place) {
+            Some(self.turning(arc, distance)?)
+        } else {
+            None
+        };
+        self.within_range(arc, distance, Stretch { turning, place, end })
+    }
+
+    /// The place at a distance of the parameter.
+    fn arrive(&self, arc: &Arc<T, N, ORDER>, distance: T) -> Result<Place<T, N>, SolveError<T>> {
+        let guess = arc.at(distance);
+        let moved = (guess.value - self.here.configuration).norm();
+        let bound = T::constant(CORRECTION_OF_MOVE) * moved;
+        let newton = &self.settings.newton;
+        let (configuration, converged) =
+            self.curve
+                .correct(newton, guess.value, arc.parameter, bound)?;
+        let linear = self.curve.linear(&configuration, arc.parameter)?;
+        let tangent = linear.unit_tangent(&guess.rate);
+        Ok(self
+            .curve
+            .place(configuration, &linear, tangent, converged.residual))
+    }
+
+    /// The return to the start, where it lies on the arc: its distance is known, because the
+    /// parameter is one of the entries.
+    fn closure(&self, arc: &Arc<T, N, ORDER>, end: T) -> Option<(T, Place<T, N>, T)> {
+        let start = &self.start.configuration;
+        let to_start =
+            start.entry(arc.parameter) - self.here.configuration.entry(arc.parameter);
+        let distance = if self.here.tangent.entry(arc.parameter) < T::zero() {
+            -to_start
+        } else {
+            to_start
+        };
+        let size = self.curve.linkage.size();
+        if !(distance > T::zero() && distance <= end)
+            || (arc.at(distance).value - *start).norm() > self.settings.precision * size
+        {
+            return None;
+        }
+        let place = self.arrive(arc, distance).ok()?;
+        let gap = (place.configuration - *start).norm();
+        let is_same = gap <= T::EPSILON.sqrt() * size
+            && place.tangent.dot(&self.start.tangent) > T::constant(STRAIGHT);
+        is_same.then_some((distance, place, gap))
+    }
+
+    /// The end before a change of orientation within a distance; `None` where the places on both
+    /// sides of it are not neighbours: then one of them is on another curve.
+    fn bifurcation(&self, arc: &Arc<T, N, ORDER>, distance: T) -> Option<Stretch<T, N>> {
+        let size = self.curve.linkage.size();
+        // Nearer, rounding moves the place across as far as along.
+        let accuracy = T::EPSILON.cbrt() * size;
+        let [mut low, mut high] = [T::zero(), distance];
+        let [mut before, mut after] = [self.here, self.here];
+        for _ in 0..HALVINGS {
+            if high - low <= accuracy {
+                break;
+            }
+            let middle = (low + high) * T::constant(0.5);
+            match self.arrive(arc, middle) {
+                Ok(place) if place.positive == self.here.positive => (low, before) = (middle, place),
+                Ok(place) => (high, after) = (middle, place),
+                Err(_) => high = middle,
+            }
+        }
+        let apart = (after.configuration - before.configuration).norm();
+        let are_neighbours = after.positive != before.positive
+            && apart <= accuracy * T::constant(16.0);
+        are_neighbours.then_some(Stretch {
+            turning: None,
+            place: before,
+            end: Some(End::Bifurcation { accuracy }),
+        })
+    }
+}
+
+impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
+    fn place(
+        &self,
+        configuration: Configuration<T, N>,
+        linear: &Linear<T, N>,
+        tangent: Configuration<T, N>,
+        residual: T,
+    ) -> Place<T, N> {
+        Place {
+            configuration,
+            tangent,
+            value: self.value_at(configuration.drive),
+            residual,
+            parameter: tangent.largest_entry(),
+            positive: linear.is_positive(&tangent),
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! The equations of a linkage with one drive set free: `N` equations, `N + 1` unknowns.
+
+use nalgebra::{SVector, Vector3};
+
+use crate::error::SolveError;
+use crate::linkage::{DriveKind, Linkage, Named};
+use crate::lu::Lu;
+use crate::magnitude::{index_of_largest, magnitude};
+use crate::motion::Prescribed;
+use crate::newton::{Converged, Newton, within};
+use crate::parts;
+use crate::path::configuration::Configuration;
+use crate::path::linear::Linear;
+use crate::scalar::Real;
+use crate::signal::{ChassisMotion, Inputs, Signal};
+use crate::trigonometry::sine_cosine;
+
+/// The curve of a linkage's configurations while one drive is free, the other drives and the
+/// chassis points held where the inputs have them.
+pub struct Curve<'a, L: Linkage<N>, const N: usize> {
+    pub(crate) linkage: &'a L,
+    pub(crate) drive: usize,
+    pub(crate) prescribed: Prescribed<L::Fixed, L::Drives>,
+}
+
+impl<'a, T, L, const N: usize> Curve<'a, L, N>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    /// Sets the drive with this index free; `None` where there is none.
+    pub fn new<C>(linkage: &'a L, inputs: &Inputs<C, L::Drives>, drive: usize) -> Option<Self>
+    where
+        C: ChassisMotion<L::Fixed>,
+    {
+        let exists = drive < <L::Drives as Named<T>>::NAMES.len();
+        exists.then(|| Self::of(linkage, inputs, drive))
+    }
+
+    /// [`new`](Self::new) with the index of a drive that exists.
+    pub(crate) fn of<C>(linkage: &'a L, inputs: &Inputs<C, L::Drives>, drive: usize) -> Self
+    where
+        C: ChassisMotion<L::Fixed>,
+    {
+        let Signal {
+            value,
+            rate,
+            second_rate,
+        } = inputs.drives;
+        let drives = Signal {
+            value,
+            rate: with(&rate, drive, T::zero()),
+            second_rate: with(&second_rate, drive, T::zero()),
+        };
+        let chassis = inputs.chassis;
+        Self {
+            linkage,
+            drive,
+            prescribed: Prescribed::new(linkage, &Inputs { chassis, drives }),
+        }
+    }
+
+    /// The configuration with the unknowns `q` and the freed drive where the inputs have it.
+    pub fn configuration(&self, q: &SVector<T, N>) -> Configuration<T, N> {
+        let mut values = self.prescribed.drives.value.values();
+        Configuration {
+            unknowns: *q,
+            drive: values.nth(self.drive).unwrap_or_default(),
+        }
+    }
+
+    /// The drive's value, an angle in radians or the coordinate itself, and its rates, from those
+    /// of its coordinate. At an angle of 0 or pi its rates are infinite or not a number.
+    pub fn value(&self, coordinate: &Signal<T>) -> Signal<T> {
+        let Some(length) = self.length() else {
+            return *coordinate;
+        };
+        let (h, rate) = (coordinate.value, coordinate.rate);
+        let across = ((length - h) * (length + h)).max(T::zero()).sqrt();
+        // From h = L cos(theta): differentiated once and twice.
+        let angle_rate = -rate / across;
+        Signal {
+            value: parts::angle(h, length),
+            rate: angle_rate,
+            second_rate: -(coordinate.second_rate + h * angle_rate * angle_rate) / across,
+        }
+    }
+
+    /// The drive's value at a coordinate.
+    pub(crate) fn value_at(&self, coordinate: T) -> T {
+        self.length()
+            .map_or(coordinate, |length| parts::angle(coordinate, length))
+    }
+
+    /// The coordinate at a value of the drive.
+    pub(crate) fn coordinate(&self, value: T) -> T {
+        self.length().map_or(value, |length| {
+            let (_, cosine) = sine_cosine(value);
+            length * cosine
+        })
+    }
+
+    /// The entry that moves fastest along the curve, at a configuration near it.
+    pub(crate) fn steepest(&self, at: &Configuration<T, N>) -> Result<usize, SolveError<T>> {
+        // Any regular choice of the parameter gives the tangent: the healthiest is sure to be one.
+        let mut best = self.linear(at, N);
+        for parameter in 0..N {
+            best = match (best, self.linear(at, parameter)) {
+                (Ok(best), Ok(next)) if best.growth() <= next.growth() => Ok(best),
+                (_, Ok(next)) => Ok(next),
+                (best, Err(_)) => best,
+            };
+        }
+        best.map(|linear| linear.tangent.largest_entry())
+    }
+
+    /// The length of the link whose angle the drive is; `None` where it is a coordinate.
+    pub(crate) fn length(&self) -> Option<T> {
+        let kind = L::DRIVE_KINDS.get(self.drive)?;
+        let none = L::Drives::default();
+        let at_zero = self.linkage.coordinates(&Signal {
+            value: none,
+            rate: none,
+            second_rate: none,
+        });
+        let length = at_zero.value.values().nth(self.drive)?;
+        (*kind == DriveKind::Angle).then_some(length)
+    }
+
+    /// All points.
+    pub fn points(&self, at: &Configuration<T, N>) -> L::Points {
+        self.linkage.points(&at.unknowns, &self.fixed(at))
+    }
+
+    /// All points with their first and second derivative, from those of the configuration with
+    /// respect to the same variable; the chassis points and the other drives held.
+    pub fn moving_points(&self, along: &Signal<Configuration<T, N>>) -> Signal<L::Points> {
+        let still = Signal {
+            value: self.prescribed.fixed.value,
+            rate: L::Fixed::default(),
+            second_rate: L::Fixed::default(),
+        };
+        self.points_with(along, &still)
+    }
+
+    /// [`moving_points`](Self::moving_points) with rates of the chassis points.
+    pub(crate) fn points_with(
+        &self,
+        along: &Signal<Configuration<T, N>>,
+        chassis: &Signal<L::Fixed>,
+    ) -> Signal<L::Points> {
+        let value = self.points(&along.value);
+        let rate = self.linkage.velocities(
+            &value,
+            &along.rate.unknowns,
+            &self.driven(chassis.rate, along.rate.drive),
+        );
+        let second_rate = self.linkage.accelerations(
+            &value,
+            &rate,
+            &along.second_rate.unknowns,
+            &self.driven(chassis.second_rate, along.second_rate.drive),
+        );
+        Signal {
+            value,
+            rate,
+            second_rate,
+        }
+    }
+
+    /// Chassis points in a configuration.
+    pub(crate) fn fixed(&self, at: &Configuration<T, N>) -> L::Fixed {
+        L::drive_anchors(self.prescribed.fixed.value, &self.drives(at))
+    }
+
+    /// The coordinates of all drives in a configuration.
+    pub(crate) fn drives(&self, at: &Configuration<T, N>) -> L::Drives {
+        with(&self.prescribed.drives.value, self.drive, at.drive)
+    }
+
+    /// Rates of the chassis points: what `chassis` has, and of the free drive the rate `drive`.
+    pub(crate) fn driven(&self, chassis: L::Fixed, drive: T) -> L::Fixed {
+        // Anchors of the other drives move as `chassis` has it: the free one's share is added.
+        let share = self.drive_share(drive);
+        let mut pairs = chassis.values().zip(share.values());
+        L::Fixed::from_fn(|_| pairs.next().map_or_else(Vector3::zeros, |(a, b)| a + b))
+    }
+
+    /// Rates of the chassis points that the free drive alone moves.
+    pub(crate) fn drive_share(&self, rate: T) -> L::Fixed {
+        L::drive_anchors(
+            L::Fixed::default(),
+            &with(&L::Drives::default(), self.drive, rate),
+        )
+    }
+
+    pub(crate) fn residual(&self, at: &Configuration<T, N>) -> SVector<T, N> {
+        self.linkage
+            .residual(&at.unknowns, &self.fixed(at), &self.drives(at))
+    }
+
+    /// The equations linearised at a configuration, entry `parameter` held.
+    pub(crate) fn linear(
+        &self,
+        at: &Configuration<T, N>,
+        parameter: usize,
+    ) -> Result<Linear<T, N>, SolveError<T>> {
+        let fixed = self.fixed(at);
+        let unit = with(&L::Drives::default(), self.drive, T::one());
+        let minus_of_drive =
+            self.linkage
+                .drive_rate(&at.unknowns, &fixed, &self.drive_share(T::one()), &unit);
+        let mut matrix = self.linkage.jacobian(&at.unknowns, &fixed);
+        let [minus_of_drive] = minus_of_drive.data.0;
+        let mut minus_of_parameter = minus_of_drive;
+        if let Some(column) = matrix.data.0.get_mut(parameter) {
+            minus_of_parameter = column.map(|entry| -entry);
+            *column = minus_of_drive.map(|entry| -entry);
+        }
+        Linear::new(
+            Lu::factor(&matrix)?,
+            parameter,
+            &SVector::from(minus_of_parameter),
+        )
+    }
+
+    /// Newton's method with one entry held: the configuration near `start` that solves the
+    /// equations. The first correction must stay within `bound`.
+    pub(crate) fn correct(
+        &self,
+        newton: &Newton<T>,
+        start: Configuration<T, N>,
+        parameter: usize,
+        first_bound: T,
+    ) -> Result<(Configuration<T, N>, Converged<T>), SolveError<T>> {
+        let mut at = start;
+        let mut residual = self.residual(&at);
+        let mut bound = Some(first_bound);
+        let mut worst = finite(&residual)?;
+        for iterations in 1..=newton.max_iterations {
+            let linear = self.linear(&at, parameter)?;
+            let rounding = newton.rounding_at(self.linkage, &at.unknowns);
+            let step = linear.lu.solve(&residual);
+            let size = within(&step, bound, rounding)?;
+            at = at - linear.along(&step);
+            // One more correction with the same factors takes off what the square of the first
+            // has left.
+            let better = at - linear.along(&linear.lu.solve(&self.residual(&at)));
+            let left = [self.residual(&at), self.residual(&better)];
+            let [here, there] = [finite(&left[0])?, finite(&left[1])?];
+            (worst, residual) = (here, left[0]);
+            if there < here {
+                (at, worst, residual) = (better, there, left[1]);
+            }
+            let tolerance = newton.tolerance * newton.rounding_at(self.linkage, &at.unknowns);
+            if worst <= tolerance {
+                let converged = Converged {
+                    iterations,
+                    residual: worst,
+                    tolerance,
+                    growth: linear.growth(),
+                };
+                return Ok((at, converged));
+            }
+            bound = newton.contraction.map(|contraction| contraction * size);
+        }
+        Err(SolveError::NotConverged {
+            equation: index_of_largest(&residual),
+            residual: worst,
+            tolerance: newton.tolerance * newton.rounding_at(self.linkage, &at.unknowns),
+            iterations: newton.max_iterations,
+        })
+    }
+}
+
+/// The largest residual; the equation of one that is not finite as the error.
+pub(crate) fn finite<T: Real, const N: usize>(
+    residual: &SVector<T, N>,
+) -> Result<T, SolveError<T>> {
+    magnitude(residual).map_err(|equation| SolveError::NotFinite { equation })
+}
+
+/// The same values but for the one with this index.
+fn with<T: Real, D: Named<T>>(values: &D, index: usize, value: T) -> D {
+    let mut values = values.values().enumerate();
+    D::from_fn(|_| match values.next() {
+        Some((at, _)) if at == index => value,
+        Some((_, other)) => other,
+        None => T::zero(),
+    })
+}
