@@ -1,5 +1,7 @@
 //! Following a motion in time: last good motion in, next motion out.
 
+mod between;
+
 use core::fmt;
 
 use nalgebra::SVector;
@@ -14,6 +16,8 @@ use crate::motion::{Motion, Prescribed, motion_at, rates_at};
 use crate::newton::{Converged, Newton};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
+
+pub use between::{Between, Cubic};
 
 /// See [`Tracker::correction_of_move`].
 pub(crate) const CORRECTION_OF_MOVE: f64 = 0.1;
