@@ -388,6 +388,9 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::CrossedSingularity { .. } => {
             format!("a step of unknown `{name}` ended in another assembly")
         }
+        SolveError::Mirrored { .. } => format!(
+            "point `{name}` would stand on the wrong side of the points that links join it to"
+        ),
         SolveError::Singular { .. } => format!("unknown `{name}` is no longer determined"),
         SolveError::Diverging { .. } => {
             format!("no root near by, the corrections of unknown `{name}` do not shrink")

@@ -3,16 +3,15 @@
 use nalgebra::{Matrix3, Matrix4, Quaternion, SVector, UnitQuaternion, Vector3, Vector4};
 
 use crate::error::SolveError;
+use crate::handedness;
 use crate::linkage::Build;
 use crate::motion::Prescribed;
 use crate::newton::{Converged, Newton};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 
-/// Replaces each body of the guess `q` by the rigid body that fits it best, then solves.
-///
-/// A linkage without bodies is solved from the guess itself and may then end in a mirrored
-/// assembly (its nine distances admit it).
+/// Replaces each body of the guess `q`, and each cluster of links that is as rigid, by the rigid body
+/// that fits it best, then solves. A wrong-handed cluster is an error, never a result.
 ///
 /// # Errors
 ///
@@ -31,6 +30,7 @@ where
     let prescribed = Prescribed::new(linkage, inputs);
     let mut fitted = linkage.fit(q, &prescribed.fixed.value);
     let converged = newton.solve_prescribed(linkage, &prescribed, &mut fitted, None)?;
+    handedness::check(linkage, &fitted, &prescribed.fixed.value)?;
     *q = fitted;
     Ok(converged)
 }
