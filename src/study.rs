@@ -330,9 +330,7 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::StepTooLong { .. } => {
             format!("the series of unknown `{name}` is not good for so long a step")
         }
-        SolveError::TurningPoint {
-            asked, extreme, ..
-        } => format!(
+        SolveError::TurningPoint { asked, extreme, .. } => format!(
             "the leading quantity turns at {} and does not reach {}",
             number(*extreme),
             number(*asked)

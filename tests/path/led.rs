@@ -72,7 +72,12 @@ where
         );
         let drive = led.drive(&case.model, &inputs);
         let expected = theta(*instant);
-        println!("  {:e} {:e} {:e}", drive.value - expected.value, drive.rate - expected.rate, drive.second_rate - expected.second_rate);
+        println!(
+            "  {:e} {:e} {:e}",
+            drive.value - expected.value,
+            drive.rate - expected.rate,
+            drive.second_rate - expected.second_rate
+        );
         last = *instant;
     }
 }
