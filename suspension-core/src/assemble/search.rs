@@ -2,11 +2,15 @@
 
 use nalgebra::SVector;
 
-use crate::assemble::{Assembly, STARTS};
+use crate::assemble::Assembly;
+use crate::error::SolveError;
 use crate::factored::smallest_pivot;
 use crate::magnitude::largest;
 use crate::newton::Converged;
 use crate::scalar::Real;
+
+/// Starts around the guess.
+pub(super) const AROUND: usize = 16;
 
 /// How far a start lies from the guess in each coordinate at most, as a multiple of what the
 /// equations are off by there (root mean square): about as far as the guess is from a root.
@@ -21,7 +25,7 @@ pub(super) fn around<T: Real, const N: usize>(
     let guess = *guess;
     let mut state = 1;
     let around = move || guess.map(|x| x + spread * random(&mut state));
-    core::iter::repeat_with(around).take(STARTS - 1)
+    core::iter::repeat_with(around).take(AROUND)
 }
 
 /// A number between -1 and 1, from the upper half of a linear congruential generator (Knuth,
@@ -55,7 +59,7 @@ impl<T: Real, const N: usize> Found<T, N> {
     }
 
     /// The nearer of two, which takes note of the other.
-    pub(super) fn or_nearer(mut self, mut other: Self, size: T) -> Self {
+    fn or_nearer(mut self, mut other: Self, size: T) -> Self {
         if is_same(&self.root, &other.root, size) {
             self.assembly.starts += 1;
             return self;
@@ -67,6 +71,19 @@ impl<T: Real, const N: usize> Found<T, N> {
         let next = self.assembly.next.map_or(beside, |next| next.min(beside));
         self.assembly.next = Some(next);
         self
+    }
+}
+
+/// What was found so far and one more attempt.
+pub(super) fn nearer<T: Real, const N: usize>(
+    so_far: Result<Found<T, N>, SolveError<T>>,
+    attempt: Result<Found<T, N>, SolveError<T>>,
+    size: T,
+) -> Result<Found<T, N>, SolveError<T>> {
+    match (so_far, attempt) {
+        (Ok(so_far), Ok(found)) => Ok(so_far.or_nearer(found, size)),
+        (Err(_), Ok(found)) => Ok(found),
+        (so_far, Err(_)) => so_far,
     }
 }
 
