@@ -3,6 +3,7 @@
 mod assemblies;
 mod bake;
 mod chart;
+mod failures;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -59,6 +60,11 @@ pub enum Command {
     /// Writes a table, a figure and a page with all figures; see also benches/rivals.
     #[command(after_long_help = chart::NOTES)]
     Chart(chart::Arguments),
+    /// Counts how often each method fails: bad starts, long steps, turning points.
+    ///
+    /// Writes a table, a figure and a page with all counts.
+    #[command(after_long_help = failures::NOTES)]
+    Failures(failures::Arguments),
 }
 
 impl Command {
@@ -76,6 +82,7 @@ impl Command {
             Self::Assemblies(arguments) => arguments.run(interrupted),
             Self::Bake(arguments) => arguments.run(interrupted),
             Self::Chart(arguments) => arguments.run(interrupted),
+            Self::Failures(arguments) => arguments.run(interrupted),
         }
     }
 }

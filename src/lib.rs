@@ -16,6 +16,7 @@ pub mod chart;
 pub mod cli;
 pub mod detail;
 pub mod failure;
+pub mod failures;
 pub mod input;
 pub mod job;
 pub mod lanes;

@@ -20,6 +20,7 @@ use crate::bake::source::Sheet;
 use crate::chart;
 use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
+use crate::failures;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
@@ -29,14 +30,14 @@ use columns::PointNames;
 /// A linkage that this program can run: it carries a wheel on a kingpin.
 pub trait Suspension<const N: usize>:
     Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
-    + Linkage<N, Listing: Listing<N, Model<f64> = Self>>
+    + Linkage<N, Listing: Listing<N, Model<f64> = Self, Model<f32>: Build<N, Scalar = f32>>>
     + 'static
 {
 }
 
 impl<L, const N: usize> Suspension<N> for L where
     L: Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
-        + Linkage<N, Listing: Listing<N, Model<f64> = L>>
+        + Linkage<N, Listing: Listing<N, Model<f64> = L, Model<f32>: Build<N, Scalar = f32>>>
         + 'static
 {
 }
@@ -100,6 +101,18 @@ pub trait Study {
         effort: &Effort,
         interrupted: &AtomicBool,
     ) -> Result<Survey, Failure>;
+
+    /// Counts, between two times, how often each method of the failure map fails.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] where there is no motion.
+    fn failures(
+        &self,
+        ends: [f64; 2],
+        effort: &failures::survey::Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<failures::survey::Counted, Failure>;
 }
 
 /// How a sweep ended.
@@ -252,6 +265,15 @@ where
     ) -> Result<Survey, Failure> {
         chart::measure(self, ends, effort, interrupted)
     }
+
+    fn failures(
+        &self,
+        ends: [f64; 2],
+        effort: &failures::survey::Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<failures::survey::Counted, Failure> {
+        failures::measure(self, ends, effort, interrupted)
+    }
 }
 
 impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
@@ -330,8 +352,10 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::StepTooLong { .. } => {
             format!("the series of unknown `{name}` is not good for so long a step")
         }
-        SolveError::TurningPoint { asked, extreme, .. } => format!(
-            "the leading quantity turns at {} and does not reach {}",
+        SolveError::TurningPoint {
+            asked, extreme, ..
+        } => format!(
+            "the leading quantity turns at {}, on the way to {}",
             number(*extreme),
             number(*asked)
         ),

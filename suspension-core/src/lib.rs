@@ -45,6 +45,7 @@ pub mod path;
 pub mod scalar;
 pub mod series;
 pub mod signal;
+mod substeps;
 pub mod tracker;
 pub mod trigonometry;
 mod vector;

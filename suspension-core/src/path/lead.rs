@@ -23,7 +23,8 @@ use crate::path::curve::{Curve, finite};
 use crate::path::linear::Linear;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
-use crate::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
+use crate::substeps::in_steps;
+use crate::tracker::{Advanced, CORRECTION_OF_MOVE, CORRECTION_OF_SIZE, Stopped};
 
 /// The smallest part of the tangent's largest entry that the local parameter may have.
 const POOR: f64 = 0.25;
@@ -116,6 +117,8 @@ impl<T: Real, const N: usize> Led<T, N> {
 pub struct Leader<T> {
     /// How each step is solved.
     pub newton: Newton<T>,
+    /// Steps that one advance may try, the refused ones included.
+    pub max_steps: usize,
     /// See [`Tracker::correction_of_move`](crate::Tracker::correction_of_move).
     pub correction_of_move: T,
     /// See [`Tracker::correction_of_size`](crate::Tracker::correction_of_size).
@@ -138,6 +141,7 @@ impl<T: Real> Default for Leader<T> {
     fn default() -> Self {
         Self {
             newton: Newton::near_by(),
+            max_steps: 200,
             correction_of_move: T::constant(CORRECTION_OF_MOVE),
             correction_of_size: T::constant(CORRECTION_OF_SIZE),
         }
@@ -184,6 +188,32 @@ impl<T: Real> Leader<T> {
             Err(error) => Err(course.turning_before(led).unwrap_or(error)),
         }
     }
+
+    /// Follows the motion from time `from` to time `to`, either way, in as few steps as the bounds
+    /// on corrections allow: a refused step is halved, a good one doubled.
+    ///
+    /// # Errors
+    ///
+    /// [`Stopped`] where steps have shrunk to rounding or `max_steps` are used up; the motion is
+    /// then the last good one.
+    pub fn advance<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        inputs: impl Fn(T) -> Inputs<C, L::Drives>,
+        quantity: impl Fn(&Signal<L::Points>) -> Signal<T>,
+        target: impl Fn(T) -> Signal<T>,
+        [from, to]: [T; 2],
+        led: &mut Led<T, N>,
+    ) -> Result<Advanced<T>, Stopped<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        in_steps([from, to], self.max_steps, |next, dt| {
+            let step = self.step(linkage, &inputs(next), &quantity, &target(next), dt, led);
+            step.map(|step| step.converged)
+        })
+    }
 }
 
 /// What one step is made of.
@@ -217,7 +247,11 @@ where
         let slope = self.slope(&position, &linear.tangent);
         let unknown = index_of_largest(&linear.tangent.unknowns);
         if !(slope.abs() > smallest_pivot::<T>() * linear.tangent.norm()) {
-            return Err(SolveError::CrossedSingularity { unknown });
+            return Err(SolveError::TurningPoint {
+                unknown,
+                asked: self.target.value,
+                extreme: self.value(&position),
+            });
         }
         let increases = Some((slope > T::zero()) == linear.is_positive(&linear.tangent));
         if led.increases.is_some() && led.increases != increases {
@@ -247,6 +281,7 @@ where
             newton,
             correction_of_move,
             correction_of_size,
+            ..
         } = self.leader;
         let Signal {
             value,
@@ -389,7 +424,11 @@ where
                     (self.quantity)(&self.curve.moving_points(along))
                 })?;
         let asked = self.target.value;
-        let is_beyond = (asked - extreme) * (self.value(&from) - extreme) <= T::zero();
+        let here = self.value(&from);
+        // So near to the extreme the slope is lost in rounding.
+        let near = T::EPSILON * T::constant(1024.0) * self.curve.linkage.size();
+        let short = if here < extreme { extreme - asked } else { asked - extreme };
+        let is_beyond = short <= near;
         let unknown = index_of_largest(&place.rate.unknowns);
         is_beyond.then_some(SolveError::TurningPoint {
             unknown,

@@ -7,6 +7,8 @@ mod assembly;
 mod baked;
 #[cfg(feature = "solving")]
 mod bounded;
+#[cfg(feature = "solving")]
+mod certificate;
 #[cfg(feature = "construction")]
 mod construction;
 #[cfg(feature = "series")]

@@ -1,0 +1,12 @@
+//! Hostile input at every entry of the core, in f64 and f32: a root at rounding level or an error
+//! that names its cause, the state untouched; never a panic, never a NaN.
+
+mod support;
+
+mod hostile {
+    mod draw;
+    mod mechanisms;
+    mod random;
+    mod trial;
+    mod verdict;
+}
