@@ -6,6 +6,7 @@ mod cli {
     mod bad_input;
     mod bake;
     mod chart;
+    mod failures;
     mod files;
     mod hostile_files;
     mod plots;
