@@ -8,8 +8,10 @@ mod cli {
     mod chart;
     mod failures;
     mod files;
+    mod hostile_files;
     mod plots;
     mod program;
+    mod range;
     mod results;
     mod signals;
     mod stops;
