@@ -1,8 +1,9 @@
 //! Turning points of the first drive.
 
 use suspension_core::path::{Continuation, Curve};
-use suspension_core::{Motion, Named};
+use suspension_core::{DriveKind, Motion, Named, Newton, Real};
 
+use super::trial::Trial;
 use super::truth::Truth;
 use crate::input::drives::DriveLaws;
 use crate::input::polynomial::Polynomial;
@@ -85,12 +86,84 @@ impl<const N: usize> TurningPoint<N> {
         Some(motion)
     }
 
-    /// How far apart the two configurations are that meet in the turning point, where the drive
-    /// is still `distance` away and `motion` is one of them.
+    /// Whether the drive's values at and before the turning point are different numbers, with
+    /// digits to spare.
+    pub fn is_apart<T: Real>(&self, distance: f64) -> bool {
+        const ULPS: f64 = 8.0;
+        let epsilon: f64 = T::EPSILON.to_subset_unchecked();
+        distance > ULPS * epsilon * self.value.abs()
+    }
+}
+
+/// A way to a turning point that ends at a distance before it.
+pub struct Approach<'a, const N: usize> {
+    point: &'a TurningPoint<N>,
+    distance: f64,
+    drives: DriveLaws,
+}
+
+impl<'a, const N: usize> Approach<'a, N> {
+    /// At the point's own speed.
+    pub fn new(point: &'a TurningPoint<N>, distance: f64) -> Self {
+        let drives = point.drives(point.before(distance));
+        Self {
+            point,
+            distance,
+            drives,
+        }
+    }
+
+    /// A step of `step` seconds. Right is what is off by no more than `within`, and lies nearer to
+    /// what is meant than half-way to the configuration that meets it in the turning point.
     ///
-    /// With `x` the distance, `q = q* + a sqrt(x)` up to terms of higher order, so that
-    /// `qdot = -a speed / (2 sqrt(x))`, and the two are `2 a sqrt(x)` apart.
-    pub fn separation(&self, distance: f64, motion: &Motion<f64, N>) -> f64 {
-        4.0 * distance * motion.velocity.amax() / self.speed.abs()
+    /// With `x` the distance, both lie `a sqrt(x)` from there up to terms of higher order, so that
+    /// `a sqrt(x) = 2 x |qdot| / speed`. A residual acts as a change of `x`: where one that counts
+    /// as a root for numbers `T` moves a position, it may be off by as much more.
+    pub fn trial<T: Real, L: Suspension<N>>(
+        &self,
+        model: &L,
+        step: f64,
+        within: f64,
+    ) -> Option<Trial<'_, N>> {
+        let Self {
+            point,
+            distance,
+            drives,
+        } = self;
+        let end = point.before(*distance);
+        let start = point.motion_at(model, end - point.speed * step)?;
+        let last = point.motion_at(model, end)?;
+        let half_way = 2.0 * distance * last.velocity.amax() / point.speed.abs();
+        let residual = tolerated::<T, L, N>(model, &last);
+        let moved = half_way * ((1.0 + residual / distance).sqrt() - 1.0);
+        Some(Trial {
+            drives,
+            times: [-step, 0.0],
+            start,
+            meant: last.position,
+            tolerance: half_way.min(within + moved),
+        })
+    }
+}
+
+/// The residual that counts as a root for numbers `T`, as a change of the first drive; a few of
+/// them act together.
+fn tolerated<T: Real, L: Suspension<N>, const N: usize>(model: &L, motion: &Motion<f64, N>) -> f64 {
+    const FEW: f64 = 4.0;
+    let size = model.size();
+    let epsilon: f64 = T::EPSILON.to_subset_unchecked();
+    let tolerance: f64 = Newton::<f64>::near_by().tolerance;
+    let residual = FEW * tolerance * epsilon * size.max(motion.position.amax());
+    match L::DRIVE_KINDS.first() {
+        Some(DriveKind::Angle) => residual / size,
+        _ => residual,
+    }
+}
+
+/// The unit of distances along the first drive, and what it is in the unit of the motion.
+pub fn unit_of_first_drive<L: Suspension<N>, const N: usize>(metre: f64) -> (&'static str, f64) {
+    match L::DRIVE_KINDS.first() {
+        Some(DriveKind::Angle) => ("rad", 1.0),
+        _ => ("m", metre),
     }
 }
