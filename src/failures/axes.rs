@@ -91,6 +91,9 @@ where
     /// Tries every method from starts beside the motion.
     pub fn try_noises(&self, survey: &mut Survey<'_>) {
         for (index, noise) in NOISES.into_iter().enumerate() {
+            if survey.is_interrupted() {
+                return;
+            }
             let mut random = survey.random(Axis::StartNoise, index);
             let metre = survey.metre;
             let start = |_| self.noisy(noise * metre, RIGHT_WITHIN * metre, &mut random);
@@ -126,6 +129,9 @@ where
         let duration = self.truth.duration();
         let steps = STEPS.into_iter().filter(|step| *step <= duration);
         for (index, length) in steps.enumerate() {
+            if survey.is_interrupted() {
+                return;
+            }
             let mut random = survey.random(Axis::Step, index);
             let few = (STEPS_A_POINT * length / duration).ceil() as usize;
             let count = survey.effort.starts.div_ceil(10).min(few);
@@ -154,6 +160,9 @@ where
         const DECADES: f64 = 2.0;
         let (unit, metre) = unit_of_first_drive::<L, N>(survey.metre);
         for (index, distance) in DISTANCES.into_iter().enumerate() {
+            if survey.is_interrupted() {
+                return;
+            }
             let mut random = survey.random(Axis::TurningPoint, index);
             let distance_here = distance * metre;
             let approaches: Vec<Approach<'_, N>> = self

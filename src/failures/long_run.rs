@@ -1,7 +1,6 @@
 //! Millions of steps back and forth through a motion: what a method forgets, it drifts by.
 
 use std::marker::PhantomData;
-use std::sync::atomic::Ordering;
 
 use serde::{Deserialize, Serialize};
 use suspension_core::{Inputs, Linkage, Motion, Named, Real, Still, Tracker};
@@ -190,7 +189,7 @@ pub fn add<D, M, T, const N: usize>(
             all.iterations += stretch.iterations;
             all.drift = all.drift.max(stretch.drift);
             survey.progress.step();
-            if stretch.steps < steps || survey.interrupted.load(Ordering::Relaxed) {
+            if stretch.steps < steps || survey.is_interrupted() {
                 return;
             }
         }
