@@ -291,7 +291,8 @@ where
         let moves = (rate + second_rate * (dt * T::constant(0.5))) * dt;
         let mut at = value + moves;
         let size = self.curve.linkage.size();
-        let moved = magnitude(&moves.unknowns).map_err(|unknown| SolveError::Overflow { unknown })?;
+        let moved =
+            magnitude(&moves.unknowns).map_err(|unknown| SolveError::Overflow { unknown })?;
         let mut bound = Some((*correction_of_move * moved).max(*correction_of_size * size));
         for iterations in 1..=newton.max_iterations {
             let linear = self.curve.linear(&at, led.parameter)?;
@@ -310,8 +311,8 @@ where
             let steepness = (slope.abs() / linear.tangent.norm())
                 .max(T::one())
                 .max(T::one() / size);
-            let near = tolerance * steepness
-                + newton.tolerance * T::EPSILON * self.target.value.abs();
+            let near =
+                tolerance * steepness + newton.tolerance * T::EPSILON * self.target.value.abs();
             if residual <= tolerance && off_target <= near {
                 let converged = Converged {
                     iterations,
@@ -426,7 +427,11 @@ where
         let here = self.value(&from);
         // So near to the extreme the slope is lost in rounding.
         let near = T::EPSILON * T::constant(1024.0) * self.curve.linkage.size();
-        let short = if here < extreme { extreme - asked } else { asked - extreme };
+        let short = if here < extreme {
+            extreme - asked
+        } else {
+            asked - extreme
+        };
         let is_beyond = short <= near;
         let unknown = index_of_largest(&place.rate.unknowns);
         is_beyond.then_some(SolveError::TurningPoint {
