@@ -13,7 +13,7 @@ use crate::scalar::{Real, Scalar};
 /// takes no more than `EPSILON |x| / 2`, and half the smallest subnormal number where a product or
 /// a quotient underflows. The radius has twice that, and is itself the result of a dozen operations
 /// at most on positive numbers, for which it is enlarged by `8 EPSILON`; `SMALLEST`, which is
-/// `2 / EPSILON` times the smallest subnormal number, covers what underflows in these. A result that
+/// `1 / EPSILON` times the smallest subnormal number, covers what underflows in these. A result that
 /// is not finite has a radius that is not.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Enclosed<T> {
