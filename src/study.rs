@@ -354,9 +354,7 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::StepTooLong { .. } => {
             format!("the series of unknown `{name}` is not good for so long a step")
         }
-        SolveError::TurningPoint {
-            asked, extreme, ..
-        } => format!(
+        SolveError::TurningPoint { asked, extreme, .. } => format!(
             "the leading quantity turns at {}, on the way to {}",
             number(*extreme),
             number(*asked)

@@ -94,7 +94,10 @@ pub fn row<L: Suspension<N>, const N: usize>(
     let first_marker = <L::Points as Named<Vector3<f64>>>::NAMES.len() - markers;
     for marker in 0..markers {
         let each = [&points.value, &points.rate, &points.second_rate];
-        for (points, origin) in each.into_iter().zip([origin, Vector3::zeros(), Vector3::zeros()]) {
+        for (points, origin) in each
+            .into_iter()
+            .zip([origin, Vector3::zeros(), Vector3::zeros()])
+        {
             let point = points.values().nth(first_marker + marker);
             row.extend(point.map(|point| point + origin).iter().flatten());
         }
