@@ -39,12 +39,14 @@ pub struct Baked {
 
 impl Baked {
     /// The same with positions in coordinates that have the origin of these at `origin`.
-    pub fn moved(mut self, origin: Vector3<f64>) -> Self {
+    pub fn moved(mut self, origin: [f64; 3]) -> Self {
         for segment in &mut self.segments {
             for (output, coefficients) in self.outputs.iter().zip(segment) {
                 if *output != Output::SpinAxis {
                     let [constant, ..] = coefficients;
-                    *constant += origin;
+                    for (constant, origin) in constant.iter_mut().zip(origin) {
+                        *constant += origin;
+                    }
                 }
             }
         }

@@ -146,9 +146,9 @@ fn refuse_geometry(task: &Task<'_>, error: &GeometryError) -> Failure {
     let points = file.points.get_ref();
     let lengths = file.lengths.as_ref();
     let span = match error {
-        GeometryError::NotFinite { point } | GeometryError::Collinear { point } => {
-            points.get(*point).map(Spanned::span)
-        }
+        GeometryError::NotFinite { point }
+        | GeometryError::Collinear { point }
+        | GeometryError::Flat { point } => points.get(*point).map(Spanned::span),
         GeometryError::BadLength { length } => lengths
             .and_then(|lengths| lengths.get_ref().get(*length))
             .map(Spanned::span),

@@ -33,6 +33,7 @@ pub mod error;
 pub mod factored;
 #[doc(hidden)]
 pub mod generated;
+pub mod handedness;
 pub mod linkage;
 pub mod linkages;
 pub mod local;
