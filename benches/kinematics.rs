@@ -6,6 +6,7 @@
 //!   (`dense`) and with that of `nalgebra`;
 //! - `step`: the next `position`, `velocity`, `acceleration` at a fixed cost, each including the
 //!   ones before it, and all of them with Newton's method `to_tolerance`;
+//! - `certificate`: the proof of a root (`certify`), and what is made once for it (`certifier`);
 //! - `lanes1`, `lanes4`, `lanes8`: the same in lanes, the time of a whole call.
 //!
 //! Each call of a kernel or an iteration gets another instant of the motion, and each step
@@ -22,13 +23,14 @@ mod support;
 
 mod kinematics {
     pub(crate) mod case;
+    pub(crate) mod certificate;
     pub(crate) mod kernels;
     pub(crate) mod lanes;
     pub(crate) mod steps;
 }
 
 use kinematics::case::Case;
-use kinematics::{kernels, lanes, steps};
+use kinematics::{certificate, kernels, lanes, steps};
 
 fn published_motion<T: Lane + std::fmt::LowerExp>(criterion: &mut Criterion) {
     let listed = Case::<attia2003::Listing, T>::new(
@@ -47,6 +49,8 @@ fn published_motion<T: Lane + std::fmt::LowerExp>(criterion: &mut Criterion) {
     kernels::bench(criterion, &rigid);
     steps::bench(criterion, &listed);
     steps::bench(criterion, &rigid);
+    certificate::bench(criterion, &listed);
+    certificate::bench(criterion, &rigid);
     lanes::bench(criterion, &listed);
     lanes::bench(criterion, &rigid);
 }

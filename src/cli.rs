@@ -1,7 +1,10 @@
 //! The command line's options and help.
 
+mod assemblies;
 mod bake;
 mod chart;
+mod failures;
+mod range;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -42,6 +45,11 @@ pub enum Command {
         #[arg(long, value_name = "DIR")]
         plots: Option<PathBuf>,
     },
+    /// Lists all assemblies of a file's mechanism at values of its drive.
+    ///
+    /// Also says how sure it is that the list is complete.
+    #[command(after_long_help = assemblies::NOTES)]
+    Assemblies(assemblies::Arguments),
     /// Bakes the motion of a file along one drive into a source file.
     ///
     /// A piecewise polynomial within a tolerance of the solver, looked up in a few nanoseconds:
@@ -53,6 +61,16 @@ pub enum Command {
     /// Writes a table, a figure and a page with all figures; see also benches/rivals.
     #[command(after_long_help = chart::NOTES)]
     Chart(chart::Arguments),
+    /// Counts how often each method fails: bad starts, long steps, turning points.
+    ///
+    /// Writes a table, a figure and a page with all counts.
+    #[command(after_long_help = failures::NOTES)]
+    Failures(failures::Arguments),
+    /// Finds how far each drive of a file leads the mechanism, and what ends its range.
+    ///
+    /// Follows the whole curve of configurations, also where the drive cannot lead.
+    #[command(after_long_help = range::NOTES)]
+    Range(range::Arguments),
 }
 
 impl Command {
@@ -67,8 +85,11 @@ impl Command {
                 let csv = csv.map(target);
                 job::motion(&Wanted { file, csv, plots }, interrupted)
             }
+            Self::Assemblies(arguments) => arguments.run(interrupted),
             Self::Bake(arguments) => arguments.run(interrupted),
             Self::Chart(arguments) => arguments.run(interrupted),
+            Self::Failures(arguments) => arguments.run(interrupted),
+            Self::Range(arguments) => arguments.run(interrupted),
         }
     }
 }

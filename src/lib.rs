@@ -10,15 +10,18 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+pub mod assemblies;
 pub mod bake;
 pub mod chart;
 pub mod cli;
 pub mod detail;
 pub mod failure;
+pub mod failures;
 pub mod input;
 pub mod job;
 pub mod lanes;
 pub mod number;
 pub mod output;
 pub mod published;
+pub mod range;
 pub mod study;

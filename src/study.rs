@@ -7,35 +7,41 @@ use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use nalgebra::{Const, DimMin};
+use nalgebra::{Const, DimMin, Vector3};
 use suspension_core::linkage::Listing;
 use suspension_core::{
     Advanced, Build, HasKingpin, HasWheel, Inputs, Linkage, Motion, SolveError, Still, Stopped,
     Tracker,
 };
 
+use crate::assemblies::{self, Listed, Wish};
 use crate::bake::order::{Order, Ordered};
 use crate::bake::source::Sheet;
 use crate::chart;
 use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
+use crate::failures;
 use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
 use crate::number::{number, rounded};
+use crate::range::course::DriveRange;
+use crate::range::locking::turning_drive;
+use crate::range::meeting::meeting;
+use crate::range::station;
 use columns::PointNames;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
 pub trait Suspension<const N: usize>:
     Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
-    + Linkage<N, Listing: Listing<N, Model<f64> = Self>>
+    + Linkage<N, Listing: Listing<N, Model<f64> = Self, Model<f32>: Build<N, Scalar = f32>>>
     + 'static
 {
 }
 
 impl<L, const N: usize> Suspension<N> for L where
     L: Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
-        + Linkage<N, Listing: Listing<N, Model<f64> = L>>
+        + Linkage<N, Listing: Listing<N, Model<f64> = L, Model<f32>: Build<N, Scalar = f32>>>
         + 'static
 {
 }
@@ -76,6 +82,18 @@ pub trait Study {
     /// met.
     fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure>;
 
+    /// Lists all assemblies. `file` is what it was loaded from.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`].
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure>;
+
     /// Puts every method of the chart through the motion between two times.
     ///
     /// # Errors
@@ -87,6 +105,36 @@ pub trait Study {
         effort: &Effort,
         interrupted: &AtomicBool,
     ) -> Result<Survey, Failure>;
+
+    /// The columns of a place on a drive's curve.
+    fn range_columns(&self) -> Vec<String>;
+
+    /// The range of each drive, the others held as at the first instant.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] where a curve has no start.
+    fn ranges(
+        &self,
+        instants: &Instants,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<DriveRange>, Failure>;
+
+    /// When the motion is at an end of a drive's range, and at which, where it moves this drive
+    /// alone.
+    fn meeting(&self, drive: usize, ends: [f64; 2], instants: &Instants) -> Option<(f64, usize)>;
+
+    /// Counts, between two times, how often each method of the failure map fails.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] where there is no motion.
+    fn failures(
+        &self,
+        ends: [f64; 2],
+        effort: &failures::survey::Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<failures::survey::Counted, Failure>;
 }
 
 /// How a sweep ended.
@@ -113,8 +161,8 @@ pub struct Stop {
     pub drives_reached: String,
     /// What the last refused step failed with.
     pub cause: String,
-    /// The largest speed where it stopped, as a multiple of that at the last good instant.
-    pub speed_up: f64,
+    /// The drive that turns there, where one does: led by it, the mechanism locks.
+    pub turns: Option<&'static str>,
 }
 
 /// What a step takes.
@@ -135,9 +183,13 @@ pub struct Assembled<L, const N: usize> {
     pub linkage: &'static str,
     /// The unit of its lengths.
     pub unit: Unit,
+    /// Where the file's coordinates have the origin of all below: zero, save far from the points.
+    pub origin: Vector3<f64>,
     /// The geometry.
     pub model: L,
-    /// The configuration of the first instant.
+    /// The first instant, s.
+    pub first: f64,
+    /// The configuration there.
     pub start: Motion<f64, N>,
     /// The drives.
     pub drives: DriveLaws,
@@ -167,18 +219,16 @@ where
         let mut motion = self.start;
         let [mut last, _] = instants.ends();
         for t in instants.iter() {
-            let speed = motion.velocity.amax();
             match follow(&self.model, &self.drives, [last, t], &mut motion) {
                 Ok(advanced) => {
                     let inputs = self.drives.inputs(t);
-                    let row = columns::row(&self.model, t, &inputs, &motion, &advanced);
+                    let row = columns::row(self, t, &inputs, &motion, &advanced);
                     if on_row(&row)?.is_break() {
                         return Ok(End::Cut);
                     }
                 }
                 Err(stopped) => {
-                    let speed_up = motion.velocity.amax() / speed;
-                    return Ok(End::Stopped(self.stop(t, &stopped, speed_up)));
+                    return Ok(End::Stopped(self.stop(t, &stopped, &motion)));
                 }
             }
             last = t;
@@ -220,6 +270,15 @@ where
         ordered.sheet()
     }
 
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure> {
+        assemblies::list(self, file, wish, interrupted)
+    }
+
     fn chart(
         &self,
         ends: [f64; 2],
@@ -227,6 +286,35 @@ where
         interrupted: &AtomicBool,
     ) -> Result<Survey, Failure> {
         chart::measure(self, ends, effort, interrupted)
+    }
+
+    fn range_columns(&self) -> Vec<String> {
+        station::names::<L, N>(self.unit)
+    }
+
+    fn ranges(
+        &self,
+        instants: &Instants,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<DriveRange>, Failure> {
+        let [first, _] = instants.ends();
+        let drives = 0..L::DRIVE_KINDS.len();
+        drives
+            .map(|index| self.range(first, index, interrupted))
+            .collect()
+    }
+
+    fn meeting(&self, drive: usize, ends: [f64; 2], instants: &Instants) -> Option<(f64, usize)> {
+        meeting::<L, N>(&self.drives, drive, ends, instants)
+    }
+
+    fn failures(
+        &self,
+        ends: [f64; 2],
+        effort: &failures::survey::Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<failures::survey::Counted, Failure> {
+        failures::measure(self, ends, effort, interrupted)
     }
 }
 
@@ -249,7 +337,8 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
         Some(took)
     }
 
-    fn stop(&self, asked: f64, stopped: &Stopped<f64>, speed_up: f64) -> Stop {
+    fn stop(&self, asked: f64, stopped: &Stopped<f64>, last: &Motion<f64, N>) -> Stop {
+        let at: Inputs<Still, L::Drives> = self.drives.inputs(stopped.reached);
         let drives = |t: f64| {
             let inputs: Inputs<Still, L::Drives> = self.drives.inputs(t);
             in_words::<L, N>(&inputs.drives.value, self.unit)
@@ -263,7 +352,7 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
                 || "the time is too far away".to_owned(),
                 |(_, error)| cause::<L, N>(&error, self.unit),
             ),
-            speed_up,
+            turns: turning_drive(&self.model, &at, &last.position),
         }
     }
 }
@@ -313,7 +402,7 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
             format!("the series of unknown `{name}` is not good for so long a step")
         }
         SolveError::TurningPoint { asked, extreme, .. } => format!(
-            "the leading quantity turns at {} and does not reach {}",
+            "the leading quantity turns at {}, on the way to {}",
             number(*extreme),
             number(*asked)
         ),

@@ -2,5 +2,14 @@
 
 mod support;
 
-#[path = "certificate/motion.rs"]
-mod motion;
+mod certificate {
+    pub(crate) mod judge;
+    pub(crate) mod random;
+    pub(crate) mod refine;
+
+    mod arithmetic;
+    mod far_from_singular;
+    mod hostile;
+    mod near_singular;
+    mod near_turning_points;
+}

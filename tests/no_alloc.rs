@@ -1,52 +1,30 @@
 //! No solving call allocates, whether it succeeds or fails.
-// A global allocator cannot be written without `unsafe`.
-#![allow(unsafe_code)]
 
+mod counting;
 mod support;
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use std::hint::black_box;
 
+use counting::{Counting, allocations};
 use nalgebra::{Isometry3, SVector, Vector3};
 use suspension::lanes::{Instructions, Lane, Lanes};
+use suspension_core::path::{Continuation, Curve, Leader, Led};
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
-    Bounded, Build, HasKingpin, HasWheel, InputSeries, Inputs, Jet, Listing, Motion, Newton,
-    Outputs, Real, RigidMotion, SeriesTracker, Still, Tangent, Tracker, assemble,
+    Bounded, Build, Certifier, HasKingpin, HasWheel, InputSeries, Inputs, Jet, Linkage, Listing,
+    Motion, Newton, Outputs, Real, RigidMotion, SeriesTracker, Signal, Still, Tangent, Tracker,
+    assemble,
 };
-
-thread_local! {
-    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
-}
-
-/// The system's allocator, counting the allocations of each thread.
-struct Counting;
-
-// SAFETY: every call is passed on to the system's allocator as it came. The rest of the trait is
-// provided in terms of these two, so no allocation escapes the count.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
-        // SAFETY: the caller keeps the contract of `alloc`.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller keeps the contract of `dealloc`.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
 /// The result of `work`, which must not allocate.
 fn without_allocating<R>(what: &str, work: impl FnOnce() -> R) -> R {
-    let before = ALLOCATIONS.get();
+    let before = allocations();
     let result = black_box(work());
-    let allocations = ALLOCATIONS.get() - before;
-    assert_eq!(allocations, 0, "{what} allocates");
+    let made = allocations() - before;
+    assert_eq!(made, 0, "{what} allocates");
     result
 }
 
@@ -60,14 +38,18 @@ struct Case<T, L: Build<15, Scalar = T>> {
 impl<T, L> Case<T, L>
 where
     T: Real,
-    L: Build<15, Scalar = T, Points: HasKingpin<T> + HasWheel<T>>,
+    L: Build<15, Scalar = T, Points: HasKingpin<T> + HasWheel<T>>
+        + Linkage<15, Listing: Listing<15, Model<T> = L>>
+        + Copy,
 {
     fn check(&self) {
         let q = self.first_configuration();
+        self.certificate(&q);
         let motion = self.motion(q);
         self.readings(&motion);
         self.moving_chassis(&motion);
         self.failures(&motion);
+        self.curves(q);
     }
 
     fn first_configuration(&self) -> SVector<T, 15> {
@@ -78,6 +60,15 @@ where
         })
         .expect("assembles");
         q
+    }
+
+    fn certificate(&self, q: &SVector<T, 15>) {
+        let certifier = without_allocating("Certifier", || Certifier::new(&self.model));
+        for (t, is_root) in [(0.0, true), (0.1, false), (f64::NAN, false)] {
+            let inputs = (self.inputs)(T::constant(t));
+            let certificate = without_allocating("certify", || certifier.certify(&inputs, q));
+            assert_eq!(certificate.is_proved(), is_root);
+        }
     }
 
     fn motion(&self, mut q: SVector<T, 15>) -> Motion<T, 15> {
@@ -150,6 +141,37 @@ where
             Tracker::default().step(&self.model, &inputs, T::constant(0.001), &mut motion)
         })
         .expect("a regular motion");
+    }
+
+    fn curves(&self, q: SVector<T, 15>) {
+        let inputs = (self.inputs)(T::zero());
+        let end = without_allocating("Path", || {
+            let curve = Curve::new(&self.model, &inputs, 0)?;
+            let path = Continuation::default().path(curve, &q, true).ok()?;
+            path.last()
+        });
+        assert!(matches!(end, Some(Ok(_))), "followed to its end");
+        let height = |points: &Signal<L::Points>| Signal {
+            value: points.value.wheel()[1].z,
+            rate: points.rate.wheel()[1].z,
+            second_rate: points.second_rate.wheel()[1].z,
+        };
+        let curve = Curve::new(&self.model, &inputs, 0).expect("a drive");
+        let mut led = without_allocating("Led", || Led::at_rest(&curve, &q)).expect("regular");
+        let target = height(&led.points(&self.model, &inputs));
+        let leader = Leader::default();
+        without_allocating("Leader::step", || {
+            leader.step(&self.model, &inputs, height, &target, T::zero(), &mut led)
+        })
+        .expect("where it is");
+        without_allocating("Leader::step to where it turns", || {
+            let beyond = Signal {
+                value: target.value + T::constant(0.04),
+                ..target
+            };
+            leader.step(&self.model, &inputs, height, &beyond, T::one(), &mut led)
+        })
+        .expect_err("the wheel rises no higher");
     }
 
     fn failures(&self, motion: &Motion<T, 15>) {

@@ -187,7 +187,8 @@ impl Findings {
     }
 }
 
-fn document(width: f64, height: f64, content: &Markup) -> Markup {
+/// An SVG document.
+pub fn document(width: f64, height: f64, content: &Markup) -> Markup {
     let view = format!("0 0 {width} {height}");
     html! {
         svg xmlns="http://www.w3.org/2000/svg" viewBox=(view) width=(width) height=(height) font-family="sans-serif" {

@@ -3,7 +3,7 @@
 use nalgebra::{Const, DimMin, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::Wheel;
-use suspension_core::{GeometryError, Linkage, Motion, Named, Newton, assemble};
+use suspension_core::{GeometryError, Linkage, LocalOrigin, Motion, Named, Newton, assemble};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -66,6 +66,12 @@ where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
     check_names::<L, N>(task)?;
+    let origin = LocalOrigin::among(&guess::<L, N>(task)).position();
+    let file = task.file.seen_from(origin.into());
+    let task = &Task {
+        file: &file,
+        ..*task
+    };
     let guess = guess::<L, N>(task);
     let model = model::<L, N>(task, &guess)?;
     let (model, q, design) = at_design::<L, N>(task, model, &guess)?;
@@ -76,7 +82,9 @@ where
     Ok(Box::new(Assembled {
         linkage: task.linkage,
         unit: task.file.unit,
+        origin,
         model,
+        first: task.first,
         start,
         drives,
     }))

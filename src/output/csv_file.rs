@@ -60,7 +60,10 @@ impl CsvFile {
         let mut table = Self {
             name,
             writer: csv::Writer::from_writer(sink),
-            integer_columns: columns.iter().map(|name| name == "iterations").collect(),
+            integer_columns: columns
+                .iter()
+                .map(|name| matches!(name.as_str(), "iterations" | "assembly"))
+                .collect(),
         };
         table.record(columns.iter().map(String::as_str))?;
         Ok(table)

@@ -9,7 +9,8 @@ use core::fmt;
 /// Why no configuration was found. The state that was passed in is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SolveError<T> {
-    /// A residual is NaN or infinite: so is an input or a start value.
+    /// A residual, or a derivative of it, is NaN or infinite: so is an input, the start or the time
+    /// step, or it is too large for the number type.
     NotFinite {
         /// The equation whose residual it is.
         equation: usize,
@@ -168,7 +169,7 @@ impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
             ),
             Self::TurningPoint { asked, extreme, .. } => write!(
                 f,
-                "the leading quantity turns at {extreme:.15e} and does not reach {asked:.15e}"
+                "the leading quantity turns at {extreme:.15e}, on the way to {asked:.15e}"
             ),
             Self::NotConverged {
                 equation,

@@ -37,7 +37,8 @@ pub(crate) fn is_healthy<T: Real>(growth_squared: T) -> bool {
 ///
 /// # Errors
 ///
-/// [`SolveError::Singular`], from partial pivoting.
+/// [`SolveError::Singular`] from partial pivoting, [`SolveError::NotFinite`] where an entry of the
+/// Jacobian is not finite.
 #[inline(always)]
 pub fn with_factors<T, L, R, const N: usize>(
     linkage: &L,
@@ -70,7 +71,13 @@ where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    let lu = Lu::factor(&linkage.jacobian(q, fixed))?;
+    let jacobian = linkage.jacobian(q, fixed);
+    for column in &jacobian.data.0 {
+        if let Some(equation) = column.iter().position(|entry| !entry.is_finite()) {
+            return Err(SolveError::NotFinite { equation });
+        }
+    }
+    let lu = Lu::factor(&jacobian)?;
     let (unknown, pivot) = lu.smallest_pivot();
     if pivot > threshold {
         Ok(lu)
@@ -97,7 +104,8 @@ impl<T: Real, F: Factors<T, N>, const N: usize> Factored<F, T, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] where a pivot is not above 8 times the square root of `EPSILON`.
+    /// [`SolveError::Singular`] where a pivot is not above 8 times the square root of `EPSILON`,
+    /// [`SolveError::NotFinite`] where an entry of the Jacobian is not finite.
     pub fn new<L>(linkage: &L, q: &SVector<T, N>, fixed: &L::Fixed) -> Result<Self, SolveError<T>>
     where
         L: Linkage<N, Scalar = T, Factors = F>,

@@ -1,11 +1,14 @@
 //! The numbers that the solver computes with.
 
-use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, RealField};
+use nalgebra::{
+    ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Complex, RealField,
+};
 use num_traits::{One, Zero};
 
 /// What generated code needs of a number: arithmetic without branches.
 ///
-/// Met by `f32` and `f64`; lanes of them can meet it too, because nothing here compares.
+/// Met by `f32`, `f64` and complex numbers; lanes of them can meet it too, because nothing here
+/// compares.
 pub trait Scalar:
     nalgebra::Scalar
     + Copy
@@ -97,5 +100,17 @@ impl Real for f64 {
     #[inline(always)]
     fn larger_magnitude(self, other: Self) -> Self {
         f64::max(f64::abs(self), f64::abs(other))
+    }
+}
+
+/// The equations of a linkage are polynomials: they have complex roots too, and those hang together
+/// where real ones do not.
+impl Scalar for Complex<f64> {
+    fn constant(value: f64) -> Self {
+        Self::from(value)
+    }
+
+    fn nearest_integer(self) -> Self {
+        Self::new(self.re.nearest_integer(), self.im.nearest_integer())
     }
 }

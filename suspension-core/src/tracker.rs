@@ -17,6 +17,7 @@ use crate::motion::{Motion, Prescribed, rates_at};
 use crate::newton::{Converged, Newton};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
+use crate::substeps::in_steps;
 
 pub use between::{Between, Cubic};
 use guard::Crossing;
@@ -243,39 +244,8 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        let mut reached = from;
-        let mut dt = to - from;
-        let shortest = (from.abs().max(to.abs())) * T::EPSILON * T::constant(4.0);
-        let mut advanced = Advanced {
-            steps: 0,
-            iterations: 0,
-            last: Converged::default(),
-        };
-        let mut refused = None;
-        for _ in 0..self.max_steps {
-            let last_step = (to - reached).abs() <= dt.abs();
-            let next = if last_step { to } else { reached + dt };
-            match self.step(linkage, &inputs(next), next - reached, motion) {
-                Ok(converged) => {
-                    reached = next;
-                    refused = None;
-                    advanced.steps += 1;
-                    advanced.iterations += converged.iterations;
-                    advanced.last = converged;
-                    if last_step {
-                        return Ok(advanced);
-                    }
-                    dt *= T::constant(2.0);
-                }
-                Err(error) => {
-                    refused = Some((next - reached, error));
-                    dt = (next - reached) * T::constant(0.5);
-                    if dt.abs() <= shortest {
-                        break;
-                    }
-                }
-            }
-        }
-        Err(Stopped { reached, refused })
+        in_steps([from, to], self.max_steps, |next, dt| {
+            self.step(linkage, &inputs(next), dt, motion)
+        })
     }
 }

@@ -1,10 +1,9 @@
 //! Motions led by another quantity than the drive.
 
-use nalgebra::Vector3;
+use nalgebra::{SVector, Vector3};
+use suspension_core::linkages::attia2003;
 use suspension_core::path::{Leader, Led, Place};
-use suspension_core::{
-    Build, HasWheel, Inputs, Linkage, Motion, Named as _, Signal, SolveError, Still, Tangent,
-};
+use suspension_core::{Build, HasWheel, Motion, Signal, SolveError, Stopped};
 
 use super::case::{Case, attia, five_link};
 use crate::support::{INSTANTS, Reference, theta};
@@ -19,80 +18,191 @@ fn height<P: HasWheel<f64>>(points: &Signal<P>) -> Signal<f64> {
     }
 }
 
-fn still(value: f64) -> Signal<f64> {
+/// The distance of two points that move, with its rates.
+fn distance([a, b]: [Signal<Vector3<f64>>; 2]) -> Signal<f64> {
+    let between = b.value - a.value;
+    let (rate, second_rate) = (b.rate - a.rate, b.second_rate - a.second_rate);
+    let value = between.norm();
+    let closing = between.dot(&rate) / value;
+    let across = rate.norm_squared() - closing * closing;
     Signal {
         value,
-        rate: 0.0,
-        second_rate: 0.0,
+        rate: closing,
+        second_rate: (between.dot(&second_rate) + across) / value,
     }
 }
 
-#[test]
-fn look() {
-    let case = attia::<f64>();
-    let curve = case.curve();
-    for stretch in case.path(true) {
-        let p = &stretch.place;
-        let pts = curve.points(&p.configuration);
-        println!("{:.6} {:.6}", p.value, pts.wheel()[1].z);
+/// A spring from point 2 to point 10.
+fn spring(points: &Signal<attia2003::Points<f64>>) -> Signal<f64> {
+    let point = |of: fn(&attia2003::Points<f64>) -> Vector3<f64>| Signal {
+        value: of(&points.value),
+        rate: of(&points.rate),
+        second_rate: of(&points.second_rate),
+    };
+    distance([point(|p| p.p2), point(|p| p.p10)])
+}
+
+/// The angle of the link from point 2 to point 7 from z.
+fn upper_link(points: &Signal<attia2003::Points<f64>>) -> Signal<f64> {
+    let link = |p: &attia2003::Points<f64>| p.p7 - p.p2;
+    let length = link(&points.value).norm();
+    let cosine = link(&points.value).z / length;
+    let sine = (1.0 - cosine * cosine).sqrt();
+    let rate = -link(&points.rate).z / length / sine;
+    let second_rate = -(link(&points.second_rate).z / length + cosine * rate * rate) / sine;
+    Signal {
+        value: cosine.acos(),
+        rate,
+        second_rate,
     }
 }
 
-/// Led by the height of the wheel centre in the reference's motion, everything else is as in the
-/// reference.
-fn as_the_reference<L>(case: &Case<f64, L>, motions: &[Motion<f64, 15>])
-where
-    L: Build<15, Scalar = f64, Points: HasWheel<f64>>,
-{
-    let mut led = Led::at_rest(&case.curve(), &case.q).expect("regular");
-    let inputs = (case.inputs)(0.0);
-    let mut last = 0.0;
-    for (instant, expected) in INSTANTS.iter().zip(motions) {
-        let at = (case.inputs)(*instant);
-        let target = height(&expected.points(&case.model, &at));
-        let from = height(&led.points(&case.model, &inputs)).value;
-        for part in 1..=20 {
-            let part = f64::from(part) / 20.0;
-            let mut on_the_way = still(from + (target.value - from) * part);
-            if part == 1.0 {
-                on_the_way = target;
-            }
-            let dt = if led.increases.is_none() { 0.0 } else { 0.0 };
-            Leader::default()
-                .step(&case.model, &inputs, height, &on_the_way, dt, &mut led)
-                .expect("a regular motion");
-        }
-        let off = |a: &nalgebra::SVector<f64, 15>, b: nalgebra::SVector<f64, 15>| (a - b).amax();
-        let found = led.configuration;
-        println!(
-            "{instant} {:e} {:e} {:e}",
-            off(&found.value.unknowns, expected.position),
-            off(&found.rate.unknowns, expected.velocity),
-            off(&found.second_rate.unknowns, expected.acceleration)
+fn amax(difference: SVector<f64, 15>) -> f64 {
+    difference.amax()
+}
+
+/// Led by a quantity as it is in the 40-digit reference, everything else is as there.
+fn rates_as_the_reference<L: Build<15, Scalar = f64>>(
+    case: &Case<f64, L>,
+    quantity: impl Fn(&Signal<L::Points>) -> Signal<f64>,
+) {
+    let reference = Reference::load();
+    for (index, instant) in INSTANTS.into_iter().enumerate() {
+        let expected = Motion {
+            position: reference.unknowns(index, ""),
+            velocity: reference.unknowns(index, "v"),
+            acceleration: reference.unknowns(index, "a"),
+            positive_determinant: None,
+        };
+        let inputs = (case.inputs)(instant);
+        let target = quantity(&expected.points(&case.model, &inputs));
+        // From a millimetre beside, the drive free.
+        let beside = expected.position + SVector::repeat(1e-3);
+        let curve = case.curve();
+        let mut led = Led::at_rest(&curve, &beside).expect("regular");
+        let still = (case.inputs)(0.0);
+        Leader::default()
+            .step(&case.model, &still, &quantity, &target, 0.0, &mut led)
+            .expect("a configuration near by");
+        let Signal {
+            value,
+            rate,
+            second_rate,
+        } = led.configuration;
+        let off = [
+            amax(value.unknowns - expected.position),
+            amax(rate.unknowns - expected.velocity),
+            amax(second_rate.unknowns - expected.acceleration),
+        ];
+        assert!(
+            off[0] <= 1e-14 && off[1] <= 1e-12 && off[2] <= 1e-10,
+            "at {instant} s off by {off:?}"
         );
-        let drive = led.drive(&case.model, &inputs);
-        let expected = theta(*instant);
-        println!(
-            "  {:e} {:e} {:e}",
-            drive.value - expected.value,
-            drive.rate - expected.rate,
-            drive.second_rate - expected.second_rate
-        );
-        last = *instant;
+        let drive = led.drive(&case.model, &still);
+        let theta = theta(instant);
+        assert!((drive.value - theta.value).abs() <= 1e-14);
+        assert!((drive.rate - theta.rate).abs() <= 1e-12);
+        assert!((drive.second_rate - theta.second_rate).abs() <= 1e-10);
     }
 }
 
 #[test]
 fn rates_are_those_of_the_reference() {
-    let reference = Reference::load();
-    let motions: Vec<_> = (0..INSTANTS.len())
-        .map(|i| Motion {
-            position: reference.unknowns(i, ""),
-            velocity: reference.unknowns(i, "v"),
-            acceleration: reference.unknowns(i, "a"),
-            positive_determinant: None,
-        })
-        .collect();
-    as_the_reference(&attia(), &motions);
-    as_the_reference(&five_link(), &motions);
+    rates_as_the_reference(&attia(), height);
+    rates_as_the_reference(&five_link(), height);
+    rates_as_the_reference(&attia(), spring);
+    rates_as_the_reference(&attia(), upper_link);
+}
+
+/// The slope of the height along the unit tangent.
+fn slope<L>(case: &Case<f64, L>, place: &Place<f64, 15>) -> f64
+where
+    L: Build<15, Scalar = f64, Points: HasWheel<f64>>,
+{
+    let along = Signal {
+        value: place.configuration,
+        rate: place.tangent,
+        second_rate: place.tangent,
+    };
+    height(&case.curve().moving_points(&along)).rate
+}
+
+/// Leads from one height to another in a second.
+fn lead<L>(
+    case: &Case<f64, L>,
+    [from, to]: [f64; 2],
+    led: &mut Led<f64, 15>,
+) -> Result<(), Stopped<f64>>
+where
+    L: Build<15, Scalar = f64, Points: HasWheel<f64>>,
+{
+    let still = |_| (case.inputs)(0.0);
+    let target = |t: f64| Signal {
+        value: from + (to - from) * t,
+        rate: to - from,
+        second_rate: 0.0,
+    };
+    let leader = Leader::default();
+    leader
+        .step(&case.model, &still(0.0), height, &target(0.0), 0.0, led)
+        .expect("the place where it starts");
+    let advanced = leader.advance(&case.model, still, height, target, [0.0, 1.0], led);
+    advanced.map(|_| ())
+}
+
+/// Led by its height, the wheel goes round the whole curve, turning points of the drive included,
+/// but for the four places where the height itself turns.
+fn round_by_height<L>(case: &Case<f64, L>)
+where
+    L: Build<15, Scalar = f64, Points: HasWheel<f64>>,
+{
+    let curve = case.curve();
+    let stretches = case.path(true);
+    let start = |place: &Place<f64, 15>| {
+        let mut led = Led::at_rest(&curve, &place.configuration.unknowns).expect("regular");
+        led.configuration.value = place.configuration;
+        led
+    };
+    let mut led = start(&stretches[0].place);
+    let (mut drive_turned, mut switched, mut turns) = (0, 0, 0);
+    for pair in stretches.windows(2) {
+        let [from, to] = [pair[0].place, pair[1].place];
+        let heights = [from, to].map(|place| curve.points(&place.configuration).wheel()[1].z);
+        let rising = slope(case, &from) > 0.0;
+        if rising == (slope(case, &to) > 0.0) {
+            let before = led.parameter;
+            lead(case, heights, &mut led).expect("the height does not turn here");
+            switched += usize::from(led.parameter != before);
+            let off = (led.configuration.value - to.configuration).norm();
+            assert!(off <= 1e-12, "off by {off} at {} rad", to.value);
+            drive_turned += usize::from(pair[1].turning.is_some());
+        } else {
+            let beyond = heights[0] + if rising { 1e-2 } else { -1e-2 };
+            let refused = lead(case, [heights[0], beyond], &mut led);
+            let Err(Stopped {
+                refused: Some((_, SolveError::TurningPoint { asked, extreme, .. })),
+                ..
+            }) = refused
+            else {
+                panic!("{refused:?}")
+            };
+            assert!(
+                (asked - extreme).abs() <= 1e-12,
+                "advanced up to the extreme"
+            );
+            let [before, after] = heights.map(|height| if rising { height } else { -height });
+            let extreme = if rising { extreme } else { -extreme };
+            assert!(extreme >= before.max(after));
+            turns += 1;
+            led = start(&to);
+        }
+    }
+    assert_eq!((drive_turned, turns), (4, 4));
+    assert!(switched > 0, "no one entry is a good parameter all round");
+}
+
+#[test]
+fn passes_the_turning_points_of_the_drive() {
+    round_by_height(&attia());
+    round_by_height(&five_link());
 }

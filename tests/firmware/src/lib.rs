@@ -7,8 +7,12 @@ mod assembly;
 mod baked;
 #[cfg(feature = "solving")]
 mod bounded;
+#[cfg(feature = "solving")]
+mod certificate;
 #[cfg(feature = "construction")]
 mod construction;
+#[cfg(feature = "path")]
+mod path;
 #[cfg(feature = "series")]
 mod series;
 #[cfg(feature = "solving")]

@@ -1,0 +1,107 @@
+//! The roots of the mechanism itself.
+
+use nalgebra::{Complex, Const, DimMin, SVector};
+use suspension_core::{Inputs, Newton, Still};
+
+use crate::assemblies::family::{Member, Vector, complex};
+use crate::assemblies::generic::{Generic, add_distinct};
+use crate::assemblies::parallel;
+use crate::assemblies::path::{End, follow};
+use crate::assemblies::{Enumerable, Evidence};
+
+/// Ways on which the roots are followed at most: a straight one, and detours where paths of that
+/// are lost.
+const WAYS: usize = 4;
+
+/// The largest imaginary part of a real root, and how far it may lie from where Newton's method
+/// confirms it, as a multiple of the linkage's size.
+const REAL: f64 = 1e-6;
+
+/// All assemblies of a mechanism at given values of its drives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Census<const N: usize> {
+    /// The real ones, residuals tested.
+    pub real: Vec<SVector<f64, N>>,
+    /// How many are complex.
+    pub complex: usize,
+    /// How many a mechanism with general lengths has.
+    pub generic: usize,
+    /// How many of those go to infinity as the lengths become the mechanism's.
+    pub infinite: usize,
+    /// Why the generic ones are believed to be all.
+    pub evidence: Evidence,
+}
+
+impl<const N: usize> Census<N> {
+    /// How many assemblies of a general mechanism were followed neither to one of this mechanism
+    /// nor to infinity: several that coincide, or paths lost near a singularity.
+    pub fn unaccounted(&self) -> usize {
+        let accounted = self.real.len() + self.complex + self.infinite;
+        self.generic.saturating_sub(accounted)
+    }
+
+    /// Whether there is good reason to believe that the list is complete: all assemblies of a
+    /// general mechanism are known, and where each of them leads; the complex ones come in
+    /// conjugate pairs.
+    pub fn is_complete(&self) -> bool {
+        self.evidence.is_convincing() && self.unaccounted() == 0 && self.complex.is_multiple_of(2)
+    }
+}
+
+/// Follows the generic roots to the mechanism.
+pub(crate) fn census<L: Enumerable<N>, const N: usize>(
+    generic: &mut Generic<L::Listing, N>,
+    model: &L,
+    inputs: &Inputs<Still, L::Drives>,
+) -> Census<N>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let size = model.size();
+    let target = Member {
+        drives: complex::<L, N>(model, inputs),
+        right: Vector::zeros(),
+    };
+    let mut roots = Vec::new();
+    let mut infinite = 0;
+    for way in 0..WAYS {
+        let detour = (way > 0).then(|| generic.waypoint());
+        let lines = generic.lines(detour.into_iter().chain([target]));
+        let ends = parallel::map(&generic.roots, |root| follow(&lines, root));
+        infinite = ends.iter().filter(|end| **end == End::Infinite).count();
+        for end in ends {
+            if let End::Root(root) = end {
+                add_distinct(&mut roots, root, size);
+            }
+        }
+        if roots.len() + infinite >= generic.roots.len() {
+            break;
+        }
+    }
+    let real: Vec<_> = roots
+        .iter()
+        .filter_map(|root| real::<L, N>(model, inputs, root))
+        .collect();
+    Census {
+        infinite: infinite.min(generic.roots.len().saturating_sub(roots.len())),
+        complex: roots.len() - real.len(),
+        real,
+        generic: generic.roots.len(),
+        evidence: generic.evidence,
+    }
+}
+
+/// The real root that a complex one is, to rounding.
+fn real<L: Enumerable<N>, const N: usize>(
+    model: &L,
+    inputs: &Inputs<Still, L::Drives>,
+    root: &Vector<N>,
+) -> Option<SVector<f64, N>> {
+    let bound = REAL * model.size();
+    let found = root.map(|entry: Complex<f64>| entry.re);
+    let mut q = found;
+    let near = root.iter().all(|entry| entry.im.abs() <= bound)
+        && Newton::near_by().solve(model, inputs, &mut q).is_ok()
+        && (q - found).amax() <= bound;
+    near.then_some(q)
+}

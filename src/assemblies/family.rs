@@ -1,0 +1,170 @@
+//! The equations of a linkage among their neighbours: `F(q; u) = c` over complex numbers.
+
+use nalgebra::{Complex, Const, DimMin, LU, SVector};
+use suspension_core::{Inputs, Linkage, Listing, Named, Still};
+
+use crate::assemblies::Enumerable;
+
+/// Unknowns, right-hand sides and residuals.
+pub(crate) type Vector<const N: usize> = SVector<Complex<f64>, N>;
+
+/// A factored Jacobian.
+pub(crate) struct Factors<const N: usize>(LU<Complex<f64>, Const<N>, Const<N>>)
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>;
+
+impl<const N: usize> Factors<N>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    /// Solves `J x = right`; `None` where a pivot is zero.
+    pub(crate) fn solve(&self, right: &Vector<N>) -> Option<Vector<N>> {
+        self.0.solve::<Const<N>, Const<1>, _>(right)
+    }
+}
+
+/// Driven coordinates.
+pub(crate) type Drives<G, const N: usize> = <G as Listing<N>>::Drives<Complex<f64>>;
+type Fixed<G, const N: usize> = <G as Listing<N>>::Fixed<Complex<f64>>;
+
+/// All systems `F(q; u) = c` of one geometry.
+///
+/// Each `q` is a root of exactly one `c` for given `u`, so that all pairs `(q, c)` form a copy of
+/// the space of `q`: one piece. Loops of `c` therefore lead from any root of a generic `c` to any
+/// other.
+pub(crate) struct Family<G: Listing<N>, const N: usize> {
+    model: G::Model<Complex<f64>>,
+    /// The longest length of the linkage.
+    pub(crate) size: f64,
+}
+
+/// One system of a family.
+#[derive(Clone, Copy)]
+pub(crate) struct Member<D, const N: usize> {
+    /// `u`: the drives, angles as the coordinates that they prescribe.
+    pub(crate) drives: D,
+    /// `c`.
+    pub(crate) right: Vector<N>,
+}
+
+impl<G: Listing<N>, const N: usize> Family<G, N> {
+    pub(crate) fn new(model: &G::Model<f64>) -> Self {
+        Self {
+            model: G::gather([model], |[number]| Complex::from(number)),
+            size: model.size(),
+        }
+    }
+
+    /// The member of which `q` is a root.
+    pub(crate) fn of_root(&self, q: &Vector<N>, drives: Drives<G, N>) -> Member<Drives<G, N>, N> {
+        let right = self.model.residual(q, &self.fixed(&drives), &drives);
+        Member { drives, right }
+    }
+
+    /// The straight line from one member to another.
+    pub(crate) fn line(
+        &self,
+        from: Member<Drives<G, N>, N>,
+        to: Member<Drives<G, N>, N>,
+    ) -> Line<'_, G, N> {
+        let ends = from.drives.values().zip(to.drives.values());
+        let change = Member {
+            drives: named(ends.map(|(from, to)| to - from)),
+            right: to.right - from.right,
+        };
+        let fixed_rate = G::Model::drive_anchors(Fixed::<G, N>::default(), &change.drives);
+        Line {
+            family: self,
+            from,
+            change,
+            fixed_rate,
+        }
+    }
+
+    fn fixed(&self, drives: &Drives<G, N>) -> Fixed<G, N> {
+        G::Model::drive_anchors(*self.model.fixed(), drives)
+    }
+}
+
+/// The coordinates that drives prescribe.
+pub(crate) fn complex<L: Enumerable<N>, const N: usize>(
+    model: &L,
+    inputs: &Inputs<Still, L::Drives>,
+) -> Drives<L::Listing, N> {
+    let coordinates = model.coordinates(&inputs.drives).value;
+    named(coordinates.values().map(Complex::from))
+}
+
+/// Numbers under the names of drives.
+fn named<D: Named<Complex<f64>>>(mut values: impl Iterator<Item = Complex<f64>>) -> D {
+    D::from_fn(|_| values.next().unwrap_or_default())
+}
+
+/// Members `from + s change`, with `s` from 0 to 1.
+pub(crate) struct Line<'a, G: Listing<N>, const N: usize> {
+    family: &'a Family<G, N>,
+    from: Member<Drives<G, N>, N>,
+    change: Member<Drives<G, N>, N>,
+    fixed_rate: Fixed<G, N>,
+}
+
+impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
+    /// The longest length of the linkage.
+    pub(crate) fn size(&self) -> f64 {
+        self.family.size
+    }
+
+    fn drives(&self, s: f64) -> Drives<G, N> {
+        let ends = self.from.drives.values().zip(self.change.drives.values());
+        named(ends.map(|(from, change)| from + change * s))
+    }
+
+    /// `F(q; u(s)) - c(s)`.
+    pub(crate) fn residual(&self, q: &Vector<N>, s: f64) -> Vector<N> {
+        let drives = self.drives(s);
+        let fixed = self.family.fixed(&drives);
+        let right = self.from.right + self.change.right * Complex::from(s);
+        self.family.model.residual(q, &fixed, &drives) - right
+    }
+
+    /// The factors of `dF/dq`.
+    pub(crate) fn factors(&self, q: &Vector<N>, s: f64) -> Factors<N>
+    where
+        Const<N>: DimMin<Const<N>, Output = Const<N>>,
+    {
+        let fixed = self.family.fixed(&self.drives(s));
+        Factors(self.family.model.jacobian(q, &fixed).lu())
+    }
+
+    /// Taylor coefficients of the root, order 1 first: `F` is quadratic in `q` and `u` together, so
+    /// that one factorisation gives all of them.
+    pub(crate) fn series<const K: usize>(
+        &self,
+        q: &Vector<N>,
+        s: f64,
+        factors: &Factors<N>,
+    ) -> Option<[Vector<N>; K]>
+    where
+        Const<N>: DimMin<Const<N>, Output = Const<N>>,
+    {
+        let Family { model, .. } = self.family;
+        let fixed = self.family.fixed(&self.drives(s));
+        let zero = Fixed::<G, N>::default();
+        let of_drives = model.drive_rate(q, &fixed, &self.fixed_rate, &self.change.drives);
+        let mut terms = [Vector::zeros(); K];
+        for order in 0..K {
+            let mut right = of_drives + self.change.right;
+            if order > 0 {
+                right = Vector::zeros();
+                for i in 0..order {
+                    let rate = |index| if index == 0 { &self.fixed_rate } else { &zero };
+                    let j = order - 1 - i;
+                    right -= model.curvature(&terms[i], rate(i), &terms[j], rate(j));
+                }
+                right *= Complex::from(0.5);
+            }
+            terms[order] = factors.solve(&right)?;
+        }
+        Some(terms)
+    }
+}

@@ -1,0 +1,188 @@
+//! All complex roots of one generic member of a family.
+
+use nalgebra::{Complex, Const, DimMin, SVector};
+use suspension_core::{Linkage, Listing, Named};
+
+use crate::assemblies::family::{Drives, Family, Line, Member, Vector};
+use crate::assemblies::parallel;
+use crate::assemblies::path::{End, follow};
+use crate::assemblies::random::Random;
+
+/// Random starts before the first loop.
+const STARTS: usize = 200;
+
+/// Loops without a new root after which the search ends.
+const QUIET: usize = 4;
+
+/// Loops that are made at most.
+const MOST_LOOPS: usize = 40;
+
+/// How large loops are, as a multiple of the linkage's size: small ones leave the roots where they
+/// were.
+const LOOP: f64 = 4.0;
+
+/// How far, relative to their sum's change, the sum of all roots may be from linear.
+const LINEAR: f64 = 1e-3;
+
+/// Why the roots are believed to be all.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Evidence {
+    /// Random starts, each followed from the system of which it is a root.
+    pub starts: usize,
+    /// Loops through other systems, along which all roots were followed.
+    pub loops: usize,
+    /// How many of them, the last ones, brought no new root.
+    pub quiet: usize,
+    /// The trace test (Sommese, Verschelde and Wampler 2002): how far the sum of the roots is from
+    /// linear as a drive moves, relative to its change. Where one is missing it is not linear.
+    /// `None` where no drive moves a free point.
+    pub trace: Option<f64>,
+}
+
+impl Evidence {
+    /// Whether the trace test confirms the roots, or, where it does not apply, the loops do.
+    pub fn is_convincing(&self) -> bool {
+        self.trace.map_or(self.quiet >= QUIET, |bend| bend < LINEAR)
+    }
+}
+
+/// A member of a family with its roots.
+pub(crate) struct Generic<G: Listing<N>, const N: usize> {
+    family: Family<G, N>,
+    member: Member<Drives<G, N>, N>,
+    pub(crate) roots: Vec<Vector<N>>,
+    pub(crate) evidence: Evidence,
+    random: Random,
+}
+
+impl<G: Listing<N>, const N: usize> Generic<G, N>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    /// Finds the roots of a random member near the one of which `q` is a root.
+    ///
+    /// Duff, Hill, Jensen, Lee, Leykin and Sommars 2019, Solving polynomial systems via homotopy
+    /// continuation and monodromy.
+    pub(crate) fn new(
+        family: Family<G, N>,
+        q: &SVector<f64, N>,
+        drives: Drives<G, N>,
+        seed: u64,
+    ) -> Self {
+        let mut random = Random::new(seed);
+        let root = q.map(Complex::from) + random.vector::<N>(family.size);
+        let mut generic = Self {
+            member: family.of_root(&root, drives),
+            family,
+            roots: vec![root],
+            evidence: Evidence::default(),
+            random,
+        };
+        generic.start(q);
+        generic.go_round();
+        generic
+    }
+
+    /// Follows random points here, from the members of which they are roots.
+    fn start(&mut self, q: &SVector<f64, N>) {
+        let starts: Vec<Vector<N>> = (0..STARTS)
+            .map(|index| {
+                // From a third of the linkage's size to thirty times that.
+                let size = 10_f64.powf(-0.5 + 2.0 * (index as f64) / (STARTS as f64));
+                q.map(Complex::from) + self.random.vector::<N>(self.family.size * size)
+            })
+            .collect();
+        self.evidence.starts = starts.len();
+        let ends = parallel::map(&starts, |start| {
+            let from = self.family.of_root(start, self.member.drives);
+            follow(&[self.family.line(from, self.member)], start)
+        });
+        self.add(ends);
+    }
+
+    /// Follows the roots along loops until they are all, or loops bring no new one.
+    fn go_round(&mut self) {
+        while self.evidence.loops < MOST_LOOPS {
+            if self.evidence.quiet > 0 {
+                self.evidence.trace = self.bend();
+                if self.evidence.quiet >= QUIET || self.evidence.trace.is_some_and(|b| b < LINEAR) {
+                    return;
+                }
+            }
+            let round = [self.waypoint(), self.waypoint(), self.member];
+            let way = self.lines(round);
+            let ends = parallel::map(&self.roots, |root| follow(&way, root));
+            let known = self.roots.len();
+            self.add(ends);
+            self.evidence.loops += 1;
+            self.evidence.quiet += 1;
+            if self.roots.len() > known {
+                self.evidence.quiet = 0;
+            }
+        }
+    }
+
+    /// A random member, to go round by.
+    pub(crate) fn waypoint(&mut self) -> Member<Drives<G, N>, N> {
+        let mut member = self.member;
+        member.right += self.random.vector::<N>(LOOP * self.family.size);
+        member
+    }
+
+    /// The way from here to a member.
+    pub(crate) fn lines(
+        &self,
+        way: impl IntoIterator<Item = Member<Drives<G, N>, N>>,
+    ) -> Vec<Line<'_, G, N>> {
+        let mut from = self.member;
+        way.into_iter()
+            .map(|to| {
+                let line = self.family.line(from, to);
+                from = to;
+                line
+            })
+            .collect()
+    }
+
+    /// The trace test along the first drive of a free point.
+    fn bend(&mut self) -> Option<f64> {
+        let names = <Drives<G, N> as Named<Complex<f64>>>::NAMES;
+        let equations = <G::Model<f64> as Linkage<N>>::EQUATIONS;
+        let row = equations.iter().position(|name| names.contains(name))?;
+        let shift = self.random.vector::<1>(self.family.size).x;
+        let sums = [1.0, 2.0].map(|steps| {
+            let mut member = self.member;
+            member.right[row] += shift * steps;
+            let way = self.lines([member]);
+            let ends = parallel::map(&self.roots, |root| follow(&way, root));
+            ends.into_iter()
+                .try_fold(Vector::zeros(), |sum, end| match end {
+                    End::Root(root) => Some(sum + root),
+                    End::Infinite | End::Lost => None,
+                })
+        });
+        let [Some(one), Some(two)] = sums else {
+            return Some(f64::INFINITY);
+        };
+        let none: Vector<N> = self.roots.iter().sum();
+        let bend = (two - one * Complex::from(2.0) + none).camax();
+        Some(bend / (two - none).camax().max(self.family.size))
+    }
+
+    fn add(&mut self, ends: Vec<End<N>>) {
+        for end in ends {
+            if let End::Root(root) = end {
+                add_distinct(&mut self.roots, root, self.family.size);
+            }
+        }
+    }
+}
+
+/// Adds a root that is not yet among the others.
+pub(crate) fn add_distinct<const N: usize>(roots: &mut Vec<Vector<N>>, root: Vector<N>, size: f64) {
+    const SAME: f64 = 1e-6;
+    let apart = SAME * (size + root.camax());
+    if roots.iter().all(|other| (other - root).camax() > apart) {
+        roots.push(root);
+    }
+}

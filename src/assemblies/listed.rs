@@ -1,0 +1,194 @@
+//! The assemblies of a file's mechanism.
+
+use std::f64::consts::PI;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use nalgebra::{Const, DimMin, SVector};
+use suspension_core::lu::Lu;
+use suspension_core::wheel::Wheel;
+use suspension_core::{DriveKind, Inputs, Motion, Named, Signal, Still};
+
+use crate::assemblies::{Assemblies, Census, Evidence};
+use crate::failure::Failure;
+use crate::input::drives::in_words;
+use crate::study::{Assembled, Suspension};
+
+/// Where assemblies are wanted.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Wish {
+    /// The drive; `None` where there is only one.
+    pub drive: Option<String>,
+    /// Its values; none for those of the file's first instant.
+    pub at: Vec<f64>,
+}
+
+/// All assemblies at one value of the drives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Listed {
+    /// The drives, in rad or the file's unit.
+    pub drives: Vec<f64>,
+    /// The same in words.
+    pub drives_in_words: String,
+    /// The real ones, nearest to the file's configuration first.
+    pub assemblies: Vec<Assembly>,
+    /// How many are complex.
+    pub complex: usize,
+    /// How many a mechanism of general lengths has.
+    pub generic: usize,
+    /// How many of those go to infinity at these lengths.
+    pub infinite: usize,
+    /// How many of those lead nowhere that is known.
+    pub unaccounted: usize,
+    /// Whether there is good reason to believe that the list is complete.
+    pub is_complete: bool,
+    /// Why the generic ones are believed to be all.
+    pub evidence: Evidence,
+}
+
+/// A real assembly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assembly {
+    /// From the configuration of the file's first instant: the norm over all coordinates, in the
+    /// file's unit.
+    pub distance: f64,
+    /// How far the point moved that moved farthest.
+    pub farthest: f64,
+    /// The smallest pivot of the Jacobian with partial pivoting; zero where it is singular.
+    pub smallest_pivot: f64,
+    /// The wheel.
+    pub wheel: Option<Wheel<f64>>,
+    /// The coordinates of free points and markers.
+    pub coordinates: Vec<f64>,
+}
+
+/// Lists all assemblies of the file's mechanism.
+///
+/// # Errors
+///
+/// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`].
+pub fn list<L: Suspension<N>, const N: usize>(
+    assembled: &Assembled<L, N>,
+    file: &str,
+    wish: &Wish,
+    interrupted: &AtomicBool,
+) -> Result<Vec<Listed>, Failure>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let first = assembled.drives.inputs::<L::Drives>(assembled.first);
+    let inputs = match wish.at.as_slice() {
+        [] => vec![first],
+        values => {
+            let drive = drive::<L, N>(file, wish)?;
+            let each = values.iter();
+            each.map(|value| with::<L, N>(file, &first, drive, *value))
+                .collect::<Result<_, _>>()?
+        }
+    };
+    let mut search = Assemblies::new(&assembled.model, &assembled.start.position, &first);
+    let each = inputs.iter().map(|inputs| {
+        if interrupted.load(Ordering::Relaxed) {
+            return Err(Failure::Interrupted(format!("{file}: interrupted")));
+        }
+        Ok(listed(assembled, inputs, search.at(inputs)))
+    });
+    each.collect()
+}
+
+fn drive<L: Suspension<N>, const N: usize>(file: &str, wish: &Wish) -> Result<usize, Failure> {
+    let names = <L::Drives as Named<f64>>::NAMES;
+    let all = names.join(", ");
+    match (&wish.drive, names) {
+        (None, [_]) => Ok(0),
+        (None, _) => Err(Failure::Input(format!(
+            "{file}: --drive must say which: {all}"
+        ))),
+        (Some(wanted), _) => {
+            let found = names.iter().position(|name| name == wanted);
+            let unknown = || format!("{file}: unknown drive `{wanted}`; known are {all}");
+            found.ok_or_else(|| Failure::Input(unknown()))
+        }
+    }
+}
+
+/// The inputs with another value of one drive.
+fn with<L: Suspension<N>, const N: usize>(
+    file: &str,
+    inputs: &Inputs<Still, L::Drives>,
+    drive: usize,
+    value: f64,
+) -> Result<Inputs<Still, L::Drives>, Failure> {
+    let angle = L::DRIVE_KINDS.get(drive) == Some(&DriveKind::Angle);
+    if !value.is_finite() || angle && !(0.0..=PI).contains(&value) {
+        let bound = if angle {
+            "the angle of a link from an axis lies between 0 and pi"
+        } else {
+            "a drive has a finite value"
+        };
+        return Err(Failure::Input(format!("{file}: --at {value}: {bound}")));
+    }
+    let mut values = inputs.drives.value.values().enumerate();
+    Ok(Inputs::still(Signal {
+        value: L::Drives::from_fn(|_| match values.next() {
+            Some((index, other)) if index != drive => other,
+            _ => value,
+        }),
+        ..Signal::default()
+    }))
+}
+
+fn listed<L: Suspension<N>, const N: usize>(
+    assembled: &Assembled<L, N>,
+    inputs: &Inputs<Still, L::Drives>,
+    census: Census<N>,
+) -> Listed {
+    let mut assemblies: Vec<_> = census
+        .real
+        .iter()
+        .map(|q| assembly(assembled, inputs, q))
+        .collect();
+    assemblies.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    Listed {
+        drives: inputs.drives.value.values().collect(),
+        drives_in_words: in_words::<L, N>(&inputs.drives.value, assembled.unit),
+        assemblies,
+        complex: census.complex,
+        generic: census.generic,
+        infinite: census.infinite,
+        unaccounted: census.unaccounted(),
+        is_complete: census.is_complete(),
+        evidence: census.evidence,
+    }
+}
+
+fn assembly<L: Suspension<N>, const N: usize>(
+    assembled: &Assembled<L, N>,
+    inputs: &Inputs<Still, L::Drives>,
+    q: &SVector<f64, N>,
+) -> Assembly {
+    let model = &assembled.model;
+    let moved = q - assembled.start.position;
+    let shifts = moved.as_slice().chunks(3);
+    let farthest = shifts
+        .map(|shift| shift.iter().map(|x| x * x).sum::<f64>().sqrt())
+        .fold(0.0, f64::max);
+    let points = Motion::at_rest(*q).points(model, inputs).value;
+    let fixed = L::drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
+    let factored = Lu::factor(&model.jacobian(q, &fixed));
+    let chassis = model.fixed().values().count();
+    Assembly {
+        distance: moved.norm(),
+        farthest,
+        smallest_pivot: factored.map_or(0.0, |lu| lu.smallest_pivot().1),
+        wheel: Wheel::of(&points).map(|wheel| Wheel {
+            centre: wheel.centre + assembled.origin,
+            ..wheel
+        }),
+        coordinates: points
+            .values()
+            .skip(chassis)
+            .map(|point| point + assembled.origin)
+            .flat_map(|point| [point.x, point.y, point.z])
+            .collect(),
+    }
+}

@@ -1,0 +1,116 @@
+//! Roots followed along a line of the family.
+
+use nalgebra::{Complex, Const, DimMin};
+use suspension_core::Listing;
+
+use crate::assemblies::family::{Factors, Line, Vector};
+
+/// Terms of the predicting series.
+const TERMS: usize = 10;
+
+/// What the prediction may be off by, as a multiple of the size of the root.
+const PREDICTION: f64 = 1e-6;
+
+/// What rounding may leave of a correction: far from the real configurations the closure of a body
+/// is badly conditioned.
+const ROUNDING: f64 = 1e-7;
+
+/// Steps that a path may take.
+const MOST_STEPS: usize = 400;
+
+/// The shortest step, as a part of the line.
+const SHORTEST: f64 = 1e-12;
+
+/// How large a root may become, as a multiple of the linkage's size.
+const FAR: f64 = 1e5;
+
+/// Where a path led.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum End<const N: usize> {
+    /// To a root of the member at the end of the line.
+    Root(Vector<N>),
+    /// To infinity.
+    Infinite,
+    /// To where the root is not isolated, or no steps are left.
+    Lost,
+}
+
+/// Follows the root `q` of the first member of a way to its last.
+pub(crate) fn follow<G: Listing<N>, const N: usize>(way: &[Line<'_, G, N>], q: &Vector<N>) -> End<N>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    way.iter().fold(End::Root(*q), |end, line| match end {
+        End::Root(q) => follow_line(line, q),
+        ended => ended,
+    })
+}
+
+/// Predicted by the Taylor series, corrected by Newton's method with the factors of the predicted
+/// place, which then give the next series.
+fn follow_line<G: Listing<N>, const N: usize>(line: &Line<'_, G, N>, mut q: Vector<N>) -> End<N>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let mut s = 0.0;
+    let mut factors = line.factors(&q, s);
+    for _ in 0..MOST_STEPS {
+        let scale = line.size() + q.camax();
+        if scale > FAR * line.size() {
+            return End::Infinite;
+        }
+        let Some(terms) = line.series(&q, s, &factors) else {
+            return End::Lost;
+        };
+        let Some(step) = step(line, &q, s, &terms, scale) else {
+            return End::Lost;
+        };
+        (q, s, factors) = step;
+        if s >= 1.0 {
+            return End::Root(q);
+        }
+    }
+    End::Lost
+}
+
+/// The longest step of the series that Newton's method confirms: root, place and factors there.
+fn step<G: Listing<N>, const N: usize>(
+    line: &Line<'_, G, N>,
+    q: &Vector<N>,
+    s: f64,
+    terms: &[Vector<N>; TERMS],
+    scale: f64,
+) -> Option<(Vector<N>, f64, Factors<N>)>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let mut step = reach(terms, PREDICTION * scale);
+    while step >= SHORTEST {
+        let there = if step < 1.0 - s { s + step } else { 1.0 };
+        let predicted = q + sum(terms, there - s);
+        let factors = line.factors(&predicted, there);
+        let first = factors.solve(&line.residual(&predicted, there))?;
+        let once = predicted - first;
+        let second = factors.solve(&line.residual(&once, there))?;
+        if first.camax() < 1e2 * PREDICTION * scale
+            && second.camax() < (1e-2 * first.camax()).max(ROUNDING * scale)
+        {
+            return Some((once - second, there, factors));
+        }
+        step = (there - s) * 0.5;
+    }
+    None
+}
+
+/// How far the series is good to `tolerance`, from its last two terms.
+fn reach<const N: usize>(terms: &[Vector<N>; TERMS], tolerance: f64) -> f64 {
+    let reach_of = |order: usize| (tolerance / terms[order - 1].camax()).powf(1.0 / order as f64);
+    reach_of(TERMS).min(reach_of(TERMS - 1))
+}
+
+/// The series' value, its constant left out.
+fn sum<const N: usize>(terms: &[Vector<N>; TERMS], step: f64) -> Vector<N> {
+    let step = Complex::from(step);
+    let horner = |sum: Vector<N>, term: &Vector<N>| (sum + term) * step;
+    terms.iter().rev().fold(Vector::zeros(), horner)
+}

@@ -1,0 +1,132 @@
+//! Assemblies as text and as rows of a table.
+
+use std::fmt::Write;
+
+use crate::assemblies::{Assembly, Listed};
+use crate::input::file::Unit;
+use crate::number::number;
+use crate::study::Study;
+
+/// The columns' names of [`rows`].
+pub fn columns(study: &dyn Study) -> Vec<String> {
+    let unit = study.unit().symbol();
+    let names = study.columns();
+    let drives = names
+        .iter()
+        .skip(1)
+        .take_while(|name| !name.ends_with("_x"));
+    let mut columns: Vec<String> = drives.cloned().collect();
+    columns.push("assembly".to_owned());
+    columns.extend(["distance", "farthest"].map(|name| format!("{name}_{unit}")));
+    columns.extend(["smallest_pivot", "camber_rad", "toe_rad"].map(String::from));
+    let points = study.points();
+    let points = points.free.iter().chain(&points.markers);
+    columns.extend(points.flat_map(|name| ["x", "y", "z"].map(|axis| format!("{name}_{axis}"))));
+    columns
+}
+
+/// One row an assembly.
+pub fn rows(listed: &Listed) -> impl Iterator<Item = Vec<f64>> {
+    (1..).zip(&listed.assemblies).map(|(count, assembly)| {
+        let mut row = listed.drives.clone();
+        row.push(f64::from(count));
+        row.extend([
+            assembly.distance,
+            assembly.farthest,
+            assembly.smallest_pivot,
+        ]);
+        row.extend(assembly.wheel.map_or([f64::NAN; 2], |w| [w.camber, w.toe]));
+        row.extend(&assembly.coordinates);
+        row
+    })
+}
+
+/// The assemblies in a table, and how sure it is that they are all.
+pub fn text(listed: &Listed, unit: Unit) -> String {
+    let mut out = format!("At {}:\n\n", listed.drives_in_words);
+    let symbol = unit.symbol();
+    let headings = [
+        "assembly".to_owned(),
+        format!("distance ({symbol})"),
+        format!("farthest ({symbol})"),
+        "smallest pivot".to_owned(),
+        format!("centre x ({symbol})"),
+        format!("y ({symbol})"),
+        format!("z ({symbol})"),
+        "camber (deg)".to_owned(),
+    ];
+    for heading in &headings {
+        let _ = write!(out, "  {heading:>9}");
+    }
+    out.push('\n');
+    let widths = headings.each_ref().map(|heading| heading.len().max(9));
+    for (count, assembly) in (1..).zip(&listed.assemblies) {
+        for (cell, width) in cells(count, assembly, unit).iter().zip(widths) {
+            let _ = write!(out, "  {cell:>width$}");
+        }
+        out.push('\n');
+    }
+    let _ = write!(out, "\n{}", certainty(listed));
+    out
+}
+
+fn cells(count: usize, assembly: &Assembly, unit: Unit) -> [String; 8] {
+    let digits = match unit {
+        Unit::Metre => 5,
+        Unit::Millimetre => 2,
+    };
+    let length = |value: f64| format!("{value:.digits$}");
+    let [x, y, z, camber] = match &assembly.wheel {
+        Some(wheel) => {
+            let [x, y, z] = [wheel.centre.x, wheel.centre.y, wheel.centre.z].map(length);
+            [x, y, z, format!("{:.3}", wheel.camber.to_degrees())]
+        }
+        None => [(); 4].map(|()| "-".to_owned()),
+    };
+    [
+        count.to_string(),
+        length(assembly.distance),
+        length(assembly.farthest),
+        format!("{:.1e}", assembly.smallest_pivot),
+        x,
+        y,
+        z,
+        camber,
+    ]
+}
+
+/// How sure it is that the list is complete, and why.
+fn certainty(listed: &Listed) -> String {
+    let Listed {
+        complex,
+        generic,
+        infinite,
+        unaccounted,
+        evidence,
+        ..
+    } = listed;
+    let real = listed.assemblies.len();
+    let verdict = if listed.is_complete {
+        "The list is complete by all that was tried"
+    } else {
+        "The list may not be complete"
+    };
+    let trace = match evidence.trace {
+        Some(bend) => format!("the trace test leaves {} of a straight line", rounded(bend)),
+        None => "the trace test does not apply, as no drive moves a free point".to_owned(),
+    };
+    format!(
+        "{verdict}: {real} real and {complex} complex assemblies, {infinite} at infinity, \
+         {unaccounted} not accounted for,\nof the {generic} that such a mechanism has with general \
+         lengths ({} random starts, {} loops, the last {} without\na new one; {trace}).\n",
+        evidence.starts, evidence.loops, evidence.quiet,
+    )
+}
+
+fn rounded(bend: f64) -> String {
+    if bend.is_finite() {
+        format!("{bend:.0e}")
+    } else {
+        number(bend)
+    }
+}

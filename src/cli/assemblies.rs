@@ -1,0 +1,82 @@
+//! `suspension assemblies`.
+
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+
+use crate::assemblies::{self, Wish};
+use crate::failure::Failure;
+use crate::input::setup;
+use crate::input::source::Source;
+use crate::output::csv_file::{CsvFile, Target};
+use crate::output::files::{print, refuse_input};
+
+/// The command's arguments.
+#[derive(Args, Clone, Debug)]
+pub struct Arguments {
+    /// The motion file (TOML), as for `suspension motion`.
+    file: PathBuf,
+    /// The drive's values, in rad (angles) or the file's unit; else that of the file's first
+    /// instant.
+    #[arg(long, value_name = "VALUE", num_args = 1.., allow_negative_numbers = true)]
+    at: Vec<f64>,
+    /// The drive; needed with --at where the linkage has several. The others are held as at the
+    /// file's first instant.
+    #[arg(long, value_name = "NAME")]
+    drive: Option<String>,
+    /// Write every assembly as comma-separated values to PATH, or to standard output for `-`.
+    #[arg(long, value_name = "PATH")]
+    csv: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// Enumerates, and prints or writes the table.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`].
+    pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
+        let source = Source::read(&self.file)?;
+        let target = self.csv.map(super::target);
+        if let Some(Target::File(csv)) = &target {
+            refuse_input(csv, &self.file, "--csv")?;
+        }
+        let (study, _) = setup::load(&source)?;
+        let wish = Wish {
+            drive: self.drive,
+            at: self.at,
+        };
+        let listed = study.assemblies(source.name(), &wish, interrupted)?;
+        if target != Some(Target::Stdout) {
+            let texts = listed.iter().map(|at| assemblies::text(at, study.unit()));
+            print(&texts.collect::<Vec<_>>().join("\n"))?;
+        }
+        let Some(target) = target else { return Ok(()) };
+        let mut table = CsvFile::create(&target, &assemblies::columns(&*study))?;
+        for row in listed.iter().flat_map(assemblies::rows) {
+            table.row(&row)?;
+        }
+        table.finish()?;
+        if let Target::File(path) = &target {
+            crate::job::announce(std::slice::from_ref(path));
+        }
+        Ok(())
+    }
+}
+
+pub(super) const NOTES: &str = "\
+An assembly is a way to put the parts together at the given value of the drive. Distances are from
+the configuration of the file's first instant: over all coordinates of free points, and of the
+point that lies farthest away. A pivot near zero is a singularity near by, where two assemblies meet.
+
+How: over complex numbers all assemblies of a mechanism of general lengths hang together. They are
+found from random starts and by going round loops of such mechanisms, and followed from there to
+the file's. The trace test confirms that none is missing: their sum is linear in the drive. A
+complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
+
+Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 the file's
+mechanism has no configuration at its first instant, 130 interrupted.
+
+Example:
+  suspension assemblies examples/five_link.toml --at 0.7 1.2 --csv assemblies.csv";

@@ -1,0 +1,232 @@
+//! Millions of steps back and forth through a motion: what a method forgets, it drifts by.
+
+use std::marker::PhantomData;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use serde::{Deserialize, Serialize};
+use suspension_core::{Inputs, Linkage, Motion, Named, Real, Still, Tracker};
+
+use super::integration::runge_kutta;
+use super::method::Method;
+use super::trial::{cast, inputs};
+use super::truth::{Truth, drift};
+use crate::input::drives::DriveLaws;
+use crate::study::Suspension;
+
+/// The length of a step, s.
+pub const STEP: f64 = 1e-3;
+
+/// How steps are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// By the core's tracker.
+    Tracked,
+    /// By integrating velocities.
+    Integrated,
+}
+
+impl Way {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Tracked, Self::Integrated];
+
+    /// The method's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tracked => Method::Stepped.name(),
+            Self::Integrated => Method::Integrated.name(),
+        }
+    }
+}
+
+/// A method on its way back and forth.
+#[derive(Clone, Debug)]
+pub struct LongRun<'a, D, M, T, const N: usize> {
+    way: Way,
+    model: &'a M,
+    drives: &'a DriveLaws,
+    /// The drives' names.
+    named: PhantomData<D>,
+    first: f64,
+    step: f64,
+    /// Steps from one end of the motion to the other.
+    leg: u64,
+    done: u64,
+    motion: Motion<T, N>,
+}
+
+/// What a stretch of steps was like.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stretch {
+    /// Steps.
+    pub steps: u64,
+    /// Iterations of all steps.
+    pub iterations: u64,
+    /// The largest residual after a step, in the unit of length.
+    pub drift: f64,
+}
+
+impl<'a, D, M, T, const N: usize> LongRun<'a, D, M, T, N>
+where
+    D: Named<f64>,
+    T: Real,
+    M: Linkage<N, Scalar = T>,
+{
+    /// From the first instant of `truth`.
+    pub fn new<L: Suspension<N, Drives = D>>(
+        way: Way,
+        model: &'a M,
+        truth: &Truth<'a, L, N>,
+    ) -> Self {
+        let step = STEP.min(truth.duration());
+        Self {
+            way,
+            model,
+            drives: truth.drives,
+            named: PhantomData,
+            first: truth.ends[0],
+            step,
+            leg: (truth.duration() / step) as u64,
+            done: 0,
+            motion: cast(&truth.at(truth.ends[0])),
+        }
+    }
+
+    /// Makes `steps` more steps; fewer where one fails.
+    pub fn advance(&mut self, steps: u64) -> Stretch {
+        let mut stretch = Stretch::default();
+        while stretch.steps < steps {
+            let times = [self.done, self.done + 1].map(|step| self.time(step));
+            let inputs = |t: T| inputs::<_, D, _>(self.drives, t);
+            let Some(iterations) = self.step(inputs, times.map(T::constant)) else {
+                break;
+            };
+            let [_, to] = times.map(T::constant);
+            let off = drift(self.model, &inputs(to), &self.motion.position);
+            stretch.drift = stretch.drift.max(off);
+            stretch.iterations += iterations;
+            stretch.steps += 1;
+            self.done += 1;
+        }
+        stretch
+    }
+
+    /// The time after a number of steps.
+    fn time(&self, step: u64) -> f64 {
+        let there_and_back = step % (2 * self.leg);
+        let away = there_and_back.min(2 * self.leg - there_and_back);
+        self.first + self.step * away as f64
+    }
+}
+
+impl<D, M, T, const N: usize> LongRun<'_, D, M, T, N>
+where
+    T: Real,
+    M: Linkage<N, Scalar = T>,
+{
+    /// One step; the number of its iterations.
+    fn step(
+        &mut self,
+        inputs: impl Fn(T) -> Inputs<Still, M::Drives>,
+        [from, to]: [T; 2],
+    ) -> Option<u64> {
+        let Self { model, motion, .. } = self;
+        match self.way {
+            Way::Tracked => {
+                let converged = Tracker::default().step(*model, &inputs(to), to - from, motion);
+                converged.ok().map(|converged| converged.iterations as u64)
+            }
+            Way::Integrated => {
+                let position = runge_kutta(*model, inputs, [from, to], &motion.position);
+                motion.position = position.ok()?;
+                Some(0)
+            }
+        }
+    }
+}
+
+/// A stretch of a long run: a row of the table.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LongRow {
+    /// The method.
+    pub method: String,
+    /// How bodies are closed.
+    pub closure: String,
+    /// The number type.
+    pub scalar: String,
+    /// Steps from the beginning.
+    pub steps: u64,
+    /// The largest residual after any step since the row before, m: what lengths are off.
+    pub drift_m: f64,
+    /// Iterations of a step since the row before; of an integrator none.
+    pub iterations_a_step: f64,
+}
+
+/// Whose run it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Label<'a> {
+    /// How bodies are closed.
+    pub closure: &'a str,
+    /// A metre in the unit of the motion.
+    pub metre: f64,
+}
+
+/// Makes `total` steps, with a row wherever their number has doubled or so, from a thousand on.
+/// Ends early where a step fails or the user interrupts.
+pub fn rows<D, M, T, const N: usize>(
+    mut run: LongRun<'_, D, M, T, N>,
+    label: Label<'_>,
+    total: u64,
+    interrupted: &AtomicBool,
+) -> Vec<LongRow>
+where
+    T: Real,
+    M: Linkage<N, Scalar = T>,
+    D: Named<f64>,
+{
+    /// Steps from one look at the user's wish to the next.
+    const A_LOOK: u64 = 100_000;
+    let mut rows = Vec::new();
+    for stop in milestones(total) {
+        let mut all = Stretch::default();
+        while run.done < stop {
+            let steps = (stop - run.done).min(A_LOOK);
+            let stretch = run.advance(steps);
+            all.steps += stretch.steps;
+            all.iterations += stretch.iterations;
+            all.drift = all.drift.max(stretch.drift);
+            if stretch.steps < steps || interrupted.load(Ordering::Relaxed) {
+                return rows;
+            }
+        }
+        rows.push(LongRow {
+            method: run.way.name().to_owned(),
+            closure: label.closure.to_owned(),
+            scalar: std::any::type_name::<T>().to_owned(),
+            steps: stop,
+            drift_m: all.drift / label.metre,
+            iterations_a_step: all.iterations as f64 / all.steps as f64,
+        });
+    }
+    rows
+}
+
+/// 1, 2 and 5 times the powers of ten from a thousand on, and the total.
+fn milestones(total: u64) -> impl Iterator<Item = u64> {
+    let decades = (3..).map(|exponent| 10_u64.saturating_pow(exponent));
+    let all = decades.flat_map(|decade| [1, 2, 5].map(|k| decade.saturating_mul(k)));
+    let last = (total > 0).then_some(total);
+    all.take_while(move |steps| *steps < total).chain(last)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::milestones;
+
+    #[test]
+    fn rows_where_the_number_doubles_or_so() {
+        let rows: Vec<u64> = milestones(12_000).collect();
+        assert_eq!(rows, [1_000, 2_000, 5_000, 10_000, 12_000]);
+        assert_eq!(milestones(0).count(), 0);
+        assert_eq!(milestones(u64::MAX).last(), Some(u64::MAX));
+    }
+}

@@ -1,0 +1,181 @@
+//! The methods: ways to get from one configuration to another, or from a rough guess to one.
+
+use nalgebra::SVector;
+use suspension_core::motion::Prescribed;
+use suspension_core::{Build, Inputs, Motion, Newton, Real, Still, Tracker, assemble};
+
+use super::integration::runge_kutta;
+use super::marquardt::{Number, end_of_descent};
+
+/// A method of the failure map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Newton's method from the last configuration, as it stands.
+    Plain,
+    /// Newton's method, corrections halved until the residual falls.
+    Damped,
+    /// Least squares, by another library.
+    Marquardt,
+    /// The core's assembly from a rough guess.
+    Assembled,
+    /// The core's tracker, in as many steps as its guard asks for.
+    Tracked,
+    /// The core's tracker in a single step.
+    Stepped,
+    /// The same without its guard.
+    Unguarded,
+    /// Velocities integrated by the method of Runge and Kutta.
+    Integrated,
+    /// The same, each step brought back onto the constraints by Newton's method.
+    Projected,
+}
+
+/// From an instant to another: the inputs by time, and the two times.
+pub struct Step<'a, T, D> {
+    /// What is prescribed at a time.
+    pub inputs: &'a dyn Fn(T) -> Inputs<Still, D>,
+    /// From where to where, s.
+    pub times: [T; 2],
+}
+
+impl Method {
+    /// In the order of tables and figures.
+    pub const ALL: [Self; 9] = [
+        Self::Plain,
+        Self::Damped,
+        Self::Marquardt,
+        Self::Assembled,
+        Self::Integrated,
+        Self::Projected,
+        Self::Unguarded,
+        Self::Stepped,
+        Self::Tracked,
+    ];
+
+    /// Its name in tables and figures.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plain => "plain Newton",
+            Self::Damped => "damped Newton",
+            Self::Marquardt => "Levenberg-Marquardt",
+            Self::Assembled => "assemble",
+            Self::Tracked => "tracker, own steps",
+            Self::Stepped => "tracker, one step",
+            Self::Unguarded => "tracker, no guard",
+            Self::Integrated => "RK4",
+            Self::Projected => "RK4 and projection",
+        }
+    }
+
+    /// Whether it can begin beside the motion; the others go on from where they are.
+    pub fn takes_guesses(self) -> bool {
+        !matches!(self, Self::Tracked | Self::Integrated | Self::Projected)
+    }
+
+    /// The configuration at the end of a step that begins in `start`; `None` where the method
+    /// says that it finds none.
+    pub fn step<T, L, const N: usize>(
+        self,
+        linkage: &L,
+        step: &Step<'_, T, L::Drives>,
+        start: &Motion<T, N>,
+    ) -> Option<Motion<T, N>>
+    where
+        T: Number,
+        L: Build<N, Scalar = T>,
+    {
+        let Step { inputs, times } = step;
+        let [from, to] = *times;
+        match self {
+            Self::Plain => solved(plain(), linkage, &inputs(to), start.position),
+            Self::Damped => solved(Newton::from_afar(), linkage, &inputs(to), start.position),
+            Self::Marquardt => descended(linkage, &inputs(to), &start.position),
+            Self::Assembled => {
+                let mut q = start.position;
+                let found = assemble(&Newton::from_afar(), linkage, &inputs(to), &mut q);
+                found.ok().map(|_| Motion::at_rest(q))
+            }
+            Self::Tracked => {
+                let mut motion = *start;
+                let advanced = Tracker::default().advance(linkage, inputs, from, to, &mut motion);
+                advanced.ok().map(|_| motion)
+            }
+            Self::Stepped => tracked(&Tracker::default(), linkage, step, *start),
+            Self::Unguarded => {
+                let forgetful = Motion {
+                    positive_determinant: None,
+                    ..*start
+                };
+                tracked(&unguarded(), linkage, step, forgetful)
+            }
+            Self::Integrated => runge_kutta(linkage, inputs, *times, &start.position)
+                .ok()
+                .map(Motion::at_rest),
+            Self::Projected => {
+                let q = runge_kutta(linkage, inputs, *times, &start.position).ok()?;
+                solved(plain(), linkage, &inputs(to), q)
+            }
+        }
+    }
+}
+
+fn plain<T: Real>() -> Newton<T> {
+    Newton {
+        max_halvings: 0,
+        ..Newton::from_afar()
+    }
+}
+
+fn unguarded<T: Real>() -> Tracker<T> {
+    let boundless = T::constant(1e9);
+    Tracker {
+        newton: plain(),
+        correction_of_move: boundless,
+        correction_of_size: boundless,
+        ..Tracker::default()
+    }
+}
+
+fn solved<T: Real, L: Build<N, Scalar = T>, const N: usize>(
+    newton: Newton<T>,
+    linkage: &L,
+    inputs: &Inputs<Still, L::Drives>,
+    mut q: SVector<T, N>,
+) -> Option<Motion<T, N>> {
+    let converged = newton.solve(linkage, inputs, &mut q);
+    converged.ok().map(|_| Motion::at_rest(q))
+}
+
+fn tracked<T: Real, L: Build<N, Scalar = T>, const N: usize>(
+    tracker: &Tracker<T>,
+    linkage: &L,
+    step: &Step<'_, T, L::Drives>,
+    mut motion: Motion<T, N>,
+) -> Option<Motion<T, N>> {
+    let [from, to] = step.times;
+    let converged = tracker.step(linkage, &(step.inputs)(to), to - from, &mut motion);
+    converged.ok().map(|_| motion)
+}
+
+/// What the least-squares solver ends at, where it is a root by the measure that holds for the
+/// others.
+fn descended<T: Number, L: Build<N, Scalar = T>, const N: usize>(
+    linkage: &L,
+    inputs: &Inputs<Still, L::Drives>,
+    start: &SVector<T, N>,
+) -> Option<Motion<T, N>> {
+    let prescribed = Prescribed::new(linkage, inputs);
+    let q = end_of_descent(linkage, &prescribed, start);
+    is_root(linkage, &prescribed, &q).then(|| Motion::at_rest(q))
+}
+
+fn is_root<T: Real, L: Build<N, Scalar = T>, const N: usize>(
+    linkage: &L,
+    prescribed: &Prescribed<L::Fixed, L::Drives>,
+    q: &SVector<T, N>,
+) -> bool {
+    let Prescribed { fixed, drives } = prescribed;
+    let residual = linkage.residual(q, &fixed.value, &drives.value).amax();
+    let rounding = T::EPSILON * linkage.size().max(q.amax());
+    residual <= Newton::<T>::from_afar().tolerance * rounding
+}

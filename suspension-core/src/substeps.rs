@@ -1,0 +1,55 @@
+//! A way in time in as few steps as are good: a refused step is halved, a good one doubled.
+
+use crate::error::SolveError;
+use crate::newton::Converged;
+use crate::scalar::Real;
+use crate::tracker::{Advanced, Stopped};
+
+/// Goes from one time to another, either way, trying at most `max_steps` steps. `step` makes the
+/// step to a time, of a length, or leaves everything as it was.
+///
+/// # Errors
+///
+/// [`Stopped`] where steps have shrunk to rounding or all are used up.
+pub(crate) fn in_steps<T: Real>(
+    [from, to]: [T; 2],
+    max_steps: usize,
+    mut step: impl FnMut(T, T) -> Result<Converged<T>, SolveError<T>>,
+) -> Result<Advanced<T>, Stopped<T>> {
+    let mut reached = from;
+    let mut dt = to - from;
+    let shortest = (from.abs().max(to.abs())) * T::EPSILON * T::constant(4.0);
+    let mut advanced = Advanced {
+        steps: 0,
+        iterations: 0,
+        last: Converged::default(),
+    };
+    let mut refused = None;
+    for _ in 0..max_steps {
+        let last_step = (to - reached).abs() <= dt.abs();
+        let next = if last_step { to } else { reached + dt };
+        match step(next, next - reached) {
+            Ok(converged) => {
+                reached = next;
+                refused = None;
+                advanced.steps += 1;
+                advanced.iterations += converged.iterations;
+                advanced.last = converged;
+                if last_step {
+                    return Ok(advanced);
+                }
+                dt *= T::constant(2.0);
+            }
+            Err(error) => {
+                refused = Some((next - reached, error));
+                dt = (next - reached) * T::constant(0.5);
+                // A step that is none ends here too.
+                let is_long_enough = dt.abs() > shortest;
+                if !is_long_enough {
+                    break;
+                }
+            }
+        }
+    }
+    Err(Stopped { reached, refused })
+}

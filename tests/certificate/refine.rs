@@ -1,0 +1,74 @@
+//! Roots of 30 digits by Newton's method: residuals in double-double numbers, factors in `f64`.
+
+use nalgebra::SVector;
+use suspension::chart::double_double::DoubleDouble;
+use suspension_core::lu::Lu;
+use suspension_core::{DriveKind, Linkage, Listing, Named, Signal};
+
+use super::judge::Root;
+
+const MAX_ITERATIONS: usize = 60;
+
+/// A correction that leaves 30 digits.
+const LAST_CORRECTION: f64 = 1e-25;
+
+type Exact<L, const N: usize> = <<L as Linkage<N>>::Listing as Listing<N>>::Model<DoubleDouble>;
+
+/// A model of both numbers.
+pub(crate) struct Refiner<L: Linkage<N>, const N: usize> {
+    model: L,
+    exact: Exact<L, N>,
+}
+
+/// The struct of values in the order of its names.
+fn named<V: Default, S: Named<V>>(mut values: impl Iterator<Item = V>) -> S {
+    S::from_fn(|_| values.next().unwrap_or_default())
+}
+
+impl<L, const N: usize> Refiner<L, N>
+where
+    L: Linkage<N, Scalar = f64, Listing: Listing<N, Model<f64> = L>> + Copy,
+{
+    pub(crate) fn new(model: &L) -> Self {
+        Self {
+            model: *model,
+            exact: L::Listing::gather([model], |[number]: [f64; 1]| DoubleDouble::from(number)),
+        }
+    }
+
+    /// The root that Newton's method finds from `near`; chassis points as given.
+    pub(crate) fn root(
+        &self,
+        fixed: &L::Fixed,
+        drives: &L::Drives,
+        near: &SVector<f64, N>,
+    ) -> Option<Root<N>> {
+        let coordinates = self.coordinates(drives);
+        let anchors = fixed.values().map(|point| point.map(DoubleDouble::from));
+        let anchors = Exact::<L, N>::drive_anchors(named(anchors), &coordinates);
+        let nearest = named(anchors.values().map(|p| p.map(DoubleDouble::nearest)));
+        let mut root = near.map(DoubleDouble::from);
+        for _ in 0..MAX_ITERATIONS {
+            let residual = self.exact.residual(&root, &anchors, &coordinates);
+            let at = root.map(DoubleDouble::nearest);
+            let lu = Lu::factor(&self.model.jacobian(&at, &nearest)).ok()?;
+            let correction = lu.solve(&residual.map(DoubleDouble::nearest));
+            root -= correction.map(DoubleDouble::from);
+            if correction.amax() < LAST_CORRECTION {
+                return Some(root);
+            }
+        }
+        None
+    }
+
+    /// What drives prescribe, cosines of all digits.
+    fn coordinates(&self, drives: &L::Drives) -> <Exact<L, N> as Linkage<N>>::Drives {
+        // At an angle of zero the coordinate of a link is its length.
+        let lengths = self.exact.coordinates(&Signal::default()).value;
+        let each = lengths.values().zip(drives.values()).zip(L::DRIVE_KINDS);
+        named(each.map(|((length, drive), kind)| match kind {
+            DriveKind::Coordinate => DoubleDouble::from(drive),
+            DriveKind::Angle => length * DoubleDouble::from(drive).sine_cosine().1,
+        }))
+    }
+}

@@ -1,0 +1,42 @@
+//! From any bytes to a mechanism and its motion: what `tests/hostile` demands of random ones.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use suspension_core::linkages::{attia2003, five_link};
+
+#[path = "../../hostile/draw.rs"]
+mod draw;
+#[path = "../../hostile/mechanisms.rs"]
+mod mechanisms;
+#[path = "../../hostile/trial.rs"]
+mod trial;
+#[path = "../../hostile/verdict.rs"]
+mod verdict;
+
+use draw::Draw;
+use mechanisms::{four_bar, rocker};
+use trial::{Reached, everything};
+
+const RUNS: [fn(&mut Draw<'_>) -> Reached; 8] = [
+    everything::<f64, four_bar::Model<f64>, 6>,
+    everything::<f32, four_bar::Model<f32>, 6>,
+    everything::<f64, rocker::Model<f64>, 6>,
+    everything::<f32, rocker::Model<f32>, 6>,
+    everything::<f64, five_link::Model<f64>, 15>,
+    everything::<f32, five_link::Model<f32>, 15>,
+    everything::<f64, attia2003::Model<f64>, 15>,
+    everything::<f32, attia2003::Model<f32>, 15>,
+];
+
+fuzz_target!(|bytes: &[u8]| {
+    let Some((which, rest)) = bytes.split_first() else {
+        return;
+    };
+    let mut words = rest.chunks(4).map(|chunk| {
+        let mut word = [0; 4];
+        word[..chunk.len()].copy_from_slice(chunk);
+        u32::from_le_bytes(word)
+    });
+    let run = RUNS[usize::from(*which) % RUNS.len()];
+    run(&mut Draw::new(&mut || words.next().unwrap_or_default()));
+});

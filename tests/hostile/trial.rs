@@ -1,0 +1,370 @@
+//! One mechanism through every entry of the core.
+
+use nalgebra::{SVector, Vector3};
+use suspension_core::linkage::{Build, Named};
+use suspension_core::{
+    Bounded, ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Motion, Newton, Outputs, Real,
+    SeriesTracker, Signal, SolveError, Still, Tangent, Tracker, assemble,
+};
+
+use super::draw::Draw;
+use super::verdict::{demand_cause, demand_root, demand_same, demand_untouched, rounding};
+
+/// How far a case came.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Reached {
+    /// Cases.
+    pub(crate) tried: usize,
+    /// Those whose geometry makes a linkage.
+    pub(crate) built: usize,
+    /// Those that found a configuration.
+    pub(crate) assembled: usize,
+    /// Steps that were made.
+    pub(crate) stepped: usize,
+    /// Steps that were refused.
+    pub(crate) refused: usize,
+}
+
+impl Reached {
+    /// Adds the counts of others.
+    pub(crate) fn add(&mut self, other: Self) {
+        self.tried += other.tried;
+        self.built += other.built;
+        self.assembled += other.assembled;
+        self.stepped += other.stepped;
+        self.refused += other.refused;
+    }
+
+    fn not_built() -> Self {
+        Self {
+            tried: 1,
+            ..Self::default()
+        }
+    }
+
+    fn count<T, E>(&mut self, step: &Result<T, E>) {
+        match step {
+            Ok(_) => self.stepped += 1,
+            Err(_) => self.refused += 1,
+        }
+    }
+}
+
+/// Draws a mechanism, builds it, assembles it and drives it in every way. Panics where an answer is
+/// wrong.
+pub(crate) fn everything<T, L, const N: usize>(draw: &mut Draw<'_>) -> Reached
+where
+    T: Real,
+    L: Build<N, Scalar = T>,
+{
+    begin::<T, L, N>(draw).map_or_else(Reached::not_built, |(mut trial, guess)| {
+        let drives = trial.drives(draw);
+        let motion = trial.assemble(guess, &Inputs::still(drives));
+        trial.drive(motion, drives, draw);
+        trial.reached
+    })
+}
+
+/// Draws a mechanism, builds it, solves it once and steps twice. Panics where an answer is wrong.
+pub(crate) fn briefly<T, L, const N: usize>(draw: &mut Draw<'_>) -> Reached
+where
+    T: Real,
+    L: Build<N, Scalar = T>,
+{
+    begin::<T, L, N>(draw).map_or_else(Reached::not_built, |(mut trial, guess)| {
+        let inputs = Inputs::still(trial.drives(draw));
+        let mut motion = Motion::at_rest(trial.solve(guess, &inputs));
+        let dt = T::constant(draw.moderate());
+        let next = course(inputs.drives).at::<T, L::Fixed>(dt);
+        trial.tracked(&next, dt, &mut { motion });
+        trial.bounded(&next, dt, &mut motion, draw);
+        trial.reached
+    })
+}
+
+fn begin<T, L, const N: usize>(draw: &mut Draw<'_>) -> Option<(Trial<L, N>, SVector<T, N>)>
+where
+    T: Real,
+    L: Build<N, Scalar = T>,
+{
+    let design = points::<T, L::Points>(draw);
+    let model = build::<T, L, N>(&design, draw)?;
+    let guess = L::unknowns(&design).map(|x| x + T::constant(draw.distance()));
+    let trial = Trial {
+        at_design: model.drives_at(&design),
+        model,
+        reached: Reached {
+            tried: 1,
+            built: 1,
+            ..Reached::default()
+        },
+    };
+    Some((trial, guess))
+}
+
+/// The drives over time.
+fn course<T: Real, D: Named<T>>(drives: Signal<D>) -> InputSeries<Still, D, 4> {
+    let zero = drives.rate.map(|_| T::zero());
+    let half = drives.second_rate.map(|x| x * T::constant(0.5));
+    InputSeries::still(Jet {
+        value: drives.value,
+        terms: [drives.rate, half, zero, zero],
+    })
+}
+
+fn points<T: Real, P: Named<Vector3<T>>>(draw: &mut Draw<'_>) -> P {
+    let mut points = draw.points(P::NAMES.len()).into_iter();
+    P::from_fn(|_| points.next().unwrap_or_default().map(T::constant))
+}
+
+/// The mechanism with the lengths of its points, or sometimes with others.
+fn build<T, L, const N: usize>(design: &L::Points, draw: &mut Draw<'_>) -> Option<L>
+where
+    T: Real,
+    L: Build<N, Scalar = T>,
+{
+    let model = demand_linkage(L::new(design))?;
+    if draw.below(4) > 0 {
+        return Some(model);
+    }
+    let mut lengths = model.lengths().values().collect::<Vec<T>>().into_iter();
+    let lengths = L::Lengths::from_fn(|_| {
+        let change = T::one() + T::constant(draw.moderate() * 1e-2);
+        lengths.next().unwrap_or_default() * change
+    });
+    let model = demand_linkage(model.with_lengths(&lengths))?;
+    demand_linkage(model.with_markers(design))
+}
+
+/// A linkage has lengths to compute with; what is none names a point or a length of the listing.
+fn demand_linkage<T, L, const N: usize>(model: Result<L, GeometryError>) -> Option<L>
+where
+    T: Real,
+    L: Build<N, Scalar = T>,
+{
+    match model {
+        Ok(model) => {
+            let usable = |length: T| length >= T::zero() && length.is_finite();
+            assert!(model.lengths().values().all(usable) && model.size() > T::zero());
+            Some(model)
+        }
+        Err(error) => {
+            let (names, name) = match error {
+                GeometryError::BadLength { length } => (L::Lengths::NAMES, length),
+                GeometryError::NotFinite { point }
+                | GeometryError::Collinear { point }
+                | GeometryError::NotClosed { point } => (L::Points::NAMES, point),
+            };
+            assert!(names.contains(&name), "{error:?}");
+            None
+        }
+    }
+}
+
+struct Trial<L: Build<N>, const N: usize> {
+    model: L,
+    at_design: L::Drives,
+    reached: Reached,
+}
+
+impl<T, L, const N: usize> Trial<L, N>
+where
+    T: Real,
+    L: Build<N, Scalar = T>,
+{
+    /// Drives near those of the design, with rates.
+    fn drives(&self, draw: &mut Draw<'_>) -> Signal<L::Drives> {
+        let mut at_design = self.at_design.values();
+        Signal {
+            value: L::Drives::from_fn(|_| {
+                at_design.next().unwrap_or_default() + T::constant(draw.distance())
+            }),
+            rate: L::Drives::from_fn(|_| T::constant(draw.distance())),
+            second_rate: L::Drives::from_fn(|_| T::constant(draw.distance())),
+        }
+    }
+
+    /// The configuration near by, or where there is none the guess itself.
+    fn solve(&mut self, guess: SVector<T, N>, inputs: &Inputs<Still, L::Drives>) -> SVector<T, N> {
+        let mut near = guess;
+        match Newton::near_by().solve(&self.model, inputs, &mut near) {
+            Ok(_) => {
+                self.demand_root(inputs, &Motion::at_rest(near));
+                self.reached.assembled = 1;
+            }
+            Err(error) => self.demand_refusal(&error, &guess, &near),
+        }
+        near
+    }
+
+    /// The start of the motion: a configuration, or where there is none the guess itself.
+    fn assemble(
+        &mut self,
+        guess: SVector<T, N>,
+        inputs: &Inputs<Still, L::Drives>,
+    ) -> Motion<T, N> {
+        self.solve(guess, inputs);
+        let mut q = guess;
+        match assemble(&Newton::from_afar(), &self.model, inputs, &mut q) {
+            Ok(converged) => {
+                assert!(converged.residual <= converged.tolerance);
+                self.demand_root(inputs, &Motion::at_rest(q));
+                self.reached.assembled = 1;
+                if let Ok(motion) =
+                    Tangent::new(&self.model, inputs, &q).and_then(|tangent| tangent.motion())
+                {
+                    self.demand_root(inputs, &motion);
+                }
+            }
+            Err(error) => self.demand_refusal(&error, &guess, &q),
+        }
+        Motion::at_rest(q)
+    }
+
+    /// Steps of every kind from the same motion; it goes on from the tracker's.
+    fn drive(
+        &mut self,
+        mut motion: Motion<T, N>,
+        mut drives: Signal<L::Drives>,
+        draw: &mut Draw<'_>,
+    ) {
+        for _ in 0..3 {
+            let dt = T::constant(draw.moderate());
+            let course = course(drives);
+            let start = motion;
+            self.by_series(&course, dt, &mut { start });
+            self.advanced(&course, dt, &mut { start });
+            let next = course.at::<T, L::Fixed>(dt);
+            let chassis = Signal {
+                value: *self.model.fixed(),
+                rate: L::Fixed::from_fn(|_| Vector3::from_fn(|_, _| T::constant(draw.distance()))),
+                second_rate: L::Fixed::default(),
+            };
+            let moving = Inputs {
+                chassis,
+                drives: next.drives,
+            };
+            self.tracked(&moving, dt, &mut { start });
+            self.bounded(&moving, dt, &mut { start }, draw);
+            self.bounded(&next, dt, &mut { start }, draw);
+            if self.tracked(&next, dt, &mut motion) {
+                drives = next.drives;
+            }
+        }
+    }
+
+    fn tracked<C: ChassisMotion<L::Fixed>>(
+        &mut self,
+        inputs: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> bool {
+        let before = *motion;
+        let step = Tracker::default().step(&self.model, inputs, dt, motion);
+        self.reached.count(&step);
+        match &step {
+            Ok(_) => self.demand_root(inputs, motion),
+            Err(error) => self.demand_refused_step(error, &before, motion),
+        }
+        step.is_ok()
+    }
+
+    fn bounded<C: ChassisMotion<L::Fixed>>(
+        &mut self,
+        inputs: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+        draw: &mut Draw<'_>,
+    ) {
+        let before = *motion;
+        let outputs = [Outputs::Position, Outputs::Velocity, Outputs::Acceleration][draw.below(3)];
+        let (step, tolerance) = if draw.below(2) == 0 {
+            let bounded = Bounded::<T>::default();
+            let step = bounded.step_to(outputs, &self.model, inputs, dt, motion);
+            (step, bounded.tolerance)
+        } else {
+            let bounded = Bounded::<T, 3, 1>::default();
+            let step = bounded.step_to(outputs, &self.model, inputs, dt, motion);
+            (step, bounded.tolerance)
+        };
+        self.reached.count(&step);
+        match step {
+            Ok(settled) => {
+                assert!(settled.residual <= settled.tolerance);
+                // The residual that it is judged by is what the sweeps left. Rounding of the
+                // position adds to that what the derivatives make of it.
+                let left = tolerance * T::EPSILON * self.model.size();
+                let chassis = inputs.chassis.signal(self.model.fixed()).value;
+                let steepest = self.model.jacobian(&motion.position, &chassis).amax();
+                let rounding = rounding(&self.model, &motion.position) * T::constant(16.0);
+                let allowed = left + rounding * steepest.max(T::one());
+                demand_root(&self.model, inputs, motion, allowed);
+            }
+            Err(error) => self.demand_refused_step(&error, &before, motion),
+        }
+    }
+
+    fn by_series(
+        &mut self,
+        inputs: &InputSeries<Still, L::Drives, 4>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) {
+        let before = *motion;
+        let tracker = SeriesTracker::within(T::EPSILON.sqrt() * self.model.size());
+        let step = tracker.step(&self.model, inputs, dt, motion);
+        self.reached.count(&step);
+        match step {
+            Ok(_) => {
+                let inputs = inputs.at::<T, L::Fixed>(dt);
+                demand_root(&self.model, &inputs, motion, tracker.tolerance);
+            }
+            Err(error) => self.demand_refused_step(&error, &before, motion),
+        }
+    }
+
+    fn advanced(
+        &mut self,
+        inputs: &InputSeries<Still, L::Drives, 4>,
+        to: T,
+        motion: &mut Motion<T, N>,
+    ) {
+        let inputs = |t: T| inputs.at::<T, L::Fixed>(t);
+        let before = *motion;
+        let tracker = Tracker {
+            max_steps: 20,
+            ..Tracker::default()
+        };
+        let step = tracker.advance(&self.model, inputs, T::zero(), to, motion);
+        self.reached.count(&step);
+        match step {
+            Ok(_) => self.demand_root(&inputs(to), motion),
+            Err(stopped) if stopped.reached == T::zero() => demand_untouched(&before, motion),
+            Err(stopped) => self.demand_root(&inputs(stopped.reached), motion),
+        }
+    }
+
+    fn demand_root<C: ChassisMotion<L::Fixed>>(
+        &self,
+        inputs: &Inputs<C, L::Drives>,
+        motion: &Motion<T, N>,
+    ) {
+        let allowed = rounding(&self.model, &motion.position);
+        demand_root(&self.model, inputs, motion, allowed);
+    }
+
+    fn demand_refusal(&self, error: &SolveError<T>, before: &SVector<T, N>, after: &SVector<T, N>) {
+        demand_cause::<T, L, N>(error);
+        demand_same(before, after);
+    }
+
+    fn demand_refused_step(
+        &self,
+        error: &SolveError<T>,
+        before: &Motion<T, N>,
+        after: &Motion<T, N>,
+    ) {
+        demand_cause::<T, L, N>(error);
+        demand_untouched(before, after);
+    }
+}
