@@ -391,6 +391,9 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::Mirrored { .. } => format!(
             "point `{name}` would stand on the wrong side of the points that links join it to"
         ),
+        SolveError::TooFar { .. } => {
+            format!("the step of unknown `{name}` is too long to tell assemblies apart")
+        }
         SolveError::Singular { .. } => format!("unknown `{name}` is no longer determined"),
         SolveError::Diverging { .. } => {
             format!("no root near by, the corrections of unknown `{name}` do not shrink")

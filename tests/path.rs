@@ -9,6 +9,8 @@ mod bifurcation;
 mod case;
 #[path = "path/led.rs"]
 mod led;
+#[path = "path/measures.rs"]
+mod measures;
 #[path = "path/published.rs"]
 mod published;
 #[path = "path/random.rs"]
