@@ -15,3 +15,5 @@ mod measures;
 mod published;
 #[path = "path/random.rs"]
 mod random;
+#[path = "path/wishbone.rs"]
+mod wishbone;
