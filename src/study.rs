@@ -60,6 +60,9 @@ pub trait Study {
     /// The names of a row's columns.
     fn columns(&self) -> Vec<String>;
 
+    /// Those of them that are what the linkage measures.
+    fn measures(&self) -> Vec<String>;
+
     /// The points' names.
     fn points(&self) -> PointNames;
 
@@ -209,6 +212,10 @@ where
 
     fn columns(&self) -> Vec<String> {
         columns::names::<L, N>(self.unit)
+    }
+
+    fn measures(&self) -> Vec<String> {
+        columns::measures::<L, N>(self.unit)
     }
 
     fn points(&self) -> PointNames {
