@@ -211,7 +211,11 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'a, L, N> {
     }
 
     /// The stretch to a distance, cut short where the path ends within it.
-    fn stretch(&self, arc: &Arc<T, N, ORDER>, distance: T) -> Result<Stretch<T, N>, SolveError<T>> {
+    fn stretch(
+        &self,
+        arc: &Arc<T, N, ORDER>,
+        distance: T,
+    ) -> Result<Stretch<T, N>, SolveError<T>> {
         let place = self.arrive(arc, distance)?;
         let bent = SolveError::CrossedSingularity {
             unknown: index_of_largest(&(place.configuration - self.here.configuration).unknowns),
@@ -233,15 +237,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'a, L, N> {
         } else {
             None
         };
-        self.within_range(
-            arc,
-            distance,
-            Stretch {
-                turning,
-                place,
-                end,
-            },
-        )
+        self.within_range(arc, distance, Stretch { turning, place, end })
     }
 
     /// The place at a distance of the parameter.
@@ -264,7 +260,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'a, L, N> {
     /// parameter is one of the entries.
     fn closure(&self, arc: &Arc<T, N, ORDER>, end: T) -> Option<(T, Place<T, N>, T)> {
         let start = &self.start.configuration;
-        let to_start = start.entry(arc.parameter) - self.here.configuration.entry(arc.parameter);
+        let to_start =
+            start.entry(arc.parameter) - self.here.configuration.entry(arc.parameter);
         let distance = if self.here.tangent.entry(arc.parameter) < T::zero() {
             -to_start
         } else {
@@ -297,16 +294,14 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'a, L, N> {
             }
             let middle = (low + high) * T::constant(0.5);
             match self.arrive(arc, middle) {
-                Ok(place) if place.positive == self.here.positive => {
-                    (low, before) = (middle, place)
-                }
+                Ok(place) if place.positive == self.here.positive => (low, before) = (middle, place),
                 Ok(place) => (high, after) = (middle, place),
                 Err(_) => high = middle,
             }
         }
         let apart = (after.configuration - before.configuration).norm();
-        let are_neighbours =
-            after.positive != before.positive && apart <= accuracy * T::constant(16.0);
+        let are_neighbours = after.positive != before.positive
+            && apart <= accuracy * T::constant(16.0);
         are_neighbours.then_some(Stretch {
             turning: None,
             place: before,

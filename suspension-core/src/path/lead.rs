@@ -291,8 +291,7 @@ where
         let moves = (rate + second_rate * (dt * T::constant(0.5))) * dt;
         let mut at = value + moves;
         let size = self.curve.linkage.size();
-        let moved =
-            magnitude(&moves.unknowns).map_err(|unknown| SolveError::Overflow { unknown })?;
+        let moved = magnitude(&moves.unknowns).map_err(|unknown| SolveError::Overflow { unknown })?;
         let mut bound = Some((*correction_of_move * moved).max(*correction_of_size * size));
         for iterations in 1..=newton.max_iterations {
             let linear = self.curve.linear(&at, led.parameter)?;
@@ -311,8 +310,8 @@ where
             let steepness = (slope.abs() / linear.tangent.norm())
                 .max(T::one())
                 .max(T::one() / size);
-            let near =
-                tolerance * steepness + newton.tolerance * T::EPSILON * self.target.value.abs();
+            let near = tolerance * steepness
+                + newton.tolerance * T::EPSILON * self.target.value.abs();
             if residual <= tolerance && off_target <= near {
                 let converged = Converged {
                     iterations,
