@@ -31,7 +31,7 @@ search() {
 # The versions that the workspace is tested with.
 cp "$root/Cargo.lock" "$root/tests/firmware/"
 
-for path in solving series construction assembly; do
+for path in solving series path construction assembly; do
     found=$(search "$path")
     if [[ -n $found ]]; then
         printf '%s reaches:\n%s\n' "$path" "$found"

@@ -4,6 +4,7 @@ mod assemblies;
 mod bake;
 mod chart;
 mod failures;
+mod range;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -65,6 +66,11 @@ pub enum Command {
     /// Writes a table, a figure and a page with all counts.
     #[command(after_long_help = failures::NOTES)]
     Failures(failures::Arguments),
+    /// Finds how far each drive of a file leads the mechanism, and what ends its range.
+    ///
+    /// Follows the whole curve of configurations, also where the drive cannot lead.
+    #[command(after_long_help = range::NOTES)]
+    Range(range::Arguments),
 }
 
 impl Command {
@@ -83,6 +89,7 @@ impl Command {
             Self::Bake(arguments) => arguments.run(interrupted),
             Self::Chart(arguments) => arguments.run(interrupted),
             Self::Failures(arguments) => arguments.run(interrupted),
+            Self::Range(arguments) => arguments.run(interrupted),
         }
     }
 }

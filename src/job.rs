@@ -168,6 +168,8 @@ fn plots(
     Ok(written)
 }
 
+const TIME: &str = "time t (s)";
+
 /// The paper's Fig. 4 and Fig. 5.
 fn charts(study: &dyn Study, rows: [&Rows; 2]) -> [(&'static str, Chart); 2] {
     let points = study.points();
@@ -176,6 +178,7 @@ fn charts(study: &dyn Study, rows: [&Rows; 2]) -> [(&'static str, Chart); 2] {
     let degrees = 1_f64.to_degrees();
     let height = Chart {
         title: "Height of the wheel centre".to_owned(),
+        across: TIME.to_owned(),
         quantity: format!("height z ({unit})"),
         curves: vec![Curve::new(
             named("wheel centre", centre),
@@ -186,6 +189,7 @@ fn charts(study: &dyn Study, rows: [&Rows; 2]) -> [(&'static str, Chart); 2] {
     };
     let angles = Chart {
         title: "Kingpin angle and camber angle".to_owned(),
+        across: TIME.to_owned(),
         quantity: "angle (deg)".to_owned(),
         curves: vec![
             Curve::new(

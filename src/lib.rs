@@ -23,4 +23,5 @@ pub mod lanes;
 pub mod number;
 pub mod output;
 pub mod published;
+pub mod range;
 pub mod study;

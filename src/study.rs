@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use nalgebra::{Const, DimMin};
+use nalgebra::{Const, DimMin, Vector3};
 use suspension_core::linkage::Listing;
 use suspension_core::{
     Advanced, Build, HasKingpin, HasWheel, Inputs, Linkage, Motion, SolveError, Still, Stopped,
@@ -25,6 +25,10 @@ use crate::input::drives::{DriveLaws, in_words};
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
 use crate::number::{number, rounded};
+use crate::range::course::DriveRange;
+use crate::range::locking::turning_drive;
+use crate::range::meeting::meeting;
+use crate::range::station;
 use columns::PointNames;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
@@ -102,6 +106,24 @@ pub trait Study {
         interrupted: &AtomicBool,
     ) -> Result<Survey, Failure>;
 
+    /// The columns of a place on a drive's curve.
+    fn range_columns(&self) -> Vec<String>;
+
+    /// The range of each drive, the others held as at the first instant.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] where a curve has no start.
+    fn ranges(
+        &self,
+        instants: &Instants,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<DriveRange>, Failure>;
+
+    /// When the motion is at an end of a drive's range, and at which, where it moves this drive
+    /// alone.
+    fn meeting(&self, drive: usize, ends: [f64; 2], instants: &Instants) -> Option<(f64, usize)>;
+
     /// Counts, between two times, how often each method of the failure map fails.
     ///
     /// # Errors
@@ -139,8 +161,8 @@ pub struct Stop {
     pub drives_reached: String,
     /// What the last refused step failed with.
     pub cause: String,
-    /// The largest speed where it stopped, as a multiple of that at the last good instant.
-    pub speed_up: f64,
+    /// The drive that turns there, where one does: led by it, the mechanism locks.
+    pub turns: Option<&'static str>,
 }
 
 /// What a step takes.
@@ -161,6 +183,8 @@ pub struct Assembled<L, const N: usize> {
     pub linkage: &'static str,
     /// The unit of its lengths.
     pub unit: Unit,
+    /// Where the file's coordinates have the origin of all below: zero, save far from the points.
+    pub origin: Vector3<f64>,
     /// The geometry.
     pub model: L,
     /// The first instant, s.
@@ -195,18 +219,16 @@ where
         let mut motion = self.start;
         let [mut last, _] = instants.ends();
         for t in instants.iter() {
-            let speed = motion.velocity.amax();
             match follow(&self.model, &self.drives, [last, t], &mut motion) {
                 Ok(advanced) => {
                     let inputs = self.drives.inputs(t);
-                    let row = columns::row(&self.model, t, &inputs, &motion, &advanced);
+                    let row = columns::row(self, t, &inputs, &motion, &advanced);
                     if on_row(&row)?.is_break() {
                         return Ok(End::Cut);
                     }
                 }
                 Err(stopped) => {
-                    let speed_up = motion.velocity.amax() / speed;
-                    return Ok(End::Stopped(self.stop(t, &stopped, speed_up)));
+                    return Ok(End::Stopped(self.stop(t, &stopped, &motion)));
                 }
             }
             last = t;
@@ -266,6 +288,26 @@ where
         chart::measure(self, ends, effort, interrupted)
     }
 
+    fn range_columns(&self) -> Vec<String> {
+        station::names::<L, N>(self.unit)
+    }
+
+    fn ranges(
+        &self,
+        instants: &Instants,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<DriveRange>, Failure> {
+        let [first, _] = instants.ends();
+        let drives = 0..L::DRIVE_KINDS.len();
+        drives
+            .map(|index| self.range(first, index, interrupted))
+            .collect()
+    }
+
+    fn meeting(&self, drive: usize, ends: [f64; 2], instants: &Instants) -> Option<(f64, usize)> {
+        meeting::<L, N>(&self.drives, drive, ends, instants)
+    }
+
     fn failures(
         &self,
         ends: [f64; 2],
@@ -295,7 +337,8 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
         Some(took)
     }
 
-    fn stop(&self, asked: f64, stopped: &Stopped<f64>, speed_up: f64) -> Stop {
+    fn stop(&self, asked: f64, stopped: &Stopped<f64>, last: &Motion<f64, N>) -> Stop {
+        let at: Inputs<Still, L::Drives> = self.drives.inputs(stopped.reached);
         let drives = |t: f64| {
             let inputs: Inputs<Still, L::Drives> = self.drives.inputs(t);
             in_words::<L, N>(&inputs.drives.value, self.unit)
@@ -309,7 +352,7 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
                 || "the time is too far away".to_owned(),
                 |(_, error)| cause::<L, N>(&error, self.unit),
             ),
-            speed_up,
+            turns: turning_drive(&self.model, &at, &last.position),
         }
     }
 }
@@ -345,6 +388,9 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::CrossedSingularity { .. } => {
             format!("a step of unknown `{name}` ended in another assembly")
         }
+        SolveError::Mirrored { .. } => format!(
+            "point `{name}` would stand on the wrong side of the points that links join it to"
+        ),
         SolveError::Singular { .. } => format!("unknown `{name}` is no longer determined"),
         SolveError::Diverging { .. } => {
             format!("no root near by, the corrections of unknown `{name}` do not shrink")
@@ -352,9 +398,7 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::StepTooLong { .. } => {
             format!("the series of unknown `{name}` is not good for so long a step")
         }
-        SolveError::TurningPoint {
-            asked, extreme, ..
-        } => format!(
+        SolveError::TurningPoint { asked, extreme, .. } => format!(
             "the leading quantity turns at {}, on the way to {}",
             number(*extreme),
             number(*asked)

@@ -6,7 +6,8 @@ use nalgebra::{SVector, Vector3};
 use support::Reference;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Build, Inputs, Linkage, Motion, Named, Newton, Signal, SolveError, Still, Tracker, assemble,
+    Bounded, Build, GeometryError, Inputs, Linkage, Motion, Named, Newton, Signal, SolveError,
+    Still, Tracker, assemble, handedness,
 };
 
 /// The signed volume spanned by points 6, 7, 8 and 9: its sign tells a knuckle from its mirror
@@ -51,6 +52,66 @@ fn the_rigid_knuckle_assembles_as_published() {
     assemble(&Newton::from_afar(), &model, &inputs, &mut q).expect("Table 2's configuration");
     let published = Reference::load().unknowns(0, "");
     assert!((q - published).amax() < 5e-15);
+}
+
+/// The nine distances are fitted as the rigid body that they are, and end there too.
+#[test]
+fn nine_distances_assemble_as_published() {
+    let model: attia2003::Model<f64> = support::attia_model();
+    let mut q = printed_guess();
+    let inputs = support::attia_inputs(0.0);
+    assemble(&Newton::from_afar(), &model, &inputs, &mut q).expect("Table 2's configuration");
+    let published = Reference::load().unknowns(0, "");
+    assert!((q - published).amax() < 5e-15);
+}
+
+/// A root whose knuckle is mirrored is refused by whatever could return it.
+#[test]
+fn a_mirrored_knuckle_is_never_a_success() {
+    let model: attia2003::Model<f64> = support::attia_model();
+    let inputs = support::attia_inputs(0.0);
+    let plain = Newton {
+        max_halvings: 0,
+        ..Newton::from_afar()
+    };
+    let mut mirrored = printed_guess();
+    let found = plain.solve(&model, &inputs, &mut mirrored);
+    found.expect("a root, though not the published one");
+    let wrong = SolveError::Mirrored { point: "p9" };
+    let points = handedness::count_mirrored(&model, &mirrored, model.fixed());
+    assert!((points - 1.0).abs() < 1e-12, "{points}");
+    let start = Motion::at_rest(mirrored);
+    let mut motion = start;
+    let step = Tracker::default().step(&model, &inputs, 0.0, &mut motion);
+    assert_eq!((step.expect_err("mirrored"), motion), (wrong, start));
+    let step = <Bounded<f64>>::default().step(&model, &inputs, 0.0, &mut motion);
+    assert_eq!((step.expect_err("mirrored"), motion), (wrong, start));
+    // A guess with the point on the wrong side is turned round, or the error says so.
+    let mut q = mirrored;
+    match assemble(&Newton::from_afar(), &model, &inputs, &mut q) {
+        Ok(_) => handedness::check(&model, &q, model.fixed()).expect("the model's own side"),
+        Err(_) => assert_eq!(q, mirrored),
+    }
+}
+
+/// Four points in a plane: three distances do not hold the fourth, a body does.
+#[test]
+fn a_coplanar_knuckle_of_distances_is_refused() {
+    let rough = support::attia_rough();
+    let [p6, p7, p8] = [rough.p6, rough.p7, rough.p8];
+    let flat = |height: f64| attia2003::Points {
+        p9: p6 + (p7 - p6) * 0.3 - (p8 - p6) * 0.8
+            + (p7 - p6).cross(&(p8 - p6)).normalize() * height,
+        ..rough
+    };
+    assert!(attia2003::Model::new(&flat(0.01)).is_ok());
+    let error = attia2003::Model::new(&flat(1e-6)).expect_err("in the plane of 6, 7 and 8");
+    assert_eq!(error, GeometryError::Flat { point: "p9" });
+    assert!(error.to_string().contains("`p9`") && error.to_string().contains("`body`"));
+    let points = flat(0.0);
+    let mut points = points.values();
+    let design = five_link::Points::from_fn(|_| points.next().unwrap_or_default());
+    five_link::Model::new(&design).expect("a body may be flat");
 }
 
 /// The published two seconds end at a turning point of the drive (extended system, 40 digits).

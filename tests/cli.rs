@@ -6,9 +6,12 @@ mod cli {
     mod bad_input;
     mod bake;
     mod chart;
+    mod failures;
     mod files;
+    mod hostile_files;
     mod plots;
     mod program;
+    mod range;
     mod results;
     mod signals;
     mod stops;

@@ -245,16 +245,17 @@ fn measures() {
     let h = 1e-4;
     for t in [-0.3, 0.1, 0.4] {
         let (now, ahead, behind) = (at(t), at(t + h), at(t - h));
-        let change = |of: fn(&Signal<Measures<f64>>) -> Measures<f64>| {
-            let pairs = of(&ahead).values().zip(of(&behind).values());
+        let change = |ahead: Measures<f64>, behind: Measures<f64>| {
+            let (ahead, behind) = (ahead.values(), behind.values());
+            let pairs: Vec<_> = ahead.zip(behind).collect();
             pairs
+                .into_iter()
                 .map(|(ahead, behind)| (ahead - behind) / (2.0 * h))
-                .collect::<Vec<_>>()
         };
         let names = <Measures<f64> as Named<f64>>::NAMES;
         for (expected, found) in [
-            (change(|signal| signal.value), now.rate),
-            (change(|signal| signal.rate), now.second_rate),
+            (change(ahead.value, behind.value), now.rate),
+            (change(ahead.rate, behind.rate), now.second_rate),
         ] {
             for ((name, expected), found) in names.iter().zip(expected).zip(found.values()) {
                 let bound = 1e-5 * (1.0 + expected.abs());

@@ -4,9 +4,14 @@
 mod support;
 
 mod hostile {
+    mod causes;
     mod draw;
+    mod far;
+    mod geometry;
     mod mechanisms;
     mod random;
+    mod reading;
+    mod steps;
     mod trial;
     mod verdict;
 }

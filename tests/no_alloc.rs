@@ -8,10 +8,12 @@ use std::hint::black_box;
 use counting::{Counting, allocations};
 use nalgebra::{Isometry3, SVector, Vector3};
 use suspension::lanes::{Instructions, Lane, Lanes};
+use suspension_core::path::{Continuation, Curve, Leader, Led};
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
     Bounded, Build, Certifier, HasKingpin, HasWheel, InputSeries, Inputs, Jet, Linkage, Listing,
-    Motion, Newton, Outputs, Real, RigidMotion, SeriesTracker, Still, Tangent, Tracker, assemble,
+    Motion, Newton, Outputs, Real, RigidMotion, SeriesTracker, Signal, Still, Tangent, Tracker,
+    assemble,
 };
 
 #[global_allocator]
@@ -47,6 +49,7 @@ where
         self.readings(&motion);
         self.moving_chassis(&motion);
         self.failures(&motion);
+        self.curves(q);
     }
 
     fn first_configuration(&self) -> SVector<T, 15> {
@@ -138,6 +141,37 @@ where
             Tracker::default().step(&self.model, &inputs, T::constant(0.001), &mut motion)
         })
         .expect("a regular motion");
+    }
+
+    fn curves(&self, q: SVector<T, 15>) {
+        let inputs = (self.inputs)(T::zero());
+        let end = without_allocating("Path", || {
+            let curve = Curve::new(&self.model, &inputs, 0)?;
+            let path = Continuation::default().path(curve, &q, true).ok()?;
+            path.last()
+        });
+        assert!(matches!(end, Some(Ok(_))), "followed to its end");
+        let height = |points: &Signal<L::Points>| Signal {
+            value: points.value.wheel()[1].z,
+            rate: points.rate.wheel()[1].z,
+            second_rate: points.second_rate.wheel()[1].z,
+        };
+        let curve = Curve::new(&self.model, &inputs, 0).expect("a drive");
+        let mut led = without_allocating("Led", || Led::at_rest(&curve, &q)).expect("regular");
+        let target = height(&led.points(&self.model, &inputs));
+        let leader = Leader::default();
+        without_allocating("Leader::step", || {
+            leader.step(&self.model, &inputs, height, &target, T::zero(), &mut led)
+        })
+        .expect("where it is");
+        without_allocating("Leader::step to where it turns", || {
+            let beyond = Signal {
+                value: target.value + T::constant(0.04),
+                ..target
+            };
+            leader.step(&self.model, &inputs, height, &beyond, T::one(), &mut led)
+        })
+        .expect_err("the wheel rises no higher");
     }
 
     fn failures(&self, motion: &Motion<T, 15>) {

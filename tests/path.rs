@@ -11,3 +11,5 @@ mod case;
 mod led;
 #[path = "path/published.rs"]
 mod published;
+#[path = "path/random.rs"]
+mod random;

@@ -180,10 +180,14 @@ fn assembly<L: Suspension<N>, const N: usize>(
         distance: moved.norm(),
         farthest,
         smallest_pivot: factored.map_or(0.0, |lu| lu.smallest_pivot().1),
-        wheel: Wheel::of(&points),
+        wheel: Wheel::of(&points).map(|wheel| Wheel {
+            centre: wheel.centre + assembled.origin,
+            ..wheel
+        }),
         coordinates: points
             .values()
             .skip(chassis)
+            .map(|point| point + assembled.origin)
             .flat_map(|point| [point.x, point.y, point.z])
             .collect(),
     }

@@ -38,6 +38,21 @@ pub struct Baked {
 }
 
 impl Baked {
+    /// The same with positions in coordinates that have the origin of these at `origin`.
+    pub fn moved(mut self, origin: [f64; 3]) -> Self {
+        for segment in &mut self.segments {
+            for (output, coefficients) in self.outputs.iter().zip(segment) {
+                if *output != Output::SpinAxis {
+                    let [constant, ..] = coefficients;
+                    for (constant, origin) in constant.iter_mut().zip(origin) {
+                        *constant += origin;
+                    }
+                }
+            }
+        }
+        self
+    }
+
     /// The number of segments divided by the length of the range.
     pub fn segments_per_unit(&self) -> f64 {
         let [from, to] = self.wanted.range;

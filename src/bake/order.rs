@@ -65,7 +65,9 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
             .map(|other| self.in_words(other, self.first(other)))
             .collect::<Vec<_>>();
         Ok(Sheet {
-            baked: self.bake(drive, &wanted)?,
+            baked: self
+                .bake(drive, &wanted)?
+                .moved(self.assembled.origin.into()),
             file: self.file.to_owned(),
             linkage: linkage.to_owned(),
             drive: names[drive].to_owned(),

@@ -45,6 +45,19 @@ impl MotionFile {
             source.refuse(&error.span().unwrap_or(0..0), message)
         })
     }
+
+    /// The same file with its points in coordinates whose origin is at `origin`.
+    pub fn seen_from(&self, origin: [f64; 3]) -> Self {
+        let mut file = self.clone();
+        for position in file.points.get_mut().values_mut() {
+            if let Position::At(at) = position.get_mut() {
+                for (x, origin) in at.iter_mut().zip(origin) {
+                    *x -= origin;
+                }
+            }
+        }
+        file
+    }
 }
 
 /// A unit of length.

@@ -3,7 +3,7 @@
 use nalgebra::{Const, DimMin, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::Wheel;
-use suspension_core::{GeometryError, Linkage, Motion, Named, Newton, assemble};
+use suspension_core::{GeometryError, Linkage, LocalOrigin, Motion, Named, Newton, assemble};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -66,6 +66,12 @@ where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
     check_names::<L, N>(task)?;
+    let origin = LocalOrigin::among(&guess::<L, N>(task)).position();
+    let file = task.file.seen_from(origin.into());
+    let task = &Task {
+        file: &file,
+        ..*task
+    };
     let guess = guess::<L, N>(task);
     let model = model::<L, N>(task, &guess)?;
     let (model, q, design) = at_design::<L, N>(task, model, &guess)?;
@@ -76,6 +82,7 @@ where
     Ok(Box::new(Assembled {
         linkage: task.linkage,
         unit: task.file.unit,
+        origin,
         model,
         first: task.first,
         start,
@@ -139,9 +146,9 @@ fn refuse_geometry(task: &Task<'_>, error: &GeometryError) -> Failure {
     let points = file.points.get_ref();
     let lengths = file.lengths.as_ref();
     let span = match error {
-        GeometryError::NotFinite { point } | GeometryError::Collinear { point } => {
-            points.get(*point).map(Spanned::span)
-        }
+        GeometryError::NotFinite { point }
+        | GeometryError::Collinear { point }
+        | GeometryError::Flat { point } => points.get(*point).map(Spanned::span),
         GeometryError::BadLength { length } => lengths
             .and_then(|lengths| lengths.get_ref().get(*length))
             .map(Spanned::span),

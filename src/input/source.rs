@@ -1,9 +1,18 @@
 //! The text of an input file and places in it.
 
+use std::fs::File;
+use std::io::{self, Read};
 use std::ops::Range;
 use std::path::Path;
 
 use crate::failure::Failure;
+
+/// The largest file that is read, in bytes: a motion takes a few thousand, and reading takes a
+/// hundred times the memory.
+const LARGEST: usize = 4 << 20;
+
+/// The longest part of a message that may quote the file, in characters.
+const LONGEST: usize = 400;
 
 /// An input file: its name as the user gave it, and its text.
 #[derive(Clone, Debug)]
@@ -25,13 +34,25 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where it cannot be read or is not UTF-8.
+    /// [`Failure::Input`] where it cannot be read, is larger than 4 MiB or is not UTF-8.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let name = path.display().to_string();
-        match std::fs::read_to_string(path) {
-            Ok(text) => Ok(Self { name, text }),
-            Err(error) => Err(Failure::Input(format!("{name}: cannot be read: {error}"))),
+        let name = in_one_line(&path.display().to_string());
+        let refuse = |why: String| Err(Failure::Input(format!("{name}: {why}")));
+        let bytes = match read_at_most(path, LARGEST + 1) {
+            Ok(bytes) => bytes,
+            Err(error) => return refuse(format!("cannot be read: {error}")),
+        };
+        if bytes.len() > LARGEST {
+            return refuse(format!("is larger than {} MiB", LARGEST >> 20));
         }
+        String::from_utf8(bytes).map_or_else(
+            |error| {
+                let valid = error.utf8_error().valid_up_to();
+                let text = String::from_utf8_lossy(&error.as_bytes()[..valid]);
+                Err(Self::new(&name, text).refuse(&(valid..valid), "is not text in UTF-8"))
+            },
+            |text| Ok(Self::new(&name, text)),
+        )
     }
 
     /// The file's name.
@@ -55,13 +76,48 @@ impl Source {
 
     /// The failure that names a place and what is wrong there.
     pub fn refuse(&self, span: &Range<usize>, message: impl std::fmt::Display) -> Failure {
+        let message = in_one_line(&message.to_string());
         Failure::Input(format!("{}: {message}", self.place(span)))
+    }
+}
+
+fn read_at_most(path: &Path, limit: usize) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?
+        .take(limit as u64)
+        .read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Text that may quote a file, fit for a terminal: control characters escaped, cut where it is long.
+fn in_one_line(text: &str) -> String {
+    let mut line: String = text.chars().take(LONGEST).map(escaped).collect();
+    if text.chars().nth(LONGEST).is_some() {
+        line.push_str(" ...");
+    }
+    line
+}
+
+fn escaped(character: char) -> String {
+    if character.is_control() {
+        character.escape_default().to_string()
+    } else {
+        character.to_string()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_message_is_one_line() {
+        let source = Source::new("a.toml", "");
+        let long = "\u{1b}[31m\n".to_owned() + &"é".repeat(1000);
+        let message = source.refuse(&(0..0), long).to_string();
+        assert!(message.starts_with("a.toml:1:1: \\u{1b}[31m\\né"));
+        assert!(message.ends_with("é ...") && message.chars().count() < 450);
+    }
 
     #[test]
     fn places_are_counted_from_one_in_characters() {

@@ -1,4 +1,4 @@
-//! Plots over time as SVG.
+//! Plots as SVG: over time, or over another quantity.
 
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
@@ -6,23 +6,25 @@ use plotters::prelude::*;
 
 use crate::study::sweep::Rows;
 
-/// A plot over time.
+/// A plot.
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// Above the plot.
     pub title: String,
+    /// The horizontal axis, with its unit.
+    pub across: String,
     /// The vertical axis, with its unit.
     pub quantity: String,
     /// The curves.
     pub curves: Vec<Curve>,
 }
 
-/// A curve over time.
+/// A curve.
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// In the legend.
     pub name: String,
-    /// Points of the line: time in s, value.
+    /// Points of the line: across and up.
     pub line: Vec<(f64, f64)>,
     /// Points that are marked.
     pub marks: Vec<(f64, f64)>,
@@ -119,7 +121,7 @@ impl Chart {
         let fitting = width / (x.label_width() + 2 * DIGIT);
         plane
             .configure_mesh()
-            .x_desc("time t (s)")
+            .x_desc(&self.across)
             .y_desc(&self.quantity)
             .x_labels(fitting.clamp(2, MOST) as usize)
             .y_labels(10)

@@ -6,7 +6,7 @@ use suspension_core::{Advanced, HasKingpin, HasWheel, Inputs, Motion, Named, Sti
 
 use crate::input::drives::unit_of;
 use crate::input::file::Unit;
-use crate::study::Suspension;
+use crate::study::{Assembled, Suspension};
 
 /// The names of a linkage's points, by what they are.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,16 +71,18 @@ fn triple(name: &str, kind: &str) -> [String; 3] {
 /// The row of one instant, in the order of [`names`]. What is undefined in a configuration (the
 /// wheel's angles where its axis has no direction) is NaN.
 pub fn row<L: Suspension<N>, const N: usize>(
-    linkage: &L,
+    assembled: &Assembled<L, N>,
     t: f64,
     inputs: &Inputs<Still, L::Drives>,
     motion: &Motion<f64, N>,
     advanced: &Advanced<f64>,
 ) -> Vec<f64> {
-    let points = motion.points(linkage, inputs);
+    let points = motion.points(&assembled.model, inputs);
+    let origin = assembled.origin;
     let mut row = vec![t];
     row.extend(inputs.drives.value.values());
-    row.extend(&motion.position);
+    let coordinates = motion.position.iter().enumerate();
+    row.extend(coordinates.map(|(index, x)| x + origin[index % 3]));
     row.extend(&motion.velocity);
     row.extend(&motion.acceleration);
     let undefined = Vector3::repeat(f64::NAN);
@@ -91,8 +93,13 @@ pub fn row<L: Suspension<N>, const N: usize>(
     let markers = PointNames::of::<L, N>().markers.len();
     let first_marker = <L::Points as Named<Vector3<f64>>>::NAMES.len() - markers;
     for marker in 0..markers {
-        for points in [&points.value, &points.rate, &points.second_rate] {
-            row.extend(points.values().nth(first_marker + marker).iter().flatten());
+        let each = [&points.value, &points.rate, &points.second_rate];
+        for (points, origin) in each
+            .into_iter()
+            .zip([origin, Vector3::zeros(), Vector3::zeros()])
+        {
+            let point = points.values().nth(first_marker + marker);
+            row.extend(point.map(|point| point + origin).iter().flatten());
         }
     }
     let kingpin = Kingpin::of(&points.value);

@@ -193,22 +193,20 @@ impl Outcome {
 impl Stop {
     /// In one sentence: what was asked for, how far the mechanism goes, and why no further.
     pub fn in_words(&self) -> String {
-        /// A speed that has grown by this much is taken to grow without bound.
-        const LOCKING: f64 = 1e3;
         let Self {
             asked,
             drives_asked,
             reached,
             drives_reached,
             cause,
-            speed_up,
+            turns,
         } = self;
-        let locks = if *speed_up > LOCKING {
-            " there the mechanism locks, at a turning point of the drive where velocities grow \
-             without bound;"
-        } else {
-            ""
-        };
+        let locks = turns.map_or_else(String::new, |drive| {
+            format!(
+                " there the mechanism locks, at a turning point of drive `{drive}` where \
+                 velocities grow without bound;"
+            )
+        });
         format!(
             "no configuration at t = {} s with {drives_asked}: the motion ends at \
              t = {} s with {drives_reached} ({cause});{locks}",

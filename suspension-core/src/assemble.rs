@@ -7,6 +7,7 @@ mod search;
 use nalgebra::SVector;
 
 use crate::error::SolveError;
+use crate::handedness;
 use crate::linkage::Build;
 use crate::motion::Prescribed;
 use crate::newton::Newton;
@@ -45,14 +46,12 @@ pub const STARTS: usize = AROUND + 2;
 
 /// Finds the configuration nearest to the guess `q`, in the norm over all coordinates.
 ///
-/// From the guess, and from others around it that are off by as much as the guess is, each body is
-/// replaced by the rigid body that fits it best, and the equations are solved; then once more from
-/// where the root would lie that meets the one found at the nearest singularity. The nearest root is
-/// kept. That it is the nearest of all cannot be promised: of guesses 5 cm off in every coordinate
+/// From the guess, and from others around it that are off by as much as the guess is, each body, and
+/// each cluster of links that is as rigid, is replaced by the rigid body that fits it best, and the
+/// equations are solved; then once more from where the root would lie that meets the one found at the
+/// nearest singularity. The nearest root is kept; one with a wrong-handed cluster never is. That it is the nearest of all cannot be promised: of guesses 5 cm off in every coordinate
 /// of the published mechanism three in ten thousand end elsewhere. The budget is bounded:
 /// [`STARTS`] times the iterations that `newton` allows.
-///
-/// A linkage without bodies may end in a mirrored assembly (nine distances admit it).
 ///
 /// # Errors
 ///
@@ -75,6 +74,7 @@ where
     let solve = |start: &SVector<T, N>| {
         let mut root = linkage.fit(start, fixed);
         let converged = newton.solve_prescribed(linkage, &prescribed, &mut root, None)?;
+        handedness::check(linkage, &root, fixed)?;
         Ok(Found::new(root, q, converged))
     };
     let mut nearest = solve(q);

@@ -40,13 +40,14 @@ fn axes<T: Real>([a, b, c]: &Triple<T>) -> Option<Matrix3<T>> {
 /// Angular velocity, rad/s: the least-squares fit of `v = v0 + omega x r` over three points.
 ///
 /// Unlike [`angular_velocity_eq9`] it is defined wherever the points are not in line; `None`
-/// where they are.
+/// where they are, or where a number is not finite.
 pub fn angular_velocity<T: Real>(at: &Triple<T>, velocities: &Triple<T>) -> Option<Vector3<T>> {
     fit_rotation(at, velocities)
 }
 
 /// Angular acceleration, rad/s^2: the least-squares fit of
-/// `a = a0 + alpha x r + omega x (omega x r)` over three points; `None` where they are in line.
+/// `a = a0 + alpha x r + omega x (omega x r)` over three points; `None` where they are in line, or
+/// where a number is not finite.
 pub fn angular_acceleration<T: Real>(
     at: &Triple<T>,
     omega: &Vector3<T>,
@@ -72,7 +73,10 @@ fn fit_rotation<T: Real>(at: &Triple<T>, rates: &Triple<T>) -> Option<Vector3<T>
         inertia += Matrix3::from_diagonal_element(r.norm_squared()) - r * r.transpose();
         moment += r.cross(&(rate - mean_rate));
     }
-    Some(inertia.try_inverse()? * moment)
+    // Of the size of 1, so that the determinant neither overflows nor vanishes.
+    let size = inertia.trace();
+    let rotation = (inertia / size).try_inverse()? * (moment / size);
+    rotation.iter().all(|x| x.is_finite()).then_some(rotation)
 }
 
 fn mean<T: Real>([a, b, c]: &Triple<T>) -> Vector3<T> {

@@ -51,6 +51,37 @@ type Enclosing<L, const N: usize> =
     <<L as Linkage<N>>::Listing as Listing<N>>::Model<Enclosed<<L as Linkage<N>>::Scalar>>;
 
 /// What proves roots of one model; to be made once and used for many positions.
+///
+/// ```
+/// use suspension_core::nalgebra::Vector3;
+/// use suspension_core::{Build, Certificate, Certifier, Inputs, Signal};
+///
+/// suspension_core::linkage! {
+///     mod rod {
+///         fixed: a;
+///         free:  p;
+///         link rod: a -> p;
+///         drive y: p.y;
+///         drive z: p.z;
+///     }
+/// }
+/// use rod::{Drives, Model, Points};
+///
+/// let design = Points { a: Vector3::zeros(), p: Vector3::new(3.0, 0.0, 4.0) };
+/// let certifier = Certifier::new(&Model::new(&design)?);
+/// let inputs = |z| {
+///     let value = Drives { y: 0.0, z };
+///     Inputs::still(Signal { value, ..Signal::default() })
+/// };
+/// // The root is a millimetre away, its mirror image six metres.
+/// let near = certifier.certify(&inputs(4.0), &Vector3::new(3.001, 0.0, 4.0));
+/// let Certificate::Proved { radius, unique_within } = near else { panic!("{near:?}") };
+/// assert!((0.001..0.00101).contains(&radius) && (1.0..6.0).contains(&unique_within));
+/// // Nowhere on the rod of five metres.
+/// let beyond = certifier.certify(&inputs(5.0 + 1e-12), &Vector3::new(1e-6, 0.0, 5.0));
+/// assert!(!beyond.is_proved());
+/// # Ok::<(), suspension_core::GeometryError>(())
+/// ```
 #[derive(Clone, Copy)]
 pub struct Certifier<L, const N: usize>
 where

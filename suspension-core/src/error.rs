@@ -36,6 +36,12 @@ pub enum SolveError<T> {
         /// What it had to exceed.
         threshold: T,
     },
+    /// The point stands on the wrong side of the three that links join it to: the lengths are kept,
+    /// and the part that they make is the mirror image of the model's.
+    Mirrored {
+        /// The point, one of [`Linkage::LINKED`](crate::Linkage::LINKED).
+        point: &'static str,
+    },
     /// `step > bound`: the correction of this unknown did not shrink as it does near a root, so
     /// the root, if any, might belong to another assembly.
     Diverging {
@@ -80,7 +86,7 @@ pub enum SolveError<T> {
 }
 
 impl<T> SolveError<T> {
-    /// The name of the equation or unknown concerned, from the linkage's name tables.
+    /// The name of the equation, unknown or point concerned, from the linkage's name tables.
     pub fn culprit<'a>(&self, equations: &'a [&'a str], unknowns: &'a [&'a str]) -> &'a str {
         let (table, index) = match self {
             Self::NotFinite { equation } | Self::NotConverged { equation, .. } => {
@@ -92,6 +98,7 @@ impl<T> SolveError<T> {
             | Self::Diverging { unknown, .. }
             | Self::StepTooLong { unknown, .. }
             | Self::TurningPoint { unknown, .. } => (unknowns, unknown),
+            Self::Mirrored { point } => return point,
         };
         table.get(*index).copied().unwrap_or("?")
     }
@@ -112,6 +119,10 @@ impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
             Self::CrossedSingularity { unknown } => write!(
                 f,
                 "a singularity was crossed: unknown {unknown} moved to another assembly"
+            ),
+            Self::Mirrored { point } => write!(
+                f,
+                "point `{point}` is mirrored: it stands on the wrong side of the points that links join it to"
             ),
             Self::Singular {
                 unknown,
@@ -174,6 +185,12 @@ pub enum GeometryError {
         /// The point carried, or the last of the three.
         point: &'static str,
     },
+    /// The point lies in the plane of the three that links join it to, or too near to tell its sides
+    /// apart: the distances are singular there. A `body` is not.
+    Flat {
+        /// The point.
+        point: &'static str,
+    },
     /// No rigid body has the given lengths: they break the triangle inequality, or its like in
     /// space, at this point.
     NotClosed {
@@ -196,6 +213,12 @@ impl fmt::Display for GeometryError {
                 write!(
                     f,
                     "the points that carry `{point}` lie in line; three that form a triangle are needed"
+                )
+            }
+            Self::Flat { point } => {
+                write!(
+                    f,
+                    "point `{point}` lies in the plane of the points that links join it to, where their lengths do not hold it; state these points as a `body`"
                 )
             }
             Self::NotClosed { point } => {

@@ -22,9 +22,14 @@ pub(crate) fn smallest_pivot<T: Real>() -> T {
     T::EPSILON.sqrt() * T::constant(SMALLEST_PIVOT)
 }
 
+/// The largest [growth](Factors::growth_squared) that will do, not squared.
+pub(crate) fn growth_limit<T: Real>() -> T {
+    T::constant(GROWTH_LIMIT).min(T::one() / smallest_pivot())
+}
+
 /// Whether pivots with this [growth](Factors::growth_squared) will do.
 pub(crate) fn is_healthy<T: Real>(growth_squared: T) -> bool {
-    let limit = T::constant(GROWTH_LIMIT).min(T::one() / smallest_pivot());
+    let limit = growth_limit::<T>();
     growth_squared < limit * limit
 }
 

@@ -5,6 +5,7 @@ pub use nalgebra::{SMatrix, SVector, Vector3};
 pub use crate::assemble::best_rigid_fit;
 pub use crate::constraint::{Carried, Distance, Frame, angle_to_coordinate};
 pub use crate::error::GeometryError;
+pub use crate::handedness::Linked;
 pub use crate::linkage::{
     Build, DriveKind, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage,
     Listing as AnyNumber, MeasureKind, Named,

@@ -33,8 +33,10 @@ pub mod error;
 pub mod factored;
 #[doc(hidden)]
 pub mod generated;
+pub mod handedness;
 pub mod linkage;
 pub mod linkages;
+pub mod local;
 pub mod lu;
 mod magnitude;
 pub mod measure;
@@ -60,6 +62,7 @@ pub use certificate::{Certificate, Certifier, Unproved};
 pub use chassis::RigidMotion;
 pub use error::{GeometryError, SolveError};
 pub use linkage::{Build, DriveKind, HasKingpin, HasWheel, Linkage, Listing, MeasureKind, Named};
+pub use local::LocalOrigin;
 pub use motion::{Motion, Tangent};
 pub use newton::{Converged, Newton};
 pub use scalar::{Real, Scalar};

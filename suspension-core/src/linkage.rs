@@ -126,6 +126,9 @@ pub trait Linkage<const N: usize> {
     const DRIVE_KINDS: &'static [DriveKind];
     /// What each measure is, in the order of the measures.
     const MEASURE_KINDS: &'static [MeasureKind];
+    /// Free points that links alone join to three others which links join to each other: what they
+    /// make is as rigid as a body, but admits a mirror image.
+    const LINKED: &'static [&'static str];
 
     /// The chassis points at rest.
     fn fixed(&self) -> &Self::Fixed;
@@ -211,6 +214,14 @@ pub trait Linkage<const N: usize> {
     fn measures(points: &Signal<Self::Points>) -> Signal<Self::Measures>
     where
         Self::Scalar: Real;
+
+    /// For each of [`LINKED`](Self::LINKED) what tells it from its mirror image: where the lengths are
+    /// kept, 0 on the side of the three others where the model has it, 1 on the other.
+    fn mirrored(
+        &self,
+        q: &SVector<Self::Scalar, N>,
+        fixed: &Self::Fixed,
+    ) -> impl Iterator<Item = Self::Scalar>;
 }
 
 /// A linkage that can be built from the positions or the lengths of its parts.
@@ -222,11 +233,12 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     ///
     /// # Errors
     ///
-    /// Where a coordinate is not finite, a length is zero, or a body's first three points are in
-    /// line.
+    /// Where a coordinate is not finite, a length is zero, a body's first three points are in line,
+    /// or one of [`LINKED`](Linkage::LINKED) lies in the plane of the points that hold it.
     fn new(design: &Self::Points) -> Result<Self, GeometryError>;
 
-    /// The same linkage with other lengths; each body keeps its handedness.
+    /// The same linkage with other lengths; each body keeps its handedness, and so does each
+    /// cluster of links that is as rigid.
     ///
     /// # Errors
     ///
@@ -246,7 +258,8 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     /// The drives' values in a configuration.
     fn drives_at(&self, points: &Self::Points) -> Self::Drives;
 
-    /// Each body of the guess `q` replaced by the rigid body that fits it best.
+    /// Each body of the guess `q`, and each cluster of links that is as rigid, replaced by the rigid
+    /// body that fits it best.
     fn fit(&self, q: &SVector<Self::Scalar, N>, fixed: &Self::Fixed) -> SVector<Self::Scalar, N>;
 }
 

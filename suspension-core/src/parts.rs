@@ -4,6 +4,8 @@ use nalgebra::Vector3;
 
 use crate::constraint::{Carried, Distance, Frame};
 use crate::error::GeometryError;
+use crate::factored::growth_limit;
+use crate::handedness::Linked;
 use crate::linkage::Named;
 use crate::scalar::Real;
 
@@ -144,6 +146,50 @@ pub fn carried_at<T: Real>(
 ) -> Result<Carried<T>, GeometryError> {
     now.with_lengths(frame, lengths)
         .ok_or(GeometryError::NotClosed { point: name })
+}
+
+/// A point as it stands, held to a frame by distances alone.
+///
+/// # Errors
+///
+/// As [`carried`], and [`GeometryError::Flat`].
+pub fn linked<T: Real>(
+    name: &'static str,
+    point: Vector3<T>,
+    frame: &Frame<T>,
+) -> Result<Linked<T>, GeometryError> {
+    standing_off(name, carried(name, point, frame)?, frame)
+}
+
+/// The same from its distances to the frame's points, on the side where it is now.
+///
+/// # Errors
+///
+/// As [`carried_at`], and [`GeometryError::Flat`].
+pub fn linked_at<T: Real>(
+    name: &'static str,
+    now: &Linked<T>,
+    frame: &Frame<T>,
+    lengths: [T; 3],
+) -> Result<Linked<T>, GeometryError> {
+    standing_off(name, carried_at(name, now.shape(), frame, lengths)?, frame)
+}
+
+/// Refuses a point whose three distances are singular: the determinant of their gradients is the
+/// volume over the product of the lengths, and the pivots that it leaves are unhealthy.
+fn standing_off<T: Real>(
+    point: &'static str,
+    shape: Carried<T>,
+    frame: &Frame<T>,
+) -> Result<Linked<T>, GeometryError> {
+    let off = shape.position(frame) - frame.origin;
+    let volume = off.dot(&frame.u.cross(&frame.v)).abs();
+    let [a, b, c] = shape.lengths(frame);
+    if volume * growth_limit() > a * b * c {
+        Ok(Linked::new(shape, frame))
+    } else {
+        Err(GeometryError::Flat { point })
+    }
 }
 
 /// The longest of the lengths.

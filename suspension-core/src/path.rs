@@ -17,38 +17,34 @@
 
 mod arc;
 mod configuration;
+mod correct;
+mod course;
 mod curve;
 mod extreme;
 mod lead;
+mod led;
 mod linear;
 mod place;
+mod step;
 mod turning;
 
 use nalgebra::SVector;
 
 use crate::error::SolveError;
 use crate::linkage::Linkage;
-use crate::magnitude::index_of_largest;
 use crate::newton::Newton;
 use crate::scalar::Real;
 use crate::tracker::CORRECTION_OF_MOVE;
 
-use arc::Arc;
 pub use configuration::Configuration;
 pub use curve::Curve;
-pub use lead::{Leader, Led, LedStep};
+pub use lead::{Leader, LedStep};
+pub use led::Led;
 use linear::Linear;
 pub use place::{End, Place, Stretch, Turning};
 
 /// Terms of the predictor.
 const ORDER: usize = 4;
-
-/// The least cosine of the angle between the tangents at the ends of a step: then the parameter's
-/// entry keeps its sign where `N` is 15 or less, and the orientation is beyond doubt.
-const STRAIGHT: f64 = 0.97;
-
-/// How often a step may be halved.
-const HALVINGS: usize = 40;
 
 /// How to follow a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -169,6 +165,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'a, L, N> {
     pub fn here(&self) -> &Place<T, N> {
         &self.here
     }
+<<<<<<< HEAD
 
     /// One step, as long as the series and the corrector allow.
     fn step(&mut self) -> Result<Stretch<T, N>, SolveError<T>> {
@@ -308,6 +305,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'a, L, N> {
             end: Some(End::Bifurcation { accuracy }),
         })
     }
+=======
+>>>>>>> a0d52e48034a0ae3967a8f79ba147f9ecfcddbac
 }
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {

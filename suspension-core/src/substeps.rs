@@ -43,7 +43,9 @@ pub(crate) fn in_steps<T: Real>(
             Err(error) => {
                 refused = Some((next - reached, error));
                 dt = (next - reached) * T::constant(0.5);
-                if dt.abs() <= shortest {
+                // A step that is none ends here too.
+                let is_long_enough = dt.abs() > shortest;
+                if !is_long_enough {
                     break;
                 }
             }

@@ -1,5 +1,7 @@
 //! Following a motion in time: last good motion in, next motion out.
 
+mod between;
+
 use core::fmt;
 
 use nalgebra::SVector;
@@ -7,6 +9,7 @@ use nalgebra::SVector;
 use crate::entrywise::difference;
 use crate::error::SolveError;
 use crate::factored::is_healthy;
+use crate::handedness::{self, count_mirrored, is_right};
 use crate::linkage::{Factors, Linkage};
 use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::{Motion, Prescribed, motion_at, rates_at};
@@ -14,6 +17,8 @@ use crate::newton::{Converged, Newton};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 use crate::substeps::in_steps;
+
+pub use between::{Between, Cubic};
 
 /// See [`Tracker::correction_of_move`].
 pub(crate) const CORRECTION_OF_MOVE: f64 = 0.1;
@@ -146,6 +151,7 @@ impl<T: Real> Tracker<T> {
             && error <= bound
             && contracts
             && is_same_assembly
+            && is_right(count_mirrored(linkage, &position, &fixed.value))
             && is_healthy(factors.growth_squared())
             && is_healthy(last.growth_squared());
         is_good.then(|| {
@@ -178,6 +184,7 @@ impl<T: Real> Tracker<T> {
         let converged =
             self.newton
                 .solve_prescribed(linkage, prescribed, &mut position, Some(bound))?;
+        handedness::check(linkage, &position, &prescribed.fixed.value)?;
         let next = motion_at::<T, L, C, N>(linkage, prescribed, &position)?;
         let before = motion.positive_determinant;
         if before.is_some() && before != next.positive_determinant {

@@ -95,7 +95,9 @@ impl<T: Real> Wheel<T> {
     /// Reads the wheel off the points of a linkage; `None` where the axis has no direction.
     pub fn of(points: &impl HasWheel<T>) -> Option<Self> {
         let [inner, centre] = points.wheel();
-        let axis = (centre - inner).try_normalize(T::zero())?;
+        let axis = centre - inner;
+        let length = axis.norm();
+        let axis = (length > T::zero() && length.is_finite()).then(|| axis / length)?;
         Some(Self {
             centre,
             axis,

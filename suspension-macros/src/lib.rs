@@ -4,6 +4,7 @@
 
 mod ast;
 mod check;
+mod cluster;
 mod eliminate;
 mod emit;
 mod errors;

@@ -5,9 +5,10 @@ use std::collections::BTreeSet;
 use syn::Ident;
 
 use crate::ast::{self, Axis, Constraint, Listing, Named, Quantity};
+use crate::cluster;
 use crate::system::{
     AXES, Body, Drive, Equation, Marker, Measure, Measured, Site, SiteMotion, System, Wheel,
-    pair_name,
+    distance_between, pair_name,
 };
 
 /// Lowers a listing; of one with mistakes, what can be told.
@@ -58,6 +59,7 @@ pub(crate) fn system(listing: &Listing) -> System {
             .map(|(point, at)| (point.to_string(), *at))
             .collect(),
         markers,
+        clusters: lowering.clusters(),
         bodies: lowering.bodies,
         equations: lowering.equations,
         closed_twice: lowering.closed_twice,
@@ -106,6 +108,12 @@ impl Lowering<'_> {
             .points()
             .filter(|point| !self.site(point).is_free());
         matches!(constraint, Constraint::Body(_)) && anchors.count() == 2
+    }
+
+    fn clusters(&self) -> Vec<Body> {
+        let points = self.listing.fixed.iter().chain(&self.listing.free);
+        let sites: Vec<Site> = points.map(|point| self.site(&point.name)).collect();
+        cluster::clusters(&sites, &self.equations)
     }
 
     fn wheel(&self, Axis { from, to, .. }: &Axis) -> Option<Wheel> {
@@ -221,9 +229,12 @@ impl Lowering<'_> {
                 minus.as_ref().map(|minus| &minus.point),
                 None,
             ),
-            Quantity::Angle { from, to, axis } => {
-                (axis, to, Some(from), self.distance_between(from, to))
-            }
+            Quantity::Angle { from, to, axis } => (
+                axis,
+                to,
+                Some(from),
+                distance_between(&self.equations, from, to),
+            ),
         };
         let axis = axis_index(axis);
         let of = self.site(of);
@@ -244,18 +255,6 @@ impl Lowering<'_> {
             minus: minus.cloned(),
             angle_of,
         }
-    }
-
-    /// The equation that keeps the distance of two points.
-    fn distance_between(&self, a: &Ident, b: &Ident) -> Option<Ident> {
-        self.equations.iter().find_map(|equation| match equation {
-            Equation::Distance {
-                named, from, to, ..
-            } if [[&from.name, &to.name], [&to.name, &from.name]].contains(&[a, b]) => {
-                Some(named.name.clone())
-            }
-            _ => None,
-        })
     }
 
     fn marker(&self, marker: &ast::Marker) -> Option<Marker> {

@@ -21,6 +21,8 @@ pub(crate) struct System {
     pub(crate) design: Design,
     pub(crate) markers: Vec<Marker>,
     pub(crate) bodies: Vec<Body>,
+    /// Points that links alone make rigid bodies; they have no equations of their own.
+    pub(crate) clusters: Vec<Body>,
     pub(crate) equations: Vec<Equation>,
     /// Bodies, each with two of its points whose distance another body keeps already.
     pub(crate) closed_twice: Vec<[Ident; 3]>,
@@ -76,7 +78,7 @@ pub(crate) enum Equation {
     },
 }
 
-/// A body of three points or more.
+/// A body of three points or more, or a cluster of links that is as rigid.
 pub(crate) struct Body {
     pub(crate) name: Ident,
     pub(crate) frame: [Site; 3],
@@ -134,6 +136,18 @@ pub(crate) fn carried_name(body: &Ident, point: &Ident) -> Ident {
 /// The length between two points of a body under its name in the generated code.
 pub(crate) fn pair_name(body: &Ident, a: &Ident, b: &Ident) -> Ident {
     format_ident!("{}_{}_{}", body, a, b, span = a.span())
+}
+
+/// The equation that keeps the distance of two points.
+pub(crate) fn distance_between(equations: &[Equation], a: &Ident, b: &Ident) -> Option<Ident> {
+    equations.iter().find_map(|equation| match equation {
+        Equation::Distance {
+            named, from, to, ..
+        } if [[&from.name, &to.name], [&to.name, &from.name]].contains(&[a, b]) => {
+            Some(named.name.clone())
+        }
+        _ => None,
+    })
 }
 
 impl Body {

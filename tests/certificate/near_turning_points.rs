@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use suspension_core::linkages::five_link::{Drives, Model};
 use suspension_core::{Certifier, Inputs, Linkage, Motion, Signal, Still, Tangent, Tracker};
 
-use super::judge::judge;
+use super::judge::{judge, proof};
 use super::random::{Counts, power_of_ten, sign, sum_of_cases, uniform};
 use super::refine::Refiner;
 use crate::support;
@@ -102,21 +102,51 @@ fn case(
             q += SVector::from_fn(|_, _| uniform(rng, -by..by));
         }
         let certificate = certifier.certify(&inputs(theta, 0.0), &q);
-        counts += judge(&certificate, &q, &roots, ("theta", theta, "seed", seed));
+        counts += judge(
+            proof(&certificate),
+            &q,
+            &roots,
+            ("theta", theta, "seed", seed),
+        );
     }
     counts
+}
+
+fn folds(model: &Model<f64>) -> [Fold; 2] {
+    let motions = support::motions(
+        model,
+        &support::five_link_rough(),
+        support::five_link_inputs,
+    );
+    TURNING_POINTS.map(|point| Fold::find(model, &motions[0], point))
+}
+
+/// How near to a turning point, rad, a root that is exact to rounding is proved.
+const PROVED_TO: f64 = 5e-13;
+
+#[test]
+fn proofs_reach_as_far_as_rounding_allows() {
+    let model = support::five_link_model();
+    let (certifier, refiner) = (Certifier::new(&model), Refiner::new(&model));
+    for fold in folds(&model) {
+        for exponent in 2..15 {
+            let theta = fold.theta + fold.inside * 10.0_f64.powi(-exponent);
+            let distance = fold.inside * (theta - fold.theta);
+            let near = fold.on_branch(1.0, distance);
+            let root = refiner.root(model.fixed(), &Drives { theta }, &near);
+            let q = root.expect("a root").map(|entry| entry.nearest());
+            let certificate = certifier.certify(&inputs(theta, 0.0), &q);
+            println!("{distance:.1e} rad: {certificate:?}");
+            assert!(certificate.is_proved() || distance < PROVED_TO);
+        }
+    }
 }
 
 /// A million with those of [`near_singular`](super::near_singular).
 #[test]
 fn no_proof_is_false() {
     let model = support::five_link_model();
-    let motions = support::motions(
-        &model,
-        &support::five_link_rough(),
-        support::five_link_inputs,
-    );
-    let folds = TURNING_POINTS.map(|point| Fold::find(&model, &motions[0], point));
+    let folds = folds(&model);
     let (certifier, refiner) = (Certifier::new(&model), Refiner::new(&model));
     let cases = 10_000;
     let counts = sum_of_cases(cases, |seed, rng| {

@@ -7,7 +7,7 @@ use super::program::{edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 40] = [
+const BAD: [Case; 59] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "ft"),
@@ -48,6 +48,25 @@ const BAD: [Case; 40] = [
     ("theta = 1", "theta = -1.57", ":47:9", "between 0 and pi"),
     ("theta = [", "theta = [7.0]", ":55:9", "between 0 and pi"),
     ("p6", "p6 = [1e200, 0.4, 0.0]", ":18:6", "`p6`"),
+    ("p6", "p6 = [-1e308, 0.4, 0.0]", ":18:6", "`p6`"),
+    ("p6", "p6 = [1e400, 0.4, 0.0]", ":18:", "1e400"),
+    ("p6", "p6 = [true, 0.4, 0.0]", ":18:7", "boolean"),
+    ("p6", "p6 = 1979-05-27", ":18:6", "[x, y, z]"),
+    ("p11", "p11 = [1e308, 0, 0]", ":26:7", "`p11`"),
+    ("p11", "p11 = { from = \"p8\", offset = [0, 1e308, 0] }", ":26:7", "`p11`"),
+    ("p11", "p11 = { from = \"p8\", offset = [0, nan, 0] }", ":26:7", "`p11`"),
+    ("d7_2", "d7_2 = 1e308", ":31:8", "`d7_2`"),
+    ("d7_2", "d7_2 = 5e-324", ":31:8", "`d7_2`"),
+    ("d7_6", "d7_6 = 10", ":28:", "do not fit together"),
+    ("d7_2", "d7_2 = 1\n[lengths]", ":32:2", "duplicate key"),
+    ("p2", "\"\\u001b[31m\\n\" = 1", ":13:", "\\u{1b}[31m\\n"),
+    ("instants", "start = 0\nstop = 1e12\nstep = 1", ":53:8", "1e12 steps"),
+    ("instants", "start = -1e308\nstop = 1e308\nstep = 1", ":53:8", "at most"),
+    ("instants", "start = 0\nstop = 1\nstep = 5e-324", ":53:8", "at most"),
+    ("instants", "start = 0\nstop = 1\nstep = nan", ":53:8", "finite"),
+    ("instants", "instants = [0.0, -inf]", ":51:18", "finite"),
+    ("theta = [", "theta = [1e308, 1e308]", ":55:9", "between 0 and pi"),
+    ("theta = [", "theta = [0.7, inf]", ":55:9", "finite"),
 ];
 
 #[test]

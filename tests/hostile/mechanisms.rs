@@ -23,5 +23,9 @@ suspension_core::linkage! {
         link strut: anchor -> pull;
         drive slide: anchor.z;
         point mark: bell_crank;
+        measure height: mark.z;
+        measure lift: mark.z - front.z;
+        measure lean: angle(front -> mark, z);
+        measure reach: length(anchor -> mark);
     }
 }

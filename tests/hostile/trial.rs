@@ -291,8 +291,13 @@ where
         match step {
             Ok(settled) => {
                 assert!(settled.residual <= settled.tolerance);
+                // The residual that it is judged by is what the sweeps left. Rounding of the
+                // position adds to that what the derivatives make of it.
                 let left = tolerance * T::EPSILON * self.model.size();
-                let allowed = left + rounding(&self.model, &motion.position) * T::constant(64.0);
+                let chassis = inputs.chassis.signal(self.model.fixed()).value;
+                let steepest = self.model.jacobian(&motion.position, &chassis).amax();
+                let rounding = rounding(&self.model, &motion.position) * T::constant(16.0);
+                let allowed = left + rounding * steepest.max(T::one());
                 demand_root(&self.model, inputs, motion, allowed);
             }
             Err(error) => self.demand_refused_step(&error, &before, motion),

@@ -186,7 +186,10 @@ where
             else {
                 panic!("{refused:?}")
             };
-            assert!((asked - extreme).abs() <= 1e-12, "advanced up to the extreme");
+            assert!(
+                (asked - extreme).abs() <= 1e-12,
+                "advanced up to the extreme"
+            );
             let [before, after] = heights.map(|height| if rising { height } else { -height });
             let extreme = if rising { extreme } else { -extreme };
             assert!(extreme >= before.max(after));

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::{Bounded, Step};
 use crate::error::SolveError;
 use crate::factored::is_healthy;
+use crate::handedness::{is_right, most_mirrored};
 use crate::linkage::Linkage;
 use crate::magnitude::index_of_largest;
 use crate::motion::{Motion, Prescribed};
@@ -24,6 +25,8 @@ pub struct Measures<T> {
     pub growth_squared: T,
     /// A number with the sign of the Jacobian's determinant.
     pub determinant_sign: T,
+    /// See [`count_mirrored`](crate::handedness::count_mirrored).
+    pub mirrored: T,
 }
 
 impl<T> Measures<T> {
@@ -36,6 +39,7 @@ impl<T> Measures<T> {
             rates_squared: number(self.rates_squared),
             growth_squared: number(self.growth_squared),
             determinant_sign: number(self.determinant_sign),
+            mirrored: number(self.mirrored),
         }
     }
 }
@@ -82,6 +86,8 @@ pub enum Refusal {
     NotConverged,
     /// The determinant has changed its sign.
     CrossedSingularity,
+    /// A point that links alone hold is mirrored.
+    Mirrored,
 }
 
 impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER> {
@@ -115,6 +121,8 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
             Err(Refusal::NotConverged)
         } else if before.is_some_and(|before| before != is_positive) {
             Err(Refusal::CrossedSingularity)
+        } else if !is_right(measures.mirrored) {
+            Err(Refusal::Mirrored)
         } else {
             Ok(Settled {
                 residual: measures.residual_squared.sqrt(),
@@ -190,6 +198,9 @@ where
             },
             Refusal::CrossedSingularity => SolveError::CrossedSingularity {
                 unknown: index_of_largest(&(next.position - self.from.position)),
+            },
+            Refusal::Mirrored => SolveError::Mirrored {
+                point: most_mirrored(self.linkage, &next.position, fixed),
             },
         }
     }

@@ -8,6 +8,7 @@ use super::Outputs;
 use super::judge::Measures;
 use super::predict::Prediction;
 use crate::entrywise::{difference, minus_multiple, sum};
+use crate::handedness::count_mirrored;
 use crate::linkage::{Factors, Linkage};
 use crate::magnitude::sum_of_squares;
 use crate::motion::{Motion, Prescribed, input_terms};
@@ -84,6 +85,7 @@ where
             rates_squared: sum_of_squares(acceleration.data.0[0]),
             growth_squared: factors.growth_squared(),
             determinant_sign: factors.determinant_sign(),
+            mirrored: count_mirrored(self.linkage, &position, &self.prescribed.fixed.value),
         };
         let motion = Motion {
             position,

@@ -37,6 +37,11 @@ fn generated_names(system: &System, errors: &mut Errors) {
             lengths.extend(pairs.map(|site| pair_name(&body.name, &point.name, &site.name)));
         }
     }
+    for cluster in &system.clusters {
+        let points = cluster.carried.iter();
+        constants.push(frame_name(&cluster.name));
+        constants.extend(points.map(|point| carried_name(&cluster.name, &point.name)));
+    }
     let mut stated: Vec<Ident> = Vec::new();
     for equation in &system.equations {
         match equation {

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::clusters;
 use super::lengths::{self, distances};
 use super::readout;
 use super::terms::{ident, parameter};
@@ -54,18 +55,21 @@ fn new(system: &System) -> TokenStream {
             quote!(#name: parts::carried(#text, design.#point, &#frame)?)
         })
     });
+    let [cluster_frames, clustered] = clusters::designed(system);
     let design = quote!(design);
     let markers = markers(system, &design);
     quote! {
         fn new(design: &Points<T>) -> Result<Self, GeometryError> {
             parts::finite(design)?;
             #(#frames)*
+            #cluster_frames
             let model = Self {
                 fixed: Fixed { #(#fixed: design.#fixed),* },
                 size: T::zero(),
                 #(#distances,)*
                 #(#frame_names,)*
                 #(#carried,)*
+                #clustered
                 #(#markers,)*
             };
             Ok(model.sized())
@@ -140,7 +144,7 @@ fn drives_at(system: &System) -> TokenStream {
 fn fit(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (ident("free"), ident("fixed"));
-    let fits = system.bodies.iter().map(|body| {
+    let fits = system.bodies.iter().chain(&system.clusters).map(|body| {
         let frame = frame_name(&body.name);
         let carried = body.carried.iter().map(|point| {
             let name = carried_name(&body.name, &point.name);

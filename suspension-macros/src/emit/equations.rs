@@ -7,7 +7,7 @@ use syn::ext::IdentExt;
 use super::terms::{
     Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, vector,
 };
-use super::{elimination, jacobian, measures, rates, readout};
+use super::{clusters, elimination, jacobian, measures, rates, readout};
 use crate::eliminate::Order;
 use crate::system::{AXES, Equation, System, carried_name, frame_name};
 
@@ -25,6 +25,7 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
         rates::chassis_rate(system),
         readout::points(system),
         measures::measures(system),
+        clusters::mirrored(system),
     ];
     quote! {
         impl<T: Scalar> Linkage<#n> for Model<T> {
@@ -60,11 +61,13 @@ fn tables(system: &System) -> TokenStream {
         None => quote!(DriveKind::Coordinate),
     });
     let measure_kinds = measures::kinds(system);
+    let linked = clusters::names(system);
     quote! {
         const EQUATIONS: [&'static str; #n] = [#(#equations),*];
         const UNKNOWNS: [&'static str; #n] = [#(#unknowns),*];
         const DRIVE_KINDS: &'static [DriveKind] = &[#(#kinds),*];
         #measure_kinds
+        #linked
     }
 }
 

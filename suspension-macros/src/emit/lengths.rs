@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Ident;
 
-use super::fields;
+use super::{clusters, fields};
 use crate::system::{Body, Equation, System, carried_name, frame_name, pair_name};
 
 /// The distances that equations keep, with the points between which they stand.
@@ -59,14 +59,17 @@ pub(super) fn with_lengths(system: &System) -> TokenStream {
             quote!(#name: parts::carried_at(#text, &self.#name, &#frame, [#(lengths.#lengths),*])?)
         })
     });
+    let [cluster_frames, clustered] = clusters::of_lengths(system);
     quote! {
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
             parts::positive(lengths)?;
             #(#frames)*
+            #cluster_frames
             let model = Self {
                 #(#distances,)*
                 #(#frame_names,)*
                 #(#carried,)*
+                #clustered
                 ..self
             };
             Ok(model.sized())

@@ -108,6 +108,7 @@ fn linkage_impl(system: &System) -> TokenStream {
             const UNKNOWNS: [&'static str; #n] = [""; #n];
             const DRIVE_KINDS: &'static [DriveKind] = &[];
             const MEASURE_KINDS: &'static [MeasureKind] = &[];
+            const LINKED: &'static [&'static str] = &[];
 
             fn fixed(&self) -> &Fixed<T> { loop {} }
             fn size(&self) -> T { loop {} }
@@ -142,6 +143,7 @@ fn linkage_impl(system: &System) -> TokenStream {
             ) -> Points<T> { loop {} }
             fn unknowns(_: &Points<T>) -> SVector<T, #n> { loop {} }
             fn measures(_: &Signal<Points<T>>) -> Signal<Measures<T>> where T: Real { loop {} }
+            fn mirrored(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> impl Iterator<Item = T> { ::core::iter::empty() }
         }
     }
 }

@@ -5,6 +5,7 @@ use quote::quote;
 use syn::Ident;
 use syn::ext::IdentExt;
 
+use super::clusters;
 use super::fields::{
     Field, drive_fields, fixed_fields, length_fields, measure_fields, point_fields,
 };
@@ -143,7 +144,8 @@ fn model(system: &System) -> TokenStream {
     }
 }
 
-/// Names and types of the model's constants: one for each length and each carried point.
+/// Names and types of the model's constants: one for each length and each carried or
+/// clustered point.
 pub(super) fn constants(system: &System) -> impl Iterator<Item = (Ident, TokenStream)> {
     let lengths = distances(system).into_iter().map(|(name, _)| name);
     let frames = system.bodies.iter().map(|body| frame_name(&body.name));
@@ -155,8 +157,9 @@ pub(super) fn constants(system: &System) -> impl Iterator<Item = (Ident, TokenSt
         .markers
         .iter()
         .map(|marker| marker.named.name.clone());
+    let clusters = clusters::constants(system);
     let lengths = lengths.map(|name| (name, quote!(Distance)));
     let frames = frames.map(|name| (name, quote!(Frame)));
     let carried = carried.chain(markers).map(|name| (name, quote!(Carried)));
-    lengths.chain(frames).chain(carried)
+    lengths.chain(frames).chain(carried).chain(clusters)
 }

@@ -369,6 +369,9 @@ pub mod attia2003 {
         d9_8: Distance<T>,
         d10_8: Distance<T>,
         p11: Carried<T>,
+        p6_p7_p8_frame: Frame<T>,
+        p6_p7_p8_p9: Linked<T>,
+        p6_p7_p8_p10: Linked<T>,
     }
 
     /// Rows of the residual and the Jacobian.
@@ -455,6 +458,7 @@ pub mod attia2003 {
         ];
         const DRIVE_KINDS: &'static [DriveKind] = &[DriveKind::Angle];
         const MEASURE_KINDS: &'static [MeasureKind] = &[MeasureKind::Length];
+        const LINKED: &'static [&'static str] = &["p9", "p10"];
         fn fixed(&self) -> &Fixed<T> {
             &self.fixed
         }
@@ -1160,6 +1164,21 @@ pub mod attia2003 {
                 },
             }
         }
+
+        #[inline(always)]
+        fn mirrored(
+            &self,
+            q: &SVector<T, 15>,
+            _fixed: &Fixed<T>,
+        ) -> impl Iterator<Item = T> {
+            let free = Free::of(q);
+            let p6_p7_p8_frame = Frame::new(free.p6, free.p7, free.p8);
+            [
+                self.p6_p7_p8_p9.mirrored(free.p9, &p6_p7_p8_frame),
+                self.p6_p7_p8_p10.mirrored(free.p10, &p6_p7_p8_frame),
+            ]
+                .into_iter()
+        }
     }
 
     /// The Jacobian eliminated in a fixed order, `L D U`: multipliers below each pivot, what is
@@ -1669,6 +1688,18 @@ pub mod attia2003 {
                 d9_8: Distance::gather(models.map(|model| model.d9_8), &gather),
                 d10_8: Distance::gather(models.map(|model| model.d10_8), &gather),
                 p11: Carried::gather(models.map(|model| model.p11), &gather),
+                p6_p7_p8_frame: Frame::gather(
+                    models.map(|model| model.p6_p7_p8_frame),
+                    &gather,
+                ),
+                p6_p7_p8_p9: Linked::gather(
+                    models.map(|model| model.p6_p7_p8_p9),
+                    &gather,
+                ),
+                p6_p7_p8_p10: Linked::gather(
+                    models.map(|model| model.p6_p7_p8_p10),
+                    &gather,
+                ),
             }
         }
     }
@@ -1704,6 +1735,10 @@ pub mod attia2003 {
         type Lengths = Lengths<T>;
         fn new(design: &Points<T>) -> Result<Self, GeometryError> {
             parts::finite(design)?;
+            let p6_p7_p8_frame = parts::frame(
+                "p8",
+                Frame::new(design.p6, design.p7, design.p8),
+            )?;
             let model = Self {
                 fixed: Fixed {
                     p1: design.p1,
@@ -1727,6 +1762,9 @@ pub mod attia2003 {
                 d10_7: parts::distance("d10_7", design.p7, design.p10)?,
                 d9_8: parts::distance("d9_8", design.p8, design.p9)?,
                 d10_8: parts::distance("d10_8", design.p8, design.p10)?,
+                p6_p7_p8_frame,
+                p6_p7_p8_p9: parts::linked("p9", design.p9, &p6_p7_p8_frame)?,
+                p6_p7_p8_p10: parts::linked("p10", design.p10, &p6_p7_p8_frame)?,
                 p11: parts::carried(
                     "p11",
                     design.p11,
@@ -1738,6 +1776,10 @@ pub mod attia2003 {
 
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
             parts::positive(lengths)?;
+            let p6_p7_p8_frame = parts::frame_of_lengths(
+                "p8",
+                [lengths.d7_6, lengths.d8_6, lengths.d8_7],
+            )?;
             let model = Self {
                 d6_1: Distance::new(lengths.d6_1),
                 d7_2: Distance::new(lengths.d7_2),
@@ -1753,6 +1795,19 @@ pub mod attia2003 {
                 d10_7: Distance::new(lengths.d10_7),
                 d9_8: Distance::new(lengths.d9_8),
                 d10_8: Distance::new(lengths.d10_8),
+                p6_p7_p8_frame,
+                p6_p7_p8_p9: parts::linked_at(
+                    "p9",
+                    &self.p6_p7_p8_p9,
+                    &p6_p7_p8_frame,
+                    [lengths.d9_6, lengths.d9_7, lengths.d9_8],
+                )?,
+                p6_p7_p8_p10: parts::linked_at(
+                    "p10",
+                    &self.p6_p7_p8_p10,
+                    &p6_p7_p8_frame,
+                    [lengths.d10_6, lengths.d10_7, lengths.d10_8],
+                )?,
                 ..self
             };
             Ok(model.sized())
@@ -1796,7 +1851,19 @@ pub mod attia2003 {
         }
 
         fn fit(&self, q: &SVector<T, 15>, _fixed: &Fixed<T>) -> SVector<T, 15> {
-            *q
+            let mut free = Free::of(q);
+            let [origin, second, third] = self.p6_p7_p8_frame.points();
+            [free.p6, free.p7, free.p8, free.p9, free.p10] = best_rigid_fit(
+                &[
+                    origin,
+                    second,
+                    third,
+                    self.p6_p7_p8_p9.position(&self.p6_p7_p8_frame),
+                    self.p6_p7_p8_p10.position(&self.p6_p7_p8_frame),
+                ],
+                &[free.p6, free.p7, free.p8, free.p9, free.p10],
+            );
+            free.unknowns()
         }
     }
 

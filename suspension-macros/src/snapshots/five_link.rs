@@ -507,6 +507,7 @@ pub mod five_link {
         ];
         const DRIVE_KINDS: &'static [DriveKind] = &[DriveKind::Angle];
         const MEASURE_KINDS: &'static [MeasureKind] = &[MeasureKind::Length];
+        const LINKED: &'static [&'static str] = &[];
         fn fixed(&self) -> &Fixed<T> {
             &self.fixed
         }
@@ -1873,6 +1874,15 @@ pub mod five_link {
                     height: each.height.second_rate,
                 },
             }
+        }
+
+        #[inline(always)]
+        fn mirrored(
+            &self,
+            _q: &SVector<T, 15>,
+            _fixed: &Fixed<T>,
+        ) -> impl Iterator<Item = T> {
+            ::core::iter::empty()
         }
     }
 

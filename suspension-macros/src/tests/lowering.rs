@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::catalogue_listing;
 use crate::errors::Errors;
-use crate::system::{Body, Equation, System};
+use crate::system::{Body, Equation, Site, System};
 use crate::{check, lower, parse};
 
 /// The system of a listing, and what is wrong with it.
@@ -64,6 +64,43 @@ fn the_rigid_knuckle_is_a_frame_and_two_carried_points() {
     }
     assert_eq!(pattern[14], [2]);
     assert_eq!(pattern.iter().map(Vec::len).sum::<usize>(), 94);
+}
+
+#[test]
+fn nine_distances_are_a_cluster_with_two_sides() {
+    let cluster = |name| {
+        let system = determined(catalogue_listing(name));
+        let named = |site: &Site| site.name.to_string();
+        let clusters = system.clusters.iter();
+        let points = clusters.map(|cluster| cluster.points().map(named).collect::<Vec<_>>());
+        points.collect::<Vec<_>>()
+    };
+    assert_eq!(cluster("attia2003"), [["p6", "p7", "p8", "p9", "p10"]]);
+    assert!(cluster("five_link").is_empty());
+}
+
+#[test]
+fn links_to_a_hinge_on_the_chassis_are_a_cluster() {
+    let system = determined(quote! {
+        mod arm {
+            fixed: front, rear, rack;
+            free: p, q, r;
+            link a: front -> p;
+            link b: rear -> p;
+            link c: front -> q;
+            link d: rear -> q;
+            link e: p -> q;
+            link f: r -> p;
+            link g: r -> q;
+            link h: r -> rack;
+            drive lift: p.z;
+        }
+    });
+    let [cluster] = system.clusters.as_slice() else {
+        panic!("one cluster");
+    };
+    assert_eq!(frame(cluster), ["front", "rear", "p"]);
+    assert_eq!(cluster.carried[0].name.to_string(), "q");
 }
 
 #[test]

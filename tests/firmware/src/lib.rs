@@ -11,6 +11,8 @@ mod bounded;
 mod certificate;
 #[cfg(feature = "construction")]
 mod construction;
+#[cfg(feature = "path")]
+mod path;
 #[cfg(feature = "series")]
 mod series;
 #[cfg(feature = "solving")]

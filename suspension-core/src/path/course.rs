@@ -1,0 +1,245 @@
+//! One step of a led motion: Newton's method on the equations and the quantity together.
+
+use crate::error::SolveError;
+use crate::factored::smallest_pivot;
+use crate::linkage::Linkage;
+use crate::magnitude::{index_of_largest, magnitude};
+use crate::motion::input_terms;
+use crate::newton::{Converged, within};
+use crate::path::configuration::Configuration;
+use crate::path::correct::finite;
+use crate::path::curve::Curve;
+use crate::path::lead::{Leader, LedStep};
+use crate::path::led::Led;
+use crate::path::linear::Linear;
+use crate::scalar::Real;
+use crate::signal::{ChassisMotion, Signal};
+
+/// The smallest part of the tangent's largest entry that the local parameter may have.
+const POOR: f64 = 0.25;
+
+/// What one step is made of.
+pub(super) struct Course<'a, T, L: Linkage<N>, Q, const N: usize> {
+    pub(super) leader: &'a Leader<T>,
+    pub(super) curve: Curve<'a, L, N>,
+    pub(super) quantity: Q,
+    pub(super) target: &'a Signal<T>,
+}
+
+impl<T, L, Q, const N: usize> Course<'_, T, L, Q, N>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+    Q: Fn(&Signal<L::Points>) -> Signal<T>,
+{
+    pub(super) fn step<C: ChassisMotion<L::Fixed>>(
+        &self,
+        dt: T,
+        led: &Led<T, N>,
+    ) -> Result<(Led<T, N>, LedStep<T>), SolveError<T>> {
+        let (position, converged, off_target) = self.position(dt, led)?;
+        let linear = self.curve.linear(&position, led.parameter)?;
+        let largest = linear.tangent.largest_entry();
+        let is_poor = linear.tangent.entry(largest).abs() * T::constant(POOR) > T::one();
+        let switched = is_poor.then_some(largest);
+        let linear = match switched {
+            Some(parameter) => self.curve.linear(&position, parameter)?,
+            None => linear,
+        };
+        let slope = self.slope(&position, &linear.tangent);
+        let unknown = index_of_largest(&linear.tangent.unknowns);
+        if !(slope.abs() > smallest_pivot::<T>() * linear.tangent.norm()) {
+            return Err(SolveError::TurningPoint {
+                unknown,
+                asked: self.target.value,
+                extreme: self.value(&position),
+            });
+        }
+        let increases = Some((slope > T::zero()) == linear.is_positive(&linear.tangent));
+        if led.increases.is_some() && led.increases != increases {
+            return Err(SolveError::CrossedSingularity { unknown });
+        }
+        let next = Led {
+            configuration: self.rates::<C>(&position, &linear, slope)?,
+            drive: led.drive,
+            parameter: linear.parameter,
+            increases,
+        };
+        let step = LedStep {
+            converged,
+            off_target,
+            switched,
+        };
+        Ok((next, step))
+    }
+
+    /// Newton's method on the equations and the quantity together.
+    fn position(
+        &self,
+        dt: T,
+        led: &Led<T, N>,
+    ) -> Result<(Configuration<T, N>, Converged<T>, T), SolveError<T>> {
+        let Leader {
+            newton,
+            correction_of_move,
+            correction_of_size,
+            ..
+        } = self.leader;
+        let Signal {
+            value,
+            rate,
+            second_rate,
+        } = led.configuration;
+        let moves = (rate + second_rate * (dt * T::constant(0.5))) * dt;
+        let mut at = value + moves;
+        let size = self.curve.linkage.size();
+        let moved =
+            magnitude(&moves.unknowns).map_err(|unknown| SolveError::Overflow { unknown })?;
+        let mut bound = Some((*correction_of_move * moved).max(*correction_of_size * size));
+        for iterations in 1..=newton.max_iterations {
+            let linear = self.curve.linear(&at, led.parameter)?;
+            let (step, slope) = self.correction(&at, &linear);
+            let rounding = newton.rounding_at(self.curve.linkage, &at.unknowns);
+            let correction = within(&step.unknowns, bound, rounding)?;
+            at = at + step;
+            // Once more with the same factors, for what the square of the first has left.
+            let (second, _) = self.correction(&at, &linear);
+            at = at + second;
+            let residual = finite(&self.curve.residual(&at))?;
+            let rounding = newton.rounding_at(self.curve.linkage, &at.unknowns);
+            let tolerance = newton.tolerance * rounding;
+            let off_target = (self.value(&at) - self.target.value).abs();
+            // What rounding of the positions and of the quantity itself leaves of it.
+            let steepness = (slope.abs() / linear.tangent.norm())
+                .max(T::one())
+                .max(T::one() / size);
+            let near =
+                tolerance * steepness + newton.tolerance * T::EPSILON * self.target.value.abs();
+            if residual <= tolerance && off_target <= near {
+                let converged = Converged {
+                    iterations,
+                    residual,
+                    tolerance,
+                    growth: linear.growth(),
+                };
+                return Ok((at, converged, off_target));
+            }
+            bound = newton.contraction.map(|part| part * correction);
+        }
+        let residual = self.curve.residual(&at);
+        Err(SolveError::NotConverged {
+            equation: index_of_largest(&residual),
+            residual: finite(&residual)?,
+            tolerance: newton.tolerance * newton.rounding_at(self.curve.linkage, &at.unknowns),
+            iterations: newton.max_iterations,
+        })
+    }
+
+    /// A Newton step, and the quantity's slope along the tangent.
+    fn correction(
+        &self,
+        at: &Configuration<T, N>,
+        linear: &Linear<T, N>,
+    ) -> (Configuration<T, N>, T) {
+        let error = linear.along(&linear.lu.solve(&self.curve.residual(at)));
+        let slope = self.slope(at, &linear.tangent);
+        let excess = self.value(at) - self.slope(at, &error) - self.target.value;
+        let step = linear.tangent * (-excess / slope) - error;
+        (step, slope)
+    }
+
+    /// Velocity and acceleration at a position.
+    fn rates<C: ChassisMotion<L::Fixed>>(
+        &self,
+        position: &Configuration<T, N>,
+        linear: &Linear<T, N>,
+        slope: T,
+    ) -> Result<Signal<Configuration<T, N>>, SolveError<T>> {
+        let curve = &self.curve;
+        let chassis = &curve.prescribed.fixed;
+        let drives = &curve.prescribed.drives;
+        let fixed = curve.fixed(position);
+        let terms = |chassis: &L::Fixed, drives: &L::Drives| {
+            let q = &position.unknowns;
+            input_terms::<_, C, N>(curve.linkage, q, &fixed, chassis, drives)
+        };
+        let measured = |rate, second_rate| {
+            let along = Signal {
+                value: *position,
+                rate,
+                second_rate,
+            };
+            (self.quantity)(&curve.points_with(&along, chassis))
+        };
+        let held = linear.along(&linear.lu.solve(&terms(&chassis.rate, &drives.rate)));
+        let missing = self.target.rate - measured(held, Configuration::zero()).rate;
+        let rate = held + linear.tangent * (missing / slope);
+        let moving = curve.driven(chassis.rate, rate.drive);
+        let curvature = curve
+            .linkage
+            .curvature(&rate.unknowns, &moving, &rate.unknowns, &moving);
+        let right = terms(&chassis.second_rate, &drives.second_rate) - curvature;
+        let held = linear.along(&linear.lu.solve(&right));
+        let missing = self.target.second_rate - measured(rate, held).second_rate;
+        let second_rate = held + linear.tangent * (missing / slope);
+        for rates in [&rate, &second_rate] {
+            magnitude(&rates.unknowns).map_err(|unknown| SolveError::Overflow { unknown })?;
+        }
+        Ok(Signal {
+            value: *position,
+            rate,
+            second_rate,
+        })
+    }
+
+    fn value(&self, at: &Configuration<T, N>) -> T {
+        let none = Configuration::zero();
+        self.measured(at, none, none).value
+    }
+
+    /// The rate of the quantity where the configuration changes at a rate.
+    fn slope(&self, at: &Configuration<T, N>, rate: &Configuration<T, N>) -> T {
+        self.measured(at, *rate, Configuration::zero()).rate
+    }
+
+    fn measured(
+        &self,
+        at: &Configuration<T, N>,
+        rate: Configuration<T, N>,
+        second_rate: Configuration<T, N>,
+    ) -> Signal<T> {
+        (self.quantity)(&self.curve.moving_points(&Signal {
+            value: *at,
+            rate,
+            second_rate,
+        }))
+    }
+
+    /// The turning point of the quantity, where it lies near the last motion and before the
+    /// target.
+    pub(super) fn turning_before(&self, led: &Led<T, N>) -> Option<SolveError<T>> {
+        let from = led.configuration.value;
+        let forwards = Configuration::zero().with_entry(led.parameter, T::one());
+        let (place, extreme) =
+            self.curve
+                .extreme(&self.leader.newton, &from, &forwards, |along| {
+                    (self.quantity)(&self.curve.moving_points(along))
+                })?;
+        let asked = self.target.value;
+        let here = self.value(&from);
+        // So near to the extreme the slope is lost in rounding.
+        let near = T::EPSILON * T::constant(1024.0) * self.curve.linkage.size();
+        let short = if here < extreme {
+            extreme - asked
+        } else {
+            asked - extreme
+        };
+        let is_beyond = short <= near;
+        let unknown = index_of_largest(&place.rate.unknowns);
+        is_beyond.then_some(SolveError::TurningPoint {
+            unknown,
+            asked,
+            extreme,
+        })
+    }
+}

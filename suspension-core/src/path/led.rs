@@ -1,0 +1,94 @@
+//! A motion that is led by another quantity than a drive.
+
+use nalgebra::SVector;
+
+use crate::error::SolveError;
+use crate::linkage::Linkage;
+use crate::motion::Motion;
+use crate::path::configuration::Configuration;
+use crate::path::curve::Curve;
+use crate::scalar::Real;
+use crate::signal::{ChassisMotion, Inputs, Signal};
+
+/// A motion that another quantity leads in place of one drive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Led<T, const N: usize> {
+    /// The unknowns and the coordinate of the drive that is set free, with their rates.
+    pub configuration: Signal<Configuration<T, N>>,
+    /// The index of the drive that is set free.
+    pub(super) drive: usize,
+    /// The local parameter: the entry of the configuration that is held in corrections. `N` is
+    /// the drive. The tracker changes it where it becomes poor.
+    pub parameter: usize,
+    /// Whether the quantity increases along the curve in the direction in which
+    /// `det [J, dF/dh; t^T]` is positive, where known: it changes only where the quantity turns
+    /// or another curve crosses.
+    pub increases: Option<bool>,
+}
+
+impl<T: Real, const N: usize> Led<T, N> {
+    /// At rest on a curve, with the unknowns `q`: the drive that the curve sets free is free.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Singular`] at a bifurcation.
+    pub fn at_rest<L>(curve: &Curve<'_, L, N>, q: &SVector<T, N>) -> Result<Self, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+    {
+        let value = curve.configuration(q);
+        Ok(Self {
+            configuration: Signal {
+                value,
+                rate: Configuration::zero(),
+                second_rate: Configuration::zero(),
+            },
+            drive: curve.drive,
+            parameter: curve.steepest(&value)?,
+            increases: None,
+        })
+    }
+
+    /// The free drive's value with its rates: an angle in radians, or the coordinate itself.
+    pub fn drive<L, C>(&self, linkage: &L, inputs: &Inputs<C, L::Drives>) -> Signal<T>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let Signal {
+            value,
+            rate,
+            second_rate,
+        } = self.configuration;
+        Curve::of(linkage, inputs, self.drive).value(&Signal {
+            value: value.drive,
+            rate: rate.drive,
+            second_rate: second_rate.drive,
+        })
+    }
+
+    /// All points with their rates; `inputs` are those of the last step.
+    pub fn points<L, C>(&self, linkage: &L, inputs: &Inputs<C, L::Drives>) -> Signal<L::Points>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let curve = Curve::of(linkage, inputs, self.drive);
+        curve.points_with(&self.configuration, &curve.prescribed.fixed)
+    }
+
+    /// The unknowns' motion, for a [`Tracker`](crate::Tracker) to go on with.
+    pub fn motion(&self) -> Motion<T, N> {
+        let Signal {
+            value,
+            rate,
+            second_rate,
+        } = self.configuration;
+        Motion {
+            position: value.unknowns,
+            velocity: rate.unknowns,
+            acceleration: second_rate.unknowns,
+            positive_determinant: None,
+        }
+    }
+}

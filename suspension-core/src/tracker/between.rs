@@ -1,0 +1,128 @@
+//! A step too long for one prediction: inputs between its ends, and sub-steps over them.
+
+use nalgebra::Vector3;
+
+use super::{Advanced, Stopped, Tracker};
+use crate::linkage::{Linkage, Named};
+use crate::motion::Motion;
+use crate::scalar::{Real, Scalar};
+use crate::signal::{ChassisMotion, Inputs, Signal, Still};
+
+/// How chassis points `F` move between two instants.
+pub trait Between<T, F>: ChassisMotion<F> {
+    /// Their motion at a place between that of `self` and that of `to`.
+    fn between(&self, to: &Self, cubic: &Cubic<T>) -> Self;
+}
+
+impl<T, F: Copy + Default> Between<T, F> for Still {
+    fn between(&self, _to: &Self, _cubic: &Cubic<T>) -> Self {
+        Self
+    }
+}
+
+impl<T: Scalar, F: Named<Vector3<T>>> Between<T, F> for Signal<F> {
+    fn between(&self, to: &Self, cubic: &Cubic<T>) -> Self {
+        cubic.between(self, to)
+    }
+}
+
+/// A place on the cubic that has the values and rates of two instants (Hermite): what values and
+/// rates at the ends weigh in its value, rate and second rate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cubic<T> {
+    /// Weights of the change of the value, the first rate and the last.
+    weights: Signal<[T; 3]>,
+}
+
+impl<T: Scalar> Cubic<T> {
+    /// The place a time `t` after the first of two instants that lie `dt`, not zero, apart.
+    pub fn at(t: T, dt: T) -> Self {
+        let [one, two, three, six] = [1.0, 2.0, 3.0, 6.0].map(T::constant);
+        let s = t / dt;
+        let rest = one - s;
+        Self {
+            weights: Signal {
+                value: [
+                    s * s * (three - two * s),
+                    s * rest * rest * dt,
+                    -(s * s * rest * dt),
+                ],
+                rate: [
+                    six * s * rest / dt,
+                    rest * (one - three * s),
+                    s * (three * s - two),
+                ],
+                second_rate: [
+                    six * (rest - s) / (dt * dt),
+                    (six * s - two * two) / dt,
+                    (six * s - two) / dt,
+                ],
+            },
+        }
+    }
+
+    fn between<V, S>(&self, from: &Signal<S>, to: &Signal<S>) -> Signal<S>
+    where
+        S: Named<V>,
+        V: Copy
+            + Default
+            + core::ops::Add<Output = V>
+            + core::ops::Sub<Output = V>
+            + core::ops::Mul<T, Output = V>,
+    {
+        let weighed = |[change, first, last]: [T; 3], at: S| {
+            let mut at = at.values();
+            let ends = from.value.values().zip(to.value.values());
+            let mut rates = from.rate.values().zip(to.rate.values());
+            let mut terms = ends.map(|(start, end)| {
+                let (first_rate, last_rate) = rates.next().unwrap_or_default();
+                (end - start) * change + first_rate * first + last_rate * last
+            });
+            S::from_fn(|_| at.next().unwrap_or_default() + terms.next().unwrap_or_default())
+        };
+        let nothing = S::from_fn(|_| V::default());
+        Signal {
+            value: weighed(self.weights.value, from.value),
+            rate: weighed(self.weights.rate, nothing),
+            second_rate: weighed(self.weights.second_rate, nothing),
+        }
+    }
+}
+
+impl<T: Real> Tracker<T> {
+    /// One step of length `dt`, not zero, between two inputs that may lie far apart: in as many
+    /// sub-steps as the bounds on corrections ask for, [`max_steps`](Self::max_steps) at most.
+    /// `motion` is the one at `from`. Between the ends drives and chassis points follow the cubics
+    /// that have their values and rates there; the result has the rates of `to`.
+    ///
+    /// # Errors
+    ///
+    /// As [`advance`](Self::advance), with the times counted from the start of the step; the
+    /// motion is then unchanged.
+    pub fn step_between<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        [from, to]: [&Inputs<C, L::Drives>; 2],
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Advanced<T>, Stopped<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: Between<T, L::Fixed>,
+    {
+        let inputs = |t: T| {
+            if t == dt {
+                return *to;
+            }
+            let cubic = Cubic::at(t, dt);
+            Inputs {
+                chassis: from.chassis.between(&to.chassis, &cubic),
+                drives: cubic.between(&from.drives, &to.drives),
+            }
+        };
+        let mut next = *motion;
+        let advanced = self.advance(linkage, inputs, T::zero(), dt, &mut next)?;
+        *motion = next;
+        Ok(advanced)
+    }
+}

@@ -1,0 +1,69 @@
+//! Points that links alone make a rigid body: a triangle of lengths, and further points with a
+//! length to each of its corners, which three distances leave free to be mirrored in it.
+
+use std::collections::BTreeSet;
+
+use quote::format_ident;
+use syn::Ident;
+
+use crate::system::{Body, Equation, Site, SiteMotion, distance_between};
+
+/// The clusters among the sites. Each four points are in one of them at most.
+pub(crate) fn clusters(sites: &[Site], equations: &[Equation]) -> Vec<Body> {
+    let mut clusters = Vec::new();
+    let mut seen = BTreeSet::new();
+    for frame in triangles(sites, equations) {
+        let reached = sites.iter().filter(|site| {
+            let is_corner = frame.iter().any(|corner| corner.name == site.name);
+            let mut corners = frame.iter();
+            site.is_free() && !is_corner && corners.all(|corner| is_rigid(site, corner, equations))
+        });
+        let carried: Vec<Site> = reached
+            .filter(|site| {
+                let four = frame.iter().chain([*site]);
+                seen.insert(
+                    four.map(|site| site.name.to_string())
+                        .collect::<BTreeSet<_>>(),
+                )
+            })
+            .cloned()
+            .collect();
+        if !carried.is_empty() {
+            clusters.push(Body {
+                name: name(&frame),
+                frame,
+                carried,
+            });
+        }
+    }
+    clusters
+}
+
+/// Three sites with rigid distances between them; not all on the chassis.
+fn triangles(sites: &[Site], equations: &[Equation]) -> Vec<[Site; 3]> {
+    let mut triangles = Vec::new();
+    for (third, c) in sites.iter().enumerate() {
+        let before: Vec<&Site> = sites[..third]
+            .iter()
+            .filter(|site| is_rigid(site, c, equations))
+            .collect();
+        for (second, b) in before.iter().enumerate() {
+            for a in &before[..second] {
+                if c.is_free() && is_rigid(a, b, equations) {
+                    triangles.push([(*a).clone(), (*b).clone(), c.clone()]);
+                }
+            }
+        }
+    }
+    triangles
+}
+
+/// Whether the distance of two sites never changes.
+fn is_rigid(a: &Site, b: &Site, equations: &[Equation]) -> bool {
+    let is_anchor = |site: &Site| site.motion == SiteMotion::Anchor;
+    is_anchor(a) && is_anchor(b) || distance_between(equations, &a.name, &b.name).is_some()
+}
+
+fn name([a, b, c]: &[Site; 3]) -> Ident {
+    format_ident!("{}_{}_{}", a.name, b.name, c.name, span = c.name.span())
+}

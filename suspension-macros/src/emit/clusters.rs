@@ -1,0 +1,144 @@
+//! Points that links alone make a rigid body: their shape, and whether one is mirrored.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use syn::Ident;
+use syn::ext::IdentExt;
+
+use super::terms::{Binding, bind, ident, parameter};
+use crate::system::{Body, Site, System, carried_name, distance_between, frame_name};
+
+/// A clustered point: the constant's name, the point, and its cluster.
+struct Clustered<'a> {
+    constant: Ident,
+    point: &'a Site,
+    cluster: &'a Body,
+}
+
+fn clustered(system: &System) -> impl Iterator<Item = Clustered<'_>> {
+    system.clusters.iter().flat_map(|cluster| {
+        cluster.carried.iter().map(move |point| Clustered {
+            constant: carried_name(&cluster.name, &point.name),
+            point,
+            cluster,
+        })
+    })
+}
+
+/// `frame` and constants from the design: what comes before the model, and its fields.
+pub(super) fn designed(system: &System) -> [TokenStream; 2] {
+    let frames = system.clusters.iter().map(|cluster| {
+        let (name, points) = (
+            frame_name(&cluster.name),
+            cluster.frame.iter().map(|site| &site.name),
+        );
+        let third = text(&cluster.frame[2]);
+        quote!(let #name = parts::frame(#third, Frame::new(#(design.#points),*))?;)
+    });
+    let names = frame_names(system);
+    let linked = clustered(system).map(|clustered| {
+        let Clustered {
+            constant,
+            point,
+            cluster,
+        } = &clustered;
+        let (frame, at, point) = (frame_name(&cluster.name), &point.name, text(point));
+        quote!(#constant: parts::linked(#point, design.#at, &#frame)?)
+    });
+    [quote!(#(#frames)*), quote!(#(#names,)* #(#linked,)*)]
+}
+
+/// The same from lengths.
+pub(super) fn of_lengths(system: &System) -> [TokenStream; 2] {
+    let frames = system.clusters.iter().map(|cluster| {
+        let (name, [a, b, c]) = (frame_name(&cluster.name), &cluster.frame);
+        let third = text(c);
+        let edges = [[a, b], [a, c], [b, c]].map(|ends| length(system, ends));
+        quote!(let #name = parts::frame_of_lengths(#third, [#(#edges),*])?;)
+    });
+    let names = frame_names(system);
+    let linked = clustered(system).map(|clustered| {
+        let Clustered {
+            constant,
+            point,
+            cluster,
+        } = &clustered;
+        let frame = frame_name(&cluster.name);
+        let reaches = cluster
+            .frame
+            .iter()
+            .map(|corner| length(system, [point, corner]));
+        let point = text(point);
+        quote!(#constant: parts::linked_at(#point, &self.#constant, &#frame, [#(#reaches),*])?)
+    });
+    [quote!(#(#frames)*), quote!(#(#names,)* #(#linked,)*)]
+}
+
+fn frame_names(system: &System) -> impl Iterator<Item = Ident> {
+    system
+        .clusters
+        .iter()
+        .map(|cluster| frame_name(&cluster.name))
+}
+
+/// The length between two points as it is given, or where both are on the chassis, as it stands.
+fn length(system: &System, [a, b]: [&Site; 2]) -> TokenStream {
+    match distance_between(&system.equations, &a.name, &b.name) {
+        Some(name) => quote!(lengths.#name),
+        None => {
+            let (a, b) = (&a.name, &b.name);
+            quote!((self.fixed.#b - self.fixed.#a).norm())
+        }
+    }
+}
+
+/// Names and types of the model's constants.
+pub(super) fn constants(system: &System) -> impl Iterator<Item = (Ident, TokenStream)> {
+    let frames = frame_names(system).map(|name| (name, quote!(Frame)));
+    let points = clustered(system).map(|clustered| (clustered.constant, quote!(Linked)));
+    frames.chain(points)
+}
+
+fn text(site: &Site) -> String {
+    site.name.unraw().to_string()
+}
+
+/// `const LINKED`.
+pub(super) fn names(system: &System) -> TokenStream {
+    let names = clustered(system).map(|clustered| text(clustered.point));
+    quote!(const LINKED: &'static [&'static str] = &[#(#names),*];)
+}
+
+/// `mirrored` of `impl Linkage`.
+pub(super) fn mirrored(system: &System) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    let (free, fixed) = (&ident("free"), &ident("fixed"));
+    let frames = system.clusters.iter().map(|cluster| {
+        let points = cluster.frame.iter().map(|site| site.of(free, fixed));
+        Binding::new(frame_name(&cluster.name), quote!(Frame::new(#(#points),*)))
+    });
+    let values: Vec<TokenStream> = clustered(system)
+        .map(|clustered| {
+            let (constant, frame) = (&clustered.constant, frame_name(&clustered.cluster.name));
+            let point = clustered.point.of(free, fixed);
+            quote!(self.#constant.mirrored(#point, &#frame))
+        })
+        .collect();
+    let result = if values.is_empty() {
+        quote!(::core::iter::empty())
+    } else {
+        quote!([#(#values),*].into_iter())
+    };
+    let bindings = [Binding::free(free, "q")].into_iter().chain(frames);
+    let body = bind(bindings.collect(), result);
+    let [q, fixed] = [
+        parameter("q", &quote!(&SVector<T, #n>), &body),
+        parameter("fixed", &quote!(&Fixed<T>), &body),
+    ];
+    quote! {
+        #[inline(always)]
+        fn mirrored(&self, #q, #fixed) -> impl Iterator<Item = T> {
+            #body
+        }
+    }
+}

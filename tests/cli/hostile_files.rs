@@ -1,0 +1,101 @@
+//! Files that are no motion files: exit code 2 and one sentence.
+
+use std::path::Path;
+
+use super::program::{edited, example, folder, run, text};
+
+/// The message with which a file is refused.
+fn refused(folder: &Path, file: &str) -> String {
+    let output = run(folder, &["motion", file]);
+    let message = text(&output.stderr).to_owned();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(output.stdout.is_empty());
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert!(
+        message.len() < 1000 && message.starts_with(file),
+        "{message}"
+    );
+    message
+}
+
+fn refused_content(content: impl AsRef<[u8]>) -> String {
+    let folder = folder();
+    std::fs::write(folder.path().join("bad.toml"), content).expect("written");
+    refused(folder.path(), "bad.toml")
+}
+
+#[test]
+fn bytes_that_are_no_text() {
+    let message = refused_content(b"linkage = \"attia2003\"\nunit = \"\xff\xfe\"");
+    assert!(
+        message.starts_with("bad.toml:2:9: is not text in UTF-8"),
+        "{message}"
+    );
+    refused_content([0_u8; 1000]);
+    refused_content((0..=u8::MAX).cycle().take(100_000).collect::<Vec<u8>>());
+    refused_content(b"\x7fELF\x02\x01\x01");
+    refused_content(b"");
+}
+
+#[test]
+fn files_of_any_size() {
+    assert!(refused_content(vec![b'x'; 100_000_000]).contains("larger than 4 MiB"));
+    // Just small enough to be read.
+    let long_key = "x".repeat(4_000_000);
+    assert!(refused_content(&long_key).starts_with("bad.toml:1:"));
+    assert!(refused_content(edited("p2", &format!("{long_key} = 1"))).contains("unknown point"));
+    let zeros = "0,".repeat(2_000_000);
+    let message = refused_content(edited("instants", &format!("instants = [{zeros}]")));
+    assert!(message.contains("must run one way"), "{message}");
+    let folder = folder();
+    assert!(refused(folder.path(), "/dev/zero").contains("larger than 4 MiB"));
+}
+
+#[test]
+fn deep_nesting() {
+    for (open, close) in [("[", "]"), ("{ a = ", " }")] {
+        let value = open.repeat(100_000) + "1" + &close.repeat(100_000);
+        refused_content(edited("p2", &format!("p2 = {value}")));
+        refused_content(edited("p2", &format!("p2 = {}", open.repeat(100_000))));
+    }
+    refused_content(edited("p2", &format!("p2{} = 1", ".a".repeat(100_000))));
+    refused_content(edited("[time]", &format!("[{}]", ["a"; 100_000].join("."))));
+}
+
+#[test]
+fn what_cannot_be_read() {
+    let folder = folder();
+    std::fs::create_dir(folder.path().join("a_folder")).expect("made");
+    std::fs::write(folder.path().join("file"), "").expect("written");
+    for name in [
+        "a_folder",
+        "none.toml",
+        "file/none.toml",
+        "",
+        "\u{1f697}.toml",
+    ] {
+        assert!(refused(folder.path(), name).contains(": cannot be read: "));
+    }
+    let output = run(folder.path(), &["motion", "two\nlines"]);
+    assert_eq!(text(&output.stderr).lines().count(), 1);
+}
+
+/// Line ends and a mark of byte order as editors on other systems leave them.
+#[test]
+fn other_systems_text() {
+    let folder = folder();
+    let plain = example("five_link.toml");
+    let solved = |name: &str, content: &str| {
+        std::fs::write(folder.path().join(name), content).expect("written");
+        let output = run(folder.path(), &["motion", name, "--csv", "-"]);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        output.stdout
+    };
+    let expected = solved("plain.toml", &plain);
+    let crlf = plain.replace('\n', "\r\n");
+    assert_eq!(solved("straße \u{1f697}.toml", &crlf), expected);
+    assert_eq!(solved("mark.toml", &format!("\u{feff}{plain}")), expected);
+    let wrong = crlf.replace("unit = \"mm\"", "unit = \"ft\"");
+    let message = refused_content(format!("\u{feff}{wrong}"));
+    assert!(message.starts_with("bad.toml:4:8: "), "{message}");
+}

@@ -1,0 +1,113 @@
+//! The ranges of drives.
+
+use super::program::{edited, example, folder, rows, run, text};
+
+/// Where the published drive turns, from a 40-digit solution, rad.
+const ENDS: [f64; 2] = [0.662_460_552_146_186_5, 2.178_426_263_359_593];
+
+/// When the published drive is at the upper end, s.
+const LOCKS: f64 = 1.978_367_769_183;
+
+/// The number after some words.
+fn number_after(report: &str, words: &str) -> f64 {
+    let (_, rest) = report.split_once(words).expect(words);
+    let end = rest.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+    rest[..end.unwrap_or(rest.len())].parse().expect("a number")
+}
+
+#[test]
+fn both_ends_and_when_the_motion_locks() {
+    let folder = folder();
+    for name in ["attia2003.toml", "five_link.toml"] {
+        std::fs::write(folder.path().join(name), example(name)).expect("written");
+        let output = run(folder.path(), &["range", name]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let report = text(&output.stdout);
+        for (line, expected) in report.lines().filter(|l| l.contains(" end   ")).zip(ENDS) {
+            let value = number_after(line, "deg (");
+            assert!((value - expected).abs() <= 1e-12, "{line}");
+            assert!(line.contains("turning point of the drive"), "{line}");
+        }
+        let locks = number_after(report, "at the upper end at t = ");
+        assert!((locks - LOCKS).abs() <= 1e-9, "{locks}");
+        assert!(report.contains("after its last instant, 1.95 s"));
+        assert!(report.contains("4 turning points"), "{report}");
+    }
+}
+
+#[test]
+fn a_motion_that_locks_names_the_drive_that_turns() {
+    let folder = folder();
+    let two_seconds = edited("instants", "start = 0.0\nstop = 2.0\nstep = 0.05");
+    std::fs::write(folder.path().join("a.toml"), two_seconds).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(3));
+    let message = text(&output.stderr);
+    assert!(
+        message.contains("a turning point of drive `theta`"),
+        "{message}"
+    );
+    let reached = number_after(message, "the motion ends at t = ");
+    assert!((reached - LOCKS).abs() <= 1e-9, "{message}");
+}
+
+#[test]
+fn the_whole_curve_as_a_table_and_a_plot() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    let arguments = ["range", "a.toml", "--csv", "a.csv", "--plots", "."];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let table = rows(&std::fs::read(folder.path().join("a.csv")).expect("a table"));
+    let turns: Vec<f64> = table
+        .iter()
+        .filter(|row| row["turns"] == 1.0)
+        .map(|row| row["theta_rad"])
+        .collect();
+    assert_eq!(turns.len(), 4);
+    for expected in ENDS {
+        let nearest = turns.iter().map(|turn| (turn - expected).abs());
+        assert!(nearest.fold(f64::INFINITY, f64::min) <= 1e-13);
+    }
+    let [first, last] = [&table[0], &table[table.len() - 1]];
+    for (column, value) in first {
+        let other = last[column];
+        let rounding = 1e-11 * value.abs().max(1.0);
+        assert!(
+            (value - other).abs() <= rounding || column == "residual_m",
+            "{column}"
+        );
+    }
+    for pair in table.windows(2) {
+        let moved = (pair[1]["p11_z"] - pair[0]["p11_z"]).abs();
+        assert!(moved < 0.01, "no gap in the curve");
+        assert!(pair[1]["residual_m"] <= 1e-14);
+    }
+    let plot = std::fs::read_to_string(folder.path().join("a_range_theta.svg")).expect("a plot");
+    assert!(plot.contains("theta (deg)") && plot.contains("height z (m)"));
+    assert_eq!(plot.matches("<circle").count(), 2, "both ends");
+}
+
+#[test]
+fn refusals() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    let out_of_reach = edited("theta = [", "theta = [2.2]");
+    std::fs::write(folder.path().join("b.toml"), out_of_reach).expect("written");
+    let cases: [(&[&str], i32, &str); 3] = [
+        (&["range", "none.toml"], 2, "none.toml"),
+        (
+            &["range", "a.toml", "--csv", "a.toml"],
+            2,
+            "--csv would overwrite",
+        ),
+        (&["range", "b.toml"], 3, "out of reach"),
+    ];
+    for (arguments, code, expected) in cases {
+        let output = run(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(code), "{output:?}");
+        let message = text(&output.stderr);
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(message.contains(expected), "{message}");
+    }
+}
