@@ -62,7 +62,10 @@ fn a_parallelogram_ends_where_it_is_flat() {
     };
     let flat = std::f64::consts::FRAC_PI_2;
     let off = (last.place.value - flat) * 0.2;
-    assert!(off <= 0.0 && -off <= accuracy, "{off} from flat, {accuracy}");
+    assert!(
+        off <= 0.0 && -off <= accuracy,
+        "{off} from flat, {accuracy}"
+    );
     // The tangent is still that of the parallelogram: the rocker moves as the crank does.
     let tangent = last.place.tangent.unknowns;
     assert!((tangent[1] - tangent[4]).abs() < 1e-5 && (tangent[2] - tangent[5]).abs() < 1e-5);
@@ -76,8 +79,8 @@ fn a_crank_that_turns_fully_meets_the_ends_of_its_angle() {
     let rocker_pin = Vector3::new(0.0, base, 0.0);
     let between = rocker_pin - crank_end;
     let (coupler, rocker) = (0.5_f64, 0.45_f64);
-    let along = (between.norm_squared() + coupler * coupler - rocker * rocker)
-        / (2.0 * between.norm());
+    let along =
+        (between.norm_squared() + coupler * coupler - rocker * rocker) / (2.0 * between.norm());
     let across = (coupler * coupler - along * along).sqrt();
     let unit = between.normalize();
     let rocker_end = crank_end + unit * along + Vector3::x().cross(&unit) * across;
@@ -96,5 +99,8 @@ fn a_crank_that_turns_fully_meets_the_ends_of_its_angle() {
     assert!((turns[0].place.value - std::f64::consts::PI).abs() < 1e-7);
     assert!(turns[1].place.value.abs() < 1e-7);
     let end = stretches.last().and_then(|stretch| stretch.end);
-    assert!(matches!(end, Some(End::Closed { gap }) if gap < 1e-12), "{end:?}");
+    assert!(
+        matches!(end, Some(End::Closed { gap }) if gap < 1e-12),
+        "{end:?}"
+    );
 }
