@@ -185,6 +185,7 @@ fn assembly<L: Suspension<N>, const N: usize>(
         distance: moved.norm(),
         farthest,
         smallest_pivot: factored.map_or(0.0, |lu| lu.smallest_pivot().1),
+        mirrored: mirrored.map(|(point, _)| *point).collect(),
         wheel: Wheel::of(&points).map(|wheel| Wheel {
             centre: wheel.centre + assembled.origin,
             ..wheel
