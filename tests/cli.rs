@@ -3,6 +3,7 @@
 mod support;
 
 mod cli {
+    mod assemblies;
     mod bad_input;
     mod bake;
     mod chart;

@@ -55,6 +55,9 @@ pub struct Assembly {
     pub farthest: f64,
     /// The smallest pivot of the Jacobian with partial pivoting; zero where it is singular.
     pub smallest_pivot: f64,
+    /// The points that stand on the wrong side of those that links join them to: a mirror image that
+    /// has all lengths and cannot be built.
+    pub mirrored: Vec<&'static str>,
     /// The wheel.
     pub wheel: Option<Wheel<f64>>,
     /// The coordinates of free points and markers.
@@ -175,11 +178,14 @@ fn assembly<L: Suspension<N>, const N: usize>(
     let points = Motion::at_rest(*q).points(model, inputs).value;
     let fixed = L::drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
     let factored = Lu::factor(&model.jacobian(q, &fixed));
+    let sides = L::LINKED.iter().zip(model.mirrored(q, &fixed));
+    let mirrored = sides.filter(|(_, mirrored)| *mirrored > 0.5);
     let chassis = model.fixed().values().count();
     Assembly {
         distance: moved.norm(),
         farthest,
         smallest_pivot: factored.map_or(0.0, |lu| lu.smallest_pivot().1),
+        mirrored: mirrored.map(|(point, _)| *point).collect(),
         wheel: Wheel::of(&points).map(|wheel| Wheel {
             centre: wheel.centre + assembled.origin,
             ..wheel

@@ -18,7 +18,7 @@ pub fn columns(study: &dyn Study) -> Vec<String> {
     let mut columns: Vec<String> = drives.cloned().collect();
     columns.push("assembly".to_owned());
     columns.extend(["distance", "farthest"].map(|name| format!("{name}_{unit}")));
-    columns.extend(["smallest_pivot", "camber_rad", "toe_rad"].map(String::from));
+    columns.extend(["mirrored", "smallest_pivot", "camber_rad", "toe_rad"].map(String::from));
     let points = study.points();
     let points = points.free.iter().chain(&points.markers);
     columns.extend(points.flat_map(|name| ["x", "y", "z"].map(|axis| format!("{name}_{axis}"))));
@@ -33,6 +33,7 @@ pub fn rows(listed: &Listed) -> impl Iterator<Item = Vec<f64>> {
         row.extend([
             assembly.distance,
             assembly.farthest,
+            assembly.mirrored.len() as f64,
             assembly.smallest_pivot,
         ]);
         row.extend(assembly.wheel.map_or([f64::NAN; 2], |w| [w.camber, w.toe]));
@@ -54,12 +55,13 @@ pub fn text(listed: &Listed, unit: Unit) -> String {
         format!("y ({symbol})"),
         format!("z ({symbol})"),
         "camber (deg)".to_owned(),
+        "mirrored".to_owned(),
     ];
-    for heading in &headings {
-        let _ = write!(out, "  {heading:>9}");
+    let widths = headings.each_ref().map(|heading| heading.len().max(9));
+    for (heading, width) in headings.iter().zip(widths) {
+        let _ = write!(out, "  {heading:>width$}");
     }
     out.push('\n');
-    let widths = headings.each_ref().map(|heading| heading.len().max(9));
     for (count, assembly) in (1..).zip(&listed.assemblies) {
         for (cell, width) in cells(count, assembly, unit).iter().zip(widths) {
             let _ = write!(out, "  {cell:>width$}");
@@ -70,7 +72,7 @@ pub fn text(listed: &Listed, unit: Unit) -> String {
     out
 }
 
-fn cells(count: usize, assembly: &Assembly, unit: Unit) -> [String; 8] {
+fn cells(count: usize, assembly: &Assembly, unit: Unit) -> [String; 9] {
     let digits = match unit {
         Unit::Metre => 5,
         Unit::Millimetre => 2,
@@ -83,6 +85,10 @@ fn cells(count: usize, assembly: &Assembly, unit: Unit) -> [String; 8] {
         }
         None => [(); 4].map(|()| "-".to_owned()),
     };
+    let mirrored = match assembly.mirrored.as_slice() {
+        [] => "-".to_owned(),
+        points => points.join(" "),
+    };
     [
         count.to_string(),
         length(assembly.distance),
@@ -92,6 +98,7 @@ fn cells(count: usize, assembly: &Assembly, unit: Unit) -> [String; 8] {
         y,
         z,
         camber,
+        mirrored,
     ]
 }
 
@@ -118,8 +125,12 @@ fn certainty(listed: &Listed) -> String {
     format!(
         "{verdict}: {real} real and {complex} complex assemblies, {infinite} at infinity, \
          {unaccounted} not accounted for,\nof the {generic} that such a mechanism has with general \
-         lengths ({} random starts, {} loops, the last {} without\na new one; {trace}).\n",
-        evidence.starts, evidence.loops, evidence.quiet,
+         lengths ({} random starts, {} without a\nnew one; {trace}).\n",
+        evidence.starts,
+        match evidence.loops {
+            1 => "one loop".to_owned(),
+            loops => format!("{loops} loops, the last {}", evidence.quiet),
+        },
     )
 }
 

@@ -69,6 +69,10 @@ pub(super) const NOTES: &str = "\
 An assembly is a way to put the parts together at the given value of the drive. Distances are from
 the configuration of the file's first instant: over all coordinates of free points, and of the
 point that lies farthest away. A pivot near zero is a singularity near by, where two assemblies meet.
+Mirrored are points on the wrong side of those that links join them to: such an assembly has all
+lengths but cannot be built. A `body` is never mirrored.
+
+The list is ordered by distance; one row each in the CSV file, with every free point and marker.
 
 How: over complex numbers all assemblies of a mechanism of general lengths hang together. They are
 found from random starts and by going round loops of such mechanisms, and followed from there to

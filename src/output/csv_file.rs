@@ -62,7 +62,7 @@ impl CsvFile {
             writer: csv::Writer::from_writer(sink),
             integer_columns: columns
                 .iter()
-                .map(|name| matches!(name.as_str(), "iterations" | "assembly"))
+                .map(|name| matches!(name.as_str(), "iterations" | "assembly" | "mirrored"))
                 .collect(),
         };
         table.record(columns.iter().map(String::as_str))?;

@@ -49,9 +49,10 @@ pub const STARTS: usize = AROUND + 2;
 /// From the guess, and from others around it that are off by as much as the guess is, each body, and
 /// each cluster of links that is as rigid, is replaced by the rigid body that fits it best, and the
 /// equations are solved; then once more from where the root would lie that meets the one found at the
-/// nearest singularity. The nearest root is kept; one with a wrong-handed cluster never is. That it is the nearest of all cannot be promised: of guesses 5 cm off in every coordinate
-/// of the published mechanism three in ten thousand end elsewhere. The budget is bounded:
-/// [`STARTS`] times the iterations that `newton` allows.
+/// nearest singularity. The nearest root is kept; one with a wrong-handed cluster never is.
+///
+/// That it is the nearest of all is likely, not certain. The budget is bounded: [`STARTS`] times the
+/// iterations that `newton` allows.
 ///
 /// # Errors
 ///

@@ -1,0 +1,83 @@
+//! The list of assemblies.
+
+use super::program::{example, folder, rows, run, text};
+
+#[test]
+fn a_table_of_assemblies_and_how_sure_it_is() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("five_link.toml")).expect("written");
+    let output = run(
+        folder.path(),
+        &[
+            "assemblies",
+            "a.toml",
+            "--at",
+            "0.7",
+            "1.2",
+            "--csv",
+            "a.csv",
+        ],
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let report = text(&output.stdout);
+    assert_eq!(
+        report
+            .matches("The list is complete by all that was tried")
+            .count(),
+        2
+    );
+    assert!(
+        report.contains("4 real and 36 complex assemblies"),
+        "{report}"
+    );
+    let table = std::fs::read(folder.path().join("a.csv")).expect("a table");
+    let rows = rows(&table);
+    let counts: Vec<f64> = rows.iter().map(|row| row["assembly"]).collect();
+    assert_eq!(counts, [1.0, 2.0, 3.0, 4.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+    assert!(rows[0]["distance_mm"] < 1e-9 && rows[1]["distance_mm"] > 100.0);
+    for row in &rows {
+        assert_eq!(row["mirrored"], 0.0);
+        let edge = ["x", "y", "z"].map(|axis| {
+            row[&format!("upper_front_outer_{axis}")] - row[&format!("lower_front_outer_{axis}")]
+        });
+        let length = edge.iter().map(|x| x * x).sum::<f64>().sqrt();
+        assert!((length - 214.453).abs() < 1e-9, "{length}");
+    }
+}
+
+#[test]
+fn nine_distances_have_mirrored_assemblies_too() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    let output = run(folder.path(), &["assemblies", "a.toml", "--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let rows = rows(&output.stdout);
+    let right = rows.iter().filter(|row| row["mirrored"] == 0.0).count();
+    assert_eq!((rows.len(), right), (14, 4));
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("five_link.toml")).expect("written");
+    for (arguments, message) in [
+        (["--at", "4"], "between 0 and pi"),
+        (["--at", "nan"], "between 0 and pi"),
+        (["--csv", "a.toml"], "would overwrite"),
+    ] {
+        let output = run(
+            folder.path(),
+            &[&["assemblies", "a.toml"][..], &arguments].concat(),
+        );
+        assert_eq!(output.status.code(), Some(2));
+        let error = text(&output.stderr);
+        assert!(
+            error.contains(message) && error.lines().count() == 1,
+            "{error}"
+        );
+    }
+    let unknown = ["assemblies", "a.toml", "--at", "1", "--drive", "bump"];
+    let output = run(folder.path(), &unknown);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("unknown drive `bump`; known are theta"));
+}
