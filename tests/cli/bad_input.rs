@@ -30,7 +30,7 @@ const BAD: [Case; 59] = [
     ("d7_2", "d7_2 = inf", ":31:8", "`d7_2` is inf"),
     ("d7_2", "", ":28:", "`d7_2` is missing"),
     ("d7_2", "d99 = 0.3", ":31:1", "unknown length `d99`"),
-    ("p7", "p7 = [-1.3055, 0.38, 0.0405]", ":26:7", "lie in line"),
+    ("p7", "p7 = [-1.3055, 0.38, 0.0405]", ":20:6", "lie in line"),
     ("instants", "start = 0\nstop = 1\nstep = 0", ":53:8", "step is zero"),
     ("instants", "start = 0\nstop = 1\nstep = -0.1", ":53:8", "leads away"),
     ("instants", "start = 0\nstop = 1\nstep = 1e-9", ":53:8", "at most"),
