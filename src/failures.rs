@@ -20,8 +20,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::SVector;
+use suspension_core::Stopped;
 use suspension_core::linkage::Listing;
-use suspension_core::{Linkage, Named, Real, Stopped};
 
 use crate::failure::Failure;
 use crate::input::drives::DriveLaws;
@@ -35,7 +35,7 @@ use crate::output::progress::Progress;
 use crate::study::{Assembled, Suspension, cause};
 use axes::{POINTS, Subject};
 use closure::{Closures, NINE_DISTANCES, RIGID_BODY};
-use long_run::{Label, LongRun, Way};
+use long_run::{LongRun, Way, looks};
 use page::Findings;
 use rows::to_csv;
 use survey::{Counted, Effort, Survey};
@@ -125,14 +125,14 @@ pub fn measure<L: Suspension<N>, const N: usize>(
     effort: &Effort,
     interrupted: &AtomicBool,
 ) -> Result<Counted, Failure> {
-    let closures = Closures::of(assembled).and_then(Result::ok);
+    let closures = Closures::of(assembled);
     let models = if closures.is_some() { 4 } else { 2 };
     let mut survey = Survey {
         effort,
         metre: assembled.unit.metre(),
         interrupted,
         counted: Counted::default(),
-        progress: Progress::new(models * POINTS, "points"),
+        progress: Progress::new(models * POINTS + 4 * looks(effort.long_run), "parts"),
     };
     let motion = Followed {
         drives: &assembled.drives,
@@ -187,29 +187,11 @@ impl Followed<'_> {
         // How bodies are closed is of no account here.
         if closure != NINE_DISTANCES {
             for way in Way::ALL {
-                self.run(survey, LongRun::new(way, model, &truth), closure);
-                self.run(survey, LongRun::new(way, &single, &truth), closure);
+                long_run::add(survey, closure, LongRun::new(way, model, &truth));
+                long_run::add(survey, closure, LongRun::new(way, &single, &truth));
             }
         }
         Ok(())
-    }
-
-    fn run<D, M, T, const N: usize>(
-        &self,
-        survey: &mut Survey<'_>,
-        run: LongRun<'_, D, M, T, N>,
-        closure: &str,
-    ) where
-        D: Named<f64>,
-        M: Linkage<N, Scalar = T>,
-        T: Real,
-    {
-        let label = Label {
-            closure,
-            metre: survey.metre,
-        };
-        let rows = long_run::rows(run, label, survey.effort.long_run, survey.interrupted);
-        survey.counted.long_runs.extend(rows);
     }
 
     fn no_motion<L: Suspension<N>, const N: usize>(&self, stopped: &Stopped<f64>) -> Failure {

@@ -60,6 +60,9 @@ pub trait Study {
     /// The names of a row's columns.
     fn columns(&self) -> Vec<String>;
 
+    /// Those of them that are what the linkage measures.
+    fn measures(&self) -> Vec<String>;
+
     /// The points' names.
     fn points(&self) -> PointNames;
 
@@ -209,6 +212,10 @@ where
 
     fn columns(&self) -> Vec<String> {
         columns::names::<L, N>(self.unit)
+    }
+
+    fn measures(&self) -> Vec<String> {
+        columns::measures::<L, N>(self.unit)
     }
 
     fn points(&self) -> PointNames {
@@ -391,6 +398,9 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
         SolveError::Mirrored { .. } => format!(
             "point `{name}` would stand on the wrong side of the points that links join it to"
         ),
+        SolveError::TooFar { .. } => {
+            format!("the step of unknown `{name}` is too long to tell assemblies apart")
+        }
         SolveError::Singular { .. } => format!("unknown `{name}` is no longer determined"),
         SolveError::Diverging { .. } => {
             format!("no root near by, the corrections of unknown `{name}` do not shrink")

@@ -9,7 +9,11 @@ mod bifurcation;
 mod case;
 #[path = "path/led.rs"]
 mod led;
+#[path = "path/measures.rs"]
+mod measures;
 #[path = "path/published.rs"]
 mod published;
 #[path = "path/random.rs"]
 mod random;
+#[path = "path/wishbone.rs"]
+mod wishbone;

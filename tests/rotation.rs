@@ -1,9 +1,12 @@
 //! Angular velocity, acceleration and pose of a body, and the wheel's spin.
 
+mod support;
+
 use nalgebra::{Isometry3, Vector3};
 use suspension_core::body::{
     angular_acceleration, angular_acceleration_eq10, angular_velocity, angular_velocity_eq9, pose,
 };
+use suspension_core::constraint::{Carried, Frame};
 use suspension_core::wheel::{
     Spin, camber, camber_to_ground, caster, kingpin_angle, toe, wheel_angular_acceleration,
     wheel_angular_velocity,
@@ -85,6 +88,36 @@ fn where_eq9_is_zero_over_zero_the_fit_is_exact() {
         angular_velocity_eq9(&body(), &[Vector3::zeros(); 3]).is_err(),
         "a body at rest"
     );
+}
+
+/// At every instant of the 40-digit reference: three points of the knuckle whose plane the angular
+/// velocity lies in, carried with points 6, 7 and 8, whose rates are the reference's.
+#[test]
+fn over_the_reference_where_eq9_is_zero_over_zero() {
+    let reference = support::Reference::load();
+    for instant in 0..support::INSTANTS.len() {
+        let [omega, alpha] = ["omega_", "alpha_"].map(|name| reference.vector(instant, name));
+        let [at, rate, second_rate] = ["", "v", "a"].map(|kind| {
+            let [a, b, c] =
+                ["p6", "p7", "p8"].map(|p| reference.vector(instant, &format!("{p}_{kind}")));
+            Frame::new(a, b, c)
+        });
+        for (along_u, along_v) in [(1.0, 0.0), (0.0, 1.0), (0.3, -2.0)] {
+            let edges = [omega.normalize() * 0.1, at.u * along_u + at.v * along_v];
+            let points = [at.origin, at.origin + edges[0], at.origin + edges[1]];
+            let carried = points.map(|point| Carried::new(point, &at).expect("a triangle"));
+            let velocities = carried.map(|point| point.velocity(&at, &rate));
+            let accelerations = carried.map(|point| point.acceleration(&at, &rate, &second_rate));
+            assert!(angular_velocity_eq9(&points, &velocities).is_err());
+            assert!(angular_acceleration_eq10(&points, &velocities, &accelerations).is_err());
+            let found = angular_velocity(&points, &velocities).expect("a triangle");
+            let off = (found - omega).norm() / omega.norm();
+            assert!(off <= 1e-11, "instant {instant}: omega off by {off:e}");
+            let found = angular_acceleration(&points, &found, &accelerations).expect("a triangle");
+            let off = (found - alpha).norm() / alpha.norm();
+            assert!(off <= 1e-11, "instant {instant}: alpha off by {off:e}");
+        }
+    }
 }
 
 #[test]

@@ -51,7 +51,7 @@ impl Arguments {
 pub(super) const NOTES: &str = "\
 Each method is tried from starts with normal noise on every coordinate of a free point (1 mm to
 0.4 m), through the whole motion in steps of 0.1 ms to 1 s, and in one step that ends 0.1 to 1e-12
-(rad, or the unit) before a turning point of the first drive. A trial is right where no coordinate
+(rad or m) before a turning point of the first drive. A trial is right where no coordinate
 is off by more than 0.1 mm from the motion followed in fine steps, or beside a turning point by half
 the way to the other configuration; wrong where the method gives out another configuration (or one
 that drifted as far) as its result; without root where it says that it finds none. A five-link
@@ -59,12 +59,20 @@ suspension is tried with its knuckle closed by nine distances and as a rigid bod
 
 failures.csv, one row a method, closure, number type and point:
 
-  axis, value                 start_noise in m, step in s, turning_point in rad (or the file's unit)
+  axis, value, unit           start_noise in m, step in s, turning_point in rad or m
   method, closure, scalar     as in the figures
   trials, right, wrong_branch, mirrored, no_root
                               counts; of the wrong ones those with a mirrored body
   residual_m                  the largest residual of a result, m: what lengths are off
   seed                        of the random numbers
+
+long_runs.csv: steps of 1 ms back and forth through the motion by the tracker and by integrated
+velocities, one row wherever their number has doubled or so:
+
+  method, closure, scalar     as above
+  steps                       from the beginning
+  drift_m                     the largest residual after any step since the row before, m
+  iterations_a_step           since the row before
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism has no motion,
 130 interrupted, what was counted is kept.

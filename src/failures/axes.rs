@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use rand_distr::{Distribution, StandardNormal, StandardUniform};
 use rand_pcg::Pcg64;
-use suspension_core::{Build, DriveKind, Motion, Newton, Real};
+use suspension_core::{Build, Motion};
 
 use super::marquardt::Number;
 use super::method::Method;
@@ -11,8 +11,7 @@ use super::rows::Axis;
 use super::survey::{Place, Survey};
 use super::trial::{Run, Trial};
 use super::truth::Truth;
-use super::turning::TurningPoint;
-use crate::input::drives::DriveLaws;
+use super::turning::{Approach, TurningPoint, unit_of_first_drive};
 use crate::study::Suspension;
 
 /// Deviations of a start, m.
@@ -92,6 +91,9 @@ where
     /// Tries every method from starts beside the motion.
     pub fn try_noises(&self, survey: &mut Survey<'_>) {
         for (index, noise) in NOISES.into_iter().enumerate() {
+            if survey.is_interrupted() {
+                return;
+            }
             let mut random = survey.random(Axis::StartNoise, index);
             let metre = survey.metre;
             let start = |_| self.noisy(noise * metre, RIGHT_WITHIN * metre, &mut random);
@@ -127,6 +129,9 @@ where
         let duration = self.truth.duration();
         let steps = STEPS.into_iter().filter(|step| *step <= duration);
         for (index, length) in steps.enumerate() {
+            if survey.is_interrupted() {
+                return;
+            }
             let mut random = survey.random(Axis::Step, index);
             let few = (STEPS_A_POINT * length / duration).ceil() as usize;
             let count = survey.effort.starts.div_ceil(10).min(few);
@@ -150,22 +155,29 @@ where
 
     /// Tries every method in a step that ends near a turning point.
     pub fn try_distances(&self, survey: &mut Survey<'_>) {
+        /// The shortest step, s, and how many powers of ten the longest is above it.
+        const SHORTEST: f64 = 1e-3;
+        const DECADES: f64 = 2.0;
         let (unit, metre) = unit_of_first_drive::<L, N>(survey.metre);
         for (index, distance) in DISTANCES.into_iter().enumerate() {
+            if survey.is_interrupted() {
+                return;
+            }
             let mut random = survey.random(Axis::TurningPoint, index);
-            let ways: Vec<Way<'_, N>> = self
+            let distance_here = distance * metre;
+            let approaches: Vec<Approach<'_, N>> = self
                 .turning_points
                 .iter()
-                .filter(|point| tells_apart::<T>(point.value, distance * metre))
-                .map(|point| Way::new(point, distance * metre))
+                .filter(|point| point.is_apart::<T>(distance_here))
+                .map(|point| Approach::new(point, distance_here))
                 .collect();
-            let count = survey.effort.starts.min(ways.len() * survey.effort.starts);
             let within = RIGHT_WITHIN * survey.metre;
-            let trials: Vec<Trial<'_, N>> = ways
-                .iter()
-                .cycle()
-                .take(count)
-                .filter_map(|way| self.before_a_lock(way, within, uniform(&mut random)))
+            let trials: Vec<Trial<'_, N>> = (0..survey.effort.starts)
+                .zip(approaches.iter().cycle())
+                .filter_map(|(_, approach)| {
+                    let step = SHORTEST * 10_f64.powf(DECADES * uniform(&mut random));
+                    approach.trial::<T, L>(self.truth.model, step, within)
+                })
                 .collect();
             if trials.is_empty() {
                 continue;
@@ -180,87 +192,6 @@ where
                 });
             }
         }
-    }
-
-    /// A step of 1 to 100 ms that ends at a distance before a lock. Right is what lies nearer to
-    /// what is meant than half-way to the configuration that meets it in the lock.
-    fn before_a_lock<'d>(
-        &self,
-        way: &'d Way<'_, N>,
-        within: f64,
-        share: f64,
-    ) -> Option<Trial<'d, N>> {
-        const SHORTEST: f64 = 1e-3;
-        const DECADES: f64 = 2.0;
-        let Way {
-            point,
-            distance,
-            drives,
-        } = way;
-        let step = SHORTEST * 10_f64.powf(DECADES * share);
-        let model = self.truth.model;
-        let end = point.before(*distance);
-        let start = point.motion_at(model, end - point.speed * step)?;
-        let last = point.motion_at(model, end)?;
-        let half_way = point.separation(*distance, &last) / 2.0;
-        // With `x` the distance both lie `a sqrt(x)` from the lock; a residual acts as a change
-        // of `x`.
-        let residual = self.tolerated::<T>(&last);
-        let moved = half_way * ((1.0 + residual / distance).sqrt() - 1.0);
-        Some(Trial {
-            drives,
-            times: [-step, 0.0],
-            start,
-            meant: last.position,
-            tolerance: half_way.min(within + moved),
-        })
-    }
-
-    /// The residual that counts as a root, as a change of the first drive; a few of them act
-    /// together.
-    fn tolerated<R: Real>(&self, motion: &Motion<f64, N>) -> f64 {
-        const FEW: f64 = 4.0;
-        let size = self.truth.model.size();
-        let epsilon: f64 = R::EPSILON.to_subset_unchecked();
-        let tolerance: f64 = Newton::<f64>::near_by().tolerance;
-        let residual = FEW * tolerance * epsilon * size.max(motion.position.amax());
-        match L::DRIVE_KINDS.first() {
-            Some(DriveKind::Angle) => residual / size,
-            _ => residual,
-        }
-    }
-}
-
-/// A turning point, a distance from it, and drives that lead there at time 0.
-struct Way<'a, const N: usize> {
-    point: &'a TurningPoint<N>,
-    distance: f64,
-    drives: DriveLaws,
-}
-
-impl<'a, const N: usize> Way<'a, N> {
-    fn new(point: &'a TurningPoint<N>, distance: f64) -> Self {
-        Self {
-            point,
-            distance,
-            drives: point.drives(point.before(distance)),
-        }
-    }
-}
-
-/// Whether a drive's values at and before a turning point are different numbers, with digits to
-/// spare.
-fn tells_apart<T: Real>(value: f64, distance: f64) -> bool {
-    const ULPS: f64 = 8.0;
-    let epsilon: f64 = T::EPSILON.to_subset_unchecked();
-    distance > ULPS * epsilon * value.abs()
-}
-
-/// The unit of distances along the first drive, and what it is in the unit of the motion.
-fn unit_of_first_drive<L: Suspension<N>, const N: usize>(metre: f64) -> (&'static str, f64) {
-    match L::DRIVE_KINDS.first() {
-        Some(DriveKind::Angle) => ("rad", 1.0),
-        _ => ("m", metre),
     }
 }
 

@@ -25,13 +25,12 @@ pub struct Closures {
 }
 
 impl Closures {
-    /// Those of a mechanism; `None` where it is no five-link suspension.
-    pub fn of<L: Suspension<N>, const N: usize>(
-        assembled: &Assembled<L, N>,
-    ) -> Option<Result<Self, GeometryError>> {
+    /// Those of a mechanism; `None` where it is no five-link suspension, or one whose knuckle has
+    /// not both.
+    pub fn of<L: Suspension<N>, const N: usize>(assembled: &Assembled<L, N>) -> Option<Self> {
         let position = assembled.start.position.map(DoubleDouble::from);
         let links = FiveLinks::<f64>::of(&assembled.model, &position)?;
-        Some(Self::built(&links))
+        Self::built(&links).ok()
     }
 
     fn built(links: &FiveLinks<f64>) -> Result<Self, GeometryError> {

@@ -213,7 +213,7 @@ impl Column {
     fn tick(&self, decade: i32) -> String {
         match self.axis {
             Axis::TurningPoint => power(decade),
-            _ => rounded(10_f64.powi(decade + self.scale_unit().1), 1),
+            _ => rounded(10_f64.powi(decade + self.scale_unit().1), 4),
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Millions of steps back and forth through a motion: what a method forgets, it drifts by.
 
 use std::marker::PhantomData;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::{Deserialize, Serialize};
 use suspension_core::{Inputs, Linkage, Motion, Named, Real, Still, Tracker};
 
 use super::integration::runge_kutta;
 use super::method::Method;
+use super::survey::Survey;
 use super::trial::{cast, inputs};
 use super::truth::{Truth, drift};
 use crate::input::drives::DriveLaws;
@@ -161,32 +161,26 @@ pub struct LongRow {
     pub iterations_a_step: f64,
 }
 
-/// Whose run it is.
-#[derive(Clone, Copy, Debug)]
-pub struct Label<'a> {
-    /// How bodies are closed.
-    pub closure: &'a str,
-    /// A metre in the unit of the motion.
-    pub metre: f64,
+/// Steps from one look at the user's wish to the next.
+const A_LOOK: u64 = 100_000;
+
+/// Looks in a run of so many steps.
+pub fn looks(steps: u64) -> usize {
+    (steps / A_LOOK) as usize
 }
 
-/// Makes `total` steps, with a row wherever their number has doubled or so, from a thousand on.
-/// Ends early where a step fails or the user interrupts.
-pub fn rows<D, M, T, const N: usize>(
+/// Makes as many steps as the survey wants, with a row wherever their number has doubled or so,
+/// from a thousand on. Ends early where a step fails or the user interrupts.
+pub fn add<D, M, T, const N: usize>(
+    survey: &mut Survey<'_>,
+    closure: &str,
     mut run: LongRun<'_, D, M, T, N>,
-    label: Label<'_>,
-    total: u64,
-    interrupted: &AtomicBool,
-) -> Vec<LongRow>
-where
+) where
     T: Real,
     M: Linkage<N, Scalar = T>,
     D: Named<f64>,
 {
-    /// Steps from one look at the user's wish to the next.
-    const A_LOOK: u64 = 100_000;
-    let mut rows = Vec::new();
-    for stop in milestones(total) {
+    for stop in milestones(survey.effort.long_run) {
         let mut all = Stretch::default();
         while run.done < stop {
             let steps = (stop - run.done).min(A_LOOK);
@@ -194,20 +188,20 @@ where
             all.steps += stretch.steps;
             all.iterations += stretch.iterations;
             all.drift = all.drift.max(stretch.drift);
-            if stretch.steps < steps || interrupted.load(Ordering::Relaxed) {
-                return rows;
+            survey.progress.step();
+            if stretch.steps < steps || survey.is_interrupted() {
+                return;
             }
         }
-        rows.push(LongRow {
+        survey.counted.long_runs.push(LongRow {
             method: run.way.name().to_owned(),
-            closure: label.closure.to_owned(),
+            closure: closure.to_owned(),
             scalar: std::any::type_name::<T>().to_owned(),
             steps: stop,
-            drift_m: all.drift / label.metre,
+            drift_m: all.drift / survey.metre,
             iterations_a_step: all.iterations as f64 / all.steps as f64,
         });
     }
-    rows
 }
 
 /// 1, 2 and 5 times the powers of ten from a thousand on, and the total.

@@ -59,6 +59,11 @@ pub struct Place<'a> {
 }
 
 impl Survey<'_> {
+    /// Whether the user wants no more.
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupted.load(Ordering::Relaxed)
+    }
+
     /// Counts what becomes of the trials, each with the residual of its result, and adds a row. A
     /// point at which the user interrupts is left out.
     pub fn count<R>(
@@ -70,7 +75,7 @@ impl Survey<'_> {
     ) {
         let mut counts = Counts::default();
         for trial in trials {
-            if self.interrupted.load(Ordering::Relaxed) {
+            if self.is_interrupted() {
                 return;
             }
             let (outcome, residual) = outcome(trial);

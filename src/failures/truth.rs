@@ -59,6 +59,12 @@ impl<'a, L: Suspension<N>, const N: usize> Truth<'a, L, N> {
         self.ends[1] - self.ends[0]
     }
 
+    /// The times at which the motion is kept, s.
+    pub fn times(&self) -> impl Iterator<Item = f64> {
+        let spacing = self.duration() / KEPT as f64;
+        (0..=KEPT).map(move |index| self.ends[0] + spacing * index as f64)
+    }
+
     /// The motion at a time between the ends.
     pub fn at(&self, t: f64) -> Motion<f64, N> {
         let spacing = self.duration() / KEPT as f64;

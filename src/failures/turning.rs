@@ -1,9 +1,9 @@
-//! Turning points of the first drive, found by driving it to its locks.
+//! Turning points of the first drive.
 
-use std::f64::consts::PI;
+use suspension_core::path::{Continuation, Curve};
+use suspension_core::{DriveKind, Motion, Named, Newton, Real};
 
-use suspension_core::{DriveKind, Motion, Named};
-
+use super::trial::Trial;
 use super::truth::Truth;
 use crate::input::drives::DriveLaws;
 use crate::input::polynomial::Polynomial;
@@ -19,7 +19,7 @@ pub struct TurningPoint<const N: usize> {
     pub speed: f64,
     /// All drives' values half-way through the file's motion.
     values: Vec<f64>,
-    /// The motion there, driven at [`speed`](Self::speed).
+    /// The motion there.
     origin: Motion<f64, N>,
 }
 
@@ -30,22 +30,36 @@ pub fn turning_points<L: Suspension<N>, const N: usize>(
 ) -> Vec<TurningPoint<N>> {
     let middle = (truth.ends[0] + truth.ends[1]) / 2.0;
     let motion = truth.at(middle);
-    let drives = |t: f64| truth.drives.inputs::<L::Drives>(t).drives.value;
-    let values: Vec<f64> = drives(middle).values().collect();
-    let ends = truth
-        .ends
-        .map(|t| drives(t).values().next().unwrap_or_default());
-    let mean = (ends[1] - ends[0]).abs() / truth.duration();
-    let found = [mean, -mean].map(|speed| {
-        let way = TurningPoint {
-            value: f64::NAN,
+    let inputs = truth.drives.inputs::<L::Drives>(middle);
+    let values: Vec<f64> = inputs.drives.value.values().collect();
+    let speed = usual_speed(truth);
+    let found = [speed, -speed].map(|speed| {
+        let curve = Curve::new(truth.model, &inputs, 0)?;
+        let path = Continuation::default().path(curve, &motion.position, speed > 0.0);
+        let turning = path.ok()?.flatten().find_map(|stretch| stretch.turning)?;
+        let is_lock = !turning.is_end_of_angle && speed != 0.0;
+        is_lock.then(|| TurningPoint {
+            value: turning.place.value,
             speed,
             values: values.clone(),
             origin: motion,
-        };
-        way.located(truth.model)
+        })
     });
     found.into_iter().flatten().collect()
+}
+
+/// The first drive's range in the motion over its duration.
+fn usual_speed<L: Suspension<N>, const N: usize>(truth: &Truth<'_, L, N>) -> f64 {
+    let first = |t: f64| {
+        let drives: L::Drives = truth.drives.inputs(t).drives.value;
+        drives.values().next().unwrap_or_default()
+    };
+    let values = truth.times().map(first);
+    let [least, most] = values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], value| [least.min(value), most.max(value)],
+    );
+    (most - least) / truth.duration()
 }
 
 impl<const N: usize> TurningPoint<N> {
@@ -72,54 +86,84 @@ impl<const N: usize> TurningPoint<N> {
         Some(motion)
     }
 
-    /// How far apart the two configurations are that meet in the turning point, where the drive
-    /// is still `distance` away and `motion` is one of them.
+    /// Whether the drive's values at and before the turning point are different numbers, with
+    /// digits to spare.
+    pub fn is_apart<T: Real>(&self, distance: f64) -> bool {
+        const ULPS: f64 = 8.0;
+        let epsilon: f64 = T::EPSILON.to_subset_unchecked();
+        distance > ULPS * epsilon * self.value.abs()
+    }
+}
+
+/// A way to a turning point that ends at a distance before it.
+pub struct Approach<'a, const N: usize> {
+    point: &'a TurningPoint<N>,
+    distance: f64,
+    drives: DriveLaws,
+}
+
+impl<'a, const N: usize> Approach<'a, N> {
+    /// At the point's own speed.
+    pub fn new(point: &'a TurningPoint<N>, distance: f64) -> Self {
+        let drives = point.drives(point.before(distance));
+        Self {
+            point,
+            distance,
+            drives,
+        }
+    }
+
+    /// A step of `step` seconds. Right is what is off by no more than `within`, and lies nearer to
+    /// what is meant than half-way to the configuration that meets it in the turning point.
     ///
-    /// With `x` the distance, `q = q* + a sqrt(x)` up to terms of higher order, so that
-    /// `qdot = -a speed / (2 sqrt(x))`, and the two are `2 a sqrt(x)` apart.
-    pub fn separation(&self, distance: f64, motion: &Motion<f64, N>) -> f64 {
-        4.0 * distance * motion.velocity.amax() / self.speed.abs()
+    /// With `x` the distance, both lie `a sqrt(x)` from there up to terms of higher order, so that
+    /// `a sqrt(x) = 2 x |qdot| / speed`. A residual acts as a change of `x`: where one that counts
+    /// as a root for numbers `T` moves a position, it may be off by as much more.
+    pub fn trial<T: Real, L: Suspension<N>>(
+        &self,
+        model: &L,
+        step: f64,
+        within: f64,
+    ) -> Option<Trial<'_, N>> {
+        let Self {
+            point,
+            distance,
+            drives,
+        } = self;
+        let end = point.before(*distance);
+        let start = point.motion_at(model, end - point.speed * step)?;
+        let last = point.motion_at(model, end)?;
+        let half_way = 2.0 * distance * last.velocity.amax() / point.speed.abs();
+        let residual = tolerated::<T, L, N>(model, &last);
+        let moved = half_way * ((1.0 + residual / distance).sqrt() - 1.0);
+        Some(Trial {
+            drives,
+            times: [-step, 0.0],
+            start,
+            meant: last.position,
+            tolerance: half_way.min(within + moved),
+        })
     }
+}
 
-    fn located<L: Suspension<N>>(mut self, model: &L) -> Option<Self> {
-        /// The drive's angle where its cosine turns, not the mechanism.
-        const NEAR: f64 = 1e-3;
-        let is_angle = L::DRIVE_KINDS.first() == Some(&DriveKind::Angle);
-        let farthest = match (is_angle, self.speed > 0.0) {
-            (true, true) => PI,
-            (true, false) => 0.0,
-            (false, _) => self.values[0] + self.speed.signum() * 4.0 * model.size(),
-        };
-        self.value = self.lock(model, farthest)?;
-        let is_own = is_angle && (self.value - farthest).abs() < NEAR;
-        if is_own {
-            return None;
-        }
-        self.value = self.refined(model)?;
-        Some(self)
+/// The residual that counts as a root for numbers `T`, as a change of the first drive; a few of
+/// them act together.
+fn tolerated<T: Real, L: Suspension<N>, const N: usize>(model: &L, motion: &Motion<f64, N>) -> f64 {
+    const FEW: f64 = 4.0;
+    let size = model.size();
+    let epsilon: f64 = T::EPSILON.to_subset_unchecked();
+    let tolerance: f64 = Newton::<f64>::near_by().tolerance;
+    let residual = FEW * tolerance * epsilon * size.max(motion.position.amax());
+    match L::DRIVE_KINDS.first() {
+        Some(DriveKind::Angle) => residual / size,
+        _ => residual,
     }
+}
 
-    /// Where the drive locks on its way to `farthest`, to about 12 digits.
-    fn lock<L: Suspension<N>>(&self, model: &L, farthest: f64) -> Option<f64> {
-        if self.speed == 0.0 {
-            return None;
-        }
-        let started = (self.values[0] - farthest) / self.speed;
-        let mut motion = self.origin;
-        let drives = self.drives(farthest);
-        follow(model, &drives, [started, started], &mut motion).ok()?;
-        let stopped = follow(model, &drives, [started, 0.0], &mut motion).err()?;
-        Some(farthest + self.speed * stopped.reached)
-    }
-
-    /// The same to all digits: `x = qdot speed / (2 qddot)` up to `sqrt(x)` of itself, in the
-    /// notation of [`separation`](Self::separation).
-    fn refined<L: Suspension<N>>(&self, model: &L) -> Option<f64> {
-        const BEFORE: f64 = 1e-10;
-        let end = self.before(BEFORE);
-        let motion = self.motion_at(model, end)?;
-        let fastest = motion.acceleration.iamax();
-        let (rate, second) = (motion.velocity[fastest], motion.acceleration[fastest]);
-        Some(end + self.speed * rate / (2.0 * second))
+/// The unit of distances along the first drive, and what it is in the unit of the motion.
+pub fn unit_of_first_drive<L: Suspension<N>, const N: usize>(metre: f64) -> (&'static str, f64) {
+    match L::DRIVE_KINDS.first() {
+        Some(DriveKind::Angle) => ("rad", 1.0),
+        _ => ("m", metre),
     }
 }

@@ -83,11 +83,16 @@ fn columns(study: &dyn Study) -> Vec<ColumnOfText> {
         .iter()
         .skip(1)
         .take_while(|name| !name.ends_with("_x"));
-    columns.extend(drives.map(|name| match name.rsplit_once('_') {
-        Some((drive, "rad")) => column(format!("{drive} (deg)"), name.clone(), degrees, 3),
-        Some((drive, unit)) => column(format!("{drive} ({unit})"), name.clone(), 1.0, digits),
+    let quantity = |name: &String| match name.rsplit_once('_') {
+        Some((name_alone, "rad")) => {
+            column(format!("{name_alone} (deg)"), name.clone(), degrees, 3)
+        }
+        Some((name_alone, unit)) => {
+            column(format!("{name_alone} ({unit})"), name.clone(), 1.0, digits)
+        }
         None => column(name.clone(), name.clone(), 1.0, digits),
-    }));
+    };
+    columns.extend(drives.map(quantity));
     for axis in ["x", "y", "z"] {
         let heading = format!("centre {axis} ({})", unit.symbol());
         columns.push(column(heading, format!("{centre}_{axis}"), 1.0, digits));
@@ -96,5 +101,6 @@ fn columns(study: &dyn Study) -> Vec<ColumnOfText> {
         let heading = format!("{angle} (deg)");
         columns.push(column(heading, format!("{angle}_rad"), degrees, 3));
     }
+    columns.extend(study.measures().iter().map(quantity));
     columns
 }

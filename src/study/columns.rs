@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
-use suspension_core::{Advanced, HasKingpin, HasWheel, Inputs, Motion, Named, Still};
+use suspension_core::{Advanced, HasKingpin, HasWheel, Inputs, MeasureKind, Motion, Named, Still};
 
 use crate::input::drives::unit_of;
 use crate::input::file::Unit;
@@ -45,10 +45,9 @@ impl PointNames {
 /// velocities in rad/s, angular accelerations in rad/s^2.
 pub fn names<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
     let points = PointNames::of::<L, N>();
-    let unit = |kind| unit_of(kind, unit);
     let drives = <L::Drives as Named<f64>>::NAMES.iter().zip(L::DRIVE_KINDS);
     let mut columns = vec!["t_s".to_owned()];
-    columns.extend(drives.map(|(name, kind)| format!("{name}_{}", unit(*kind))));
+    columns.extend(drives.map(|(name, kind)| format!("{name}_{}", unit_of(*kind, unit))));
     for kind in ["", "v", "a"] {
         columns.extend(points.free.iter().flat_map(|name| triple(name, kind)));
     }
@@ -58,10 +57,23 @@ pub fn names<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
     }
     let scalars = ["kingpin_rad", "caster_rad", "camber_rad", "toe_rad"];
     columns.extend(scalars.map(String::from));
+    columns.extend(measures::<L, N>(unit));
     columns.push("iterations".to_owned());
-    let length = unit(suspension_core::DriveKind::Coordinate);
-    columns.push(format!("residual_{length}"));
+    columns.push(format!("residual_{}", unit.symbol()));
     columns
+}
+
+/// The columns of what the linkage measures.
+pub fn measures<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
+    let names = <L::Measures as Named<f64>>::NAMES.iter();
+    let measures = names.zip(L::MEASURE_KINDS).map(|(name, kind)| {
+        let unit = match kind {
+            MeasureKind::Length => unit.symbol(),
+            MeasureKind::Angle => "rad",
+        };
+        format!("{name}_{unit}")
+    });
+    measures.collect()
 }
 
 fn triple(name: &str, kind: &str) -> [String; 3] {
@@ -106,6 +118,7 @@ pub fn row<L: Suspension<N>, const N: usize>(
     let wheel = Wheel::of(&points.value);
     let [camber, toe] = wheel.map_or([f64::NAN; 2], |wheel| [wheel.camber, wheel.toe]);
     row.extend([kingpin.angle, kingpin.caster, camber, toe]);
+    row.extend(L::measures(&points).value.values());
     row.extend([advanced.iterations as f64, advanced.last.residual]);
     row
 }

@@ -4,7 +4,7 @@
 //! ([`constraint`](crate::constraint)). Let `A` be any matrix, and in the maximum norm
 //!
 //! ```text
-//! |A F(q)| <= Y        |I - A J(q)| <= Z < 1        |A C(v, w)| <= K |v| |w|        2 K Y < (1 - Z)^2
+//! |A F(q)| <= Y     |I - A J(q)| <= Z < 1     |A C(v, w)| <= K |v| |w|     2 K Y < (1 - Z)^2
 //! ```
 //!
 //! Then `T(x) = x - A F(x)` maps the ball of each radius `r` about `q` with
@@ -17,15 +17,16 @@
 //! radius = 2 Y / ((1 - Z) (2 - h))        unique_within = 2 (1 - Z) / K - radius
 //! ```
 //!
-//! meet both; there also `|I - A J| < 1`, so that the root is a regular one. This is the theorem of Newton
-//! and Kantorovich (Ortega 1968, Amer. Math. Monthly 75; Deuflhard 2011, Newton Methods for
-//! Nonlinear Problems, section 2.1) in the form of radii polynomials (Day, Lessard and Mischaikow 2007,
-//! SIAM J. Numer. Anal. 45) for quadratic equations, where it has an elementary proof.
+//! meet both; there also `|I - A J| < 1`, so that the root is a regular one. This is the theorem of
+//! Newton and Kantorovich (Ortega 1968, Amer. Math. Monthly 75; Deuflhard 2011, Newton Methods for
+//! Nonlinear Problems, section 2.1) in the form of radii polynomials (Day, Lessard and Mischaikow
+//! 2007, SIAM J. Numer. Anal. 45), for quadratic equations, where its proof is elementary.
 //!
-//! `F`, `J` and `C` are evaluated with [`Enclosed`] numbers and the bounds are rounded upwards: it is a proof
-//! in spite of rounding, and a wrong `A` makes it fail, not false. It is about the equations with lengths,
-//! constants of bodies, chassis points and drives exactly as they are stored, of driving angles with the
-//! true cosine; what [`RigidMotion`](crate::RigidMotion) rounds in the chassis points comes before.
+//! `F`, `J` and `C` are evaluated with [`Enclosed`] numbers and the bounds are rounded upwards: it is
+//! a proof in spite of rounding, and a wrong `A` makes it fail, not false. It is about the equations
+//! with lengths, constants of bodies, chassis points and drives exactly as they are stored, and of
+//! driving angles with the true cosine; what [`RigidMotion`](crate::RigidMotion) rounds in the
+//! chassis points comes before.
 
 use nalgebra::SVector;
 
@@ -111,8 +112,8 @@ where
         }
     }
 
-    /// Proves that a root for `inputs`, of which the rates do not matter, lies near `q`, or says why
-    /// not. Takes about as long as a few steps.
+    /// Proves that a root for `inputs`, of which the rates do not matter, lies near `q`, or says
+    /// why not. Takes about as long as four steps to tolerance.
     pub fn certify<C>(&self, inputs: &Inputs<C, L::Drives>, q: &SVector<T, N>) -> Certificate<T>
     where
         C: ChassisMotion<L::Fixed>,

@@ -52,6 +52,16 @@ pub enum SolveError<T> {
         /// What it had to stay within.
         bound: T,
     },
+    /// `change > bound`: over the step the Jacobian changes so much that singularities may lie
+    /// between, an even number of them too.
+    TooFar {
+        /// The unknown with the largest change.
+        unknown: usize,
+        /// Its size, in units of length.
+        change: T,
+        /// What it had to stay within: the size of the step.
+        bound: T,
+    },
     /// `step > bound`, both in the unit of time: the series of the motion, of which this unknown has
     /// the largest last term, is not good for so long a step.
     StepTooLong {
@@ -96,6 +106,7 @@ impl<T> SolveError<T> {
             | Self::CrossedSingularity { unknown }
             | Self::Singular { unknown, .. }
             | Self::Diverging { unknown, .. }
+            | Self::TooFar { unknown, .. }
             | Self::StepTooLong { unknown, .. }
             | Self::TurningPoint { unknown, .. } => (unknowns, unknown),
             Self::Mirrored { point } => return point,
@@ -139,6 +150,14 @@ impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
             } => write!(
                 f,
                 "no root near by: the correction of unknown {unknown} grew to {step:.1e}, allowed {bound:.1e}"
+            ),
+            Self::TooFar {
+                unknown,
+                change,
+                bound,
+            } => write!(
+                f,
+                "the step is too long to tell assemblies apart: the Jacobian changes it by {change:.1e} at unknown {unknown}, allowed {bound:.1e}"
             ),
             Self::StepTooLong {
                 unknown,

@@ -4,7 +4,7 @@
 //! list at compile time into straight-line, stack-only code (an implementation of [`Linkage`]);
 //! this crate runs Newton's method on it ([`Newton`]), takes velocities and accelerations from
 //! one factorisation ([`Tangent`]), follows a motion in time to a tolerance ([`Tracker`]), at a fixed
-//! cost ([`Bounded`]) or by its Taylor series ([`Series`]), looks up a motion that was baked
+//! cost ([`Bounded`]), through the turning points of its drives ([`path`]) or by its Taylor series ([`Series`]), looks up a motion that was baked
 //! ([`baked`]), and reads off the wheel what engineers want to know ([`wheel`]).
 #![no_std]
 #![forbid(unsafe_code)]

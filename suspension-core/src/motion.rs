@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use crate::entrywise::sum;
 use crate::error::SolveError;
-use crate::factored::{Factored, smallest_pivot, with_factors};
+use crate::factored::Factored;
 use crate::linkage::{Factors, Linkage};
 use crate::magnitude::magnitude;
 use crate::scalar::{Real, Scalar};
@@ -240,27 +240,6 @@ where
     } else {
         terms
     }
-}
-
-/// The motion at a position that solves the linkage.
-#[inline(always)]
-pub(crate) fn motion_at<T, L, C, const N: usize>(
-    linkage: &L,
-    prescribed: &Prescribed<L::Fixed, L::Drives>,
-    position: &SVector<T, N>,
-) -> Result<Motion<T, N>, SolveError<T>>
-where
-    T: Real,
-    L: Linkage<N, Scalar = T>,
-    C: ChassisMotion<L::Fixed>,
-{
-    with_factors(
-        linkage,
-        position,
-        &prescribed.fixed.value,
-        smallest_pivot(),
-        |factors| rates_at::<T, L, C, N>(linkage, prescribed, position, factors).motion(),
-    )?
 }
 
 /// What velocity and acceleration at a position are computed from.

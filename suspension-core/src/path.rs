@@ -38,7 +38,7 @@ use crate::tracker::CORRECTION_OF_MOVE;
 
 pub use configuration::Configuration;
 pub use curve::Curve;
-pub use lead::{Leader, LedStep};
+pub use lead::{Leader, LedStep, measured};
 pub use led::Led;
 use linear::Linear;
 pub use place::{End, Place, Stretch, Turning};

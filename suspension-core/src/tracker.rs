@@ -1,6 +1,7 @@
 //! Following a motion in time: last good motion in, next motion out.
 
 mod between;
+mod guard;
 
 use core::fmt;
 
@@ -8,17 +9,18 @@ use nalgebra::SVector;
 
 use crate::entrywise::difference;
 use crate::error::SolveError;
-use crate::factored::is_healthy;
+use crate::factored::{is_healthy, smallest_pivot, with_factors};
 use crate::handedness::{self, count_mirrored, is_right};
 use crate::linkage::{Factors, Linkage};
 use crate::magnitude::{index_of_largest, largest, magnitude};
-use crate::motion::{Motion, Prescribed, motion_at, rates_at};
+use crate::motion::{Motion, Prescribed, rates_at};
 use crate::newton::{Converged, Newton};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 use crate::substeps::in_steps;
 
 pub use between::{Between, Cubic};
+use guard::Crossing;
 
 /// See [`Tracker::correction_of_move`].
 pub(crate) const CORRECTION_OF_MOVE: f64 = 0.1;
@@ -39,6 +41,9 @@ pub struct Tracker<T> {
     /// The correction that is allowed in any case, as a part of the linkage's size: for drives
     /// that jump, and for the first step from rest.
     pub correction_of_size: T,
+    /// The largest change of the Jacobian over a step, applied to the step itself and solved for:
+    /// a part of the step. With more, singularities may lie between, an even number too.
+    pub change_of_jacobian: T,
 }
 
 /// Where and why an advance ended early. The motion is that of the last good step.
@@ -81,6 +86,7 @@ impl<T: Real> Default for Tracker<T> {
             max_steps: 200,
             correction_of_move: T::constant(CORRECTION_OF_MOVE),
             correction_of_size: T::constant(CORRECTION_OF_SIZE),
+            change_of_jacobian: T::constant(guard::CHANGE_OF_JACOBIAN),
         }
     }
 }
@@ -139,7 +145,9 @@ impl<T: Real> Tracker<T> {
         let (residual, error) = (magnitude(&left).ok()?, magnitude(&error).ok()?);
         let rounding = self.newton.rounding_at(linkage, &position);
         let tolerance = self.newton.tolerance * rounding;
-        let bound = self.correction_bound(linkage, &difference(&predicted, &motion.position));
+        let [moves] = difference(&predicted, &motion.position).data.0;
+        let moved = largest(moves);
+        let bound = self.correction_bound(moved, linkage.size());
         let [second] = second.data.0;
         let contracts = self.newton.contraction.is_none_or(|contraction| {
             largest(second) <= (contraction * error).max(rounding * T::constant(1024.0))
@@ -149,6 +157,7 @@ impl<T: Real> Tracker<T> {
             || motion.positive_determinant == next.positive_determinant;
         let is_good = residual <= tolerance
             && error <= bound
+            && guard::is_beyond_doubt(error, moved, linkage.size())
             && contracts
             && is_same_assembly
             && is_right(count_mirrored(linkage, &position, &fixed.value))
@@ -180,37 +189,44 @@ impl<T: Real> Tracker<T> {
         C: ChassisMotion<L::Fixed>,
     {
         let mut position = motion.predict(dt);
-        let bound = self.correction_bound(linkage, &(position - motion.position));
+        let [moves] = (position - motion.position).data.0;
+        let bound = self.correction_bound(largest(moves), linkage.size());
         let converged =
             self.newton
                 .solve_prescribed(linkage, prescribed, &mut position, Some(bound))?;
         handedness::check(linkage, &position, &prescribed.fixed.value)?;
-        let next = motion_at::<T, L, C, N>(linkage, prescribed, &position)?;
+        let moves = &(position - motion.position);
         let before = motion.positive_determinant;
-        if before.is_some() && before != next.positive_determinant {
-            let unknown = index_of_largest(&(position - motion.position));
-            return Err(SolveError::CrossedSingularity { unknown });
-        }
-        *motion = next;
+        let fixed = &prescribed.fixed.value;
+        *motion = with_factors(linkage, &position, fixed, smallest_pivot(), |factors| {
+            let next = rates_at::<T, L, C, N>(linkage, prescribed, &position, factors).motion()?;
+            if before.is_some() && before != next.positive_determinant {
+                let unknown = index_of_largest(moves);
+                return Err(SolveError::CrossedSingularity { unknown });
+            }
+            self.guard::<L, C, N>(&Crossing {
+                linkage,
+                prescribed,
+                moves,
+                dt,
+                factors,
+            })?;
+            Ok(next)
+        })??;
         Ok(converged)
     }
 
     /// The largest correction that a step of this move may need.
     #[inline(always)]
-    fn correction_bound<L, const N: usize>(&self, linkage: &L, moves: &SVector<T, N>) -> T
-    where
-        L: Linkage<N, Scalar = T>,
-    {
-        let [moves] = moves.data.0;
-        let moved = largest(moves);
-        (self.correction_of_move * moved).max(self.correction_of_size * linkage.size())
+    fn correction_bound(&self, moved: T, size: T) -> T {
+        (self.correction_of_move * moved).max(self.correction_of_size * size)
     }
 
     /// Follows the motion from time `from` to time `to`, either way, in as few steps as the
     /// bounds on corrections allow: a refused step is halved, a good one doubled.
     ///
-    /// A step into another assembly is refused where the determinant of the Jacobian tells it:
-    /// where an odd number of singularities lies between.
+    /// A step into another assembly is refused: where an odd number of singularities lies between the
+    /// determinant of the Jacobian tells it, else its change over the step.
     ///
     /// # Errors
     ///

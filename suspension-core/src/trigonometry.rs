@@ -32,10 +32,10 @@ const COSINE: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
-/// How far [`sine_cosine`] is from sine and cosine of [`LARGEST_ANGLE`] or less if all its operations
-/// are exact: the polynomials by `2^-58` (fdlibm), the stored third and sixth by `2^-53`, the parts
-/// of a quarter turn by `2^-80`; together below `2^-52`. Any whole number of quarter turns that
-/// leaves a rest within an eighth of a turn gives the same.
+/// How far [`sine_cosine`] is from sine and cosine of [`LARGEST_ANGLE`] or less if all its
+/// operations are exact: the polynomials by `2^-58` (fdlibm), the stored third and sixth by `2^-53`,
+/// the parts of a quarter turn by `2^-80`; together below `2^-52`. Any whole number of quarter turns
+/// that leaves a rest within an eighth of a turn gives the same.
 pub(crate) const FORMULA_ERROR: f64 = f64::EPSILON;
 
 /// A thousand turns, in radians: what the bounds below hold for.

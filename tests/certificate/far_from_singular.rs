@@ -15,7 +15,8 @@ use super::random::{sum_of_cases, uniform};
 use super::refine::Refiner;
 use crate::support;
 
-/// The largest radius and the least distance of another root over the published motion, in steps of a millisecond.
+/// The largest radius and the least distance of another root over the published motion, in steps of
+/// a millisecond.
 fn over_the_motion<T: Real, L>(
     model: &L,
     rough: &L::Points,

@@ -115,7 +115,7 @@ fn an_interrupt_keeps_what_is_counted() {
         let folder = folder();
         std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
         let child = command(folder.path())
-            .args(["failures", "a.toml", "--starts", "3000"])
+            .args(["failures", "a.toml", "--starts", "300"])
             .stderr(Stdio::piped())
             .spawn()
             .expect("the program runs");

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::program::{edited, example, folder, run, text};
+use super::program::{edited, example, folder, rows, run, text};
 
 /// The message with which a file is refused.
 fn refused(folder: &Path, file: &str) -> String {
@@ -98,4 +98,55 @@ fn other_systems_text() {
     let wrong = crlf.replace("unit = \"mm\"", "unit = \"ft\"");
     let message = refused_content(format!("\u{feff}{wrong}"));
     assert!(message.starts_with("bad.toml:4:8: "), "{message}");
+}
+
+/// The same mechanism a thousand kilometres away: the same motion, positions moved as far.
+#[test]
+fn far_from_the_origin() {
+    const AWAY: [f64; 3] = [1e6, -2e6, 5e5];
+    let folder = folder();
+    let home = example("attia2003.toml");
+    let away: Vec<String> = home.lines().map(|line| moved(line, AWAY)).collect();
+    std::fs::write(folder.path().join("home.toml"), &home).expect("written");
+    std::fs::write(folder.path().join("away.toml"), away.join("\n")).expect("written");
+    let [home, away] = ["home.toml", "away.toml"].map(|name| {
+        let output = run(folder.path(), &["motion", name, "--csv", "-"]);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        rows(&output.stdout)
+    });
+    assert_eq!(home.len(), away.len());
+    for (home, away) in home.iter().zip(&away) {
+        for (name, value) in home.iter().filter(|(name, _)| *name != "iterations") {
+            let axis = ["_x", "_y", "_z"]
+                .iter()
+                .position(|axis| name.ends_with(axis));
+            let turning = name.starts_with("omega") || name.starts_with("alpha");
+            let moved = axis.filter(|_| !turning).map_or(0.0, |axis| AWAY[axis]);
+            // What is left of coordinates of this size, in what is put in and in what comes out.
+            let size = if moved == 0.0 { 1e-7 } else { 1e-9 };
+            assert!(
+                (away[name] - moved - value).abs() <= size * value.abs().max(1.0),
+                "{name}"
+            );
+        }
+        assert!(away["residual_m"] < 1e-14);
+    }
+}
+
+/// A line of the file with a point's coordinates moved.
+fn moved(line: &str, by: [f64; 3]) -> String {
+    match line.split_once(" = [") {
+        Some((name, list)) if name.starts_with('p') => {
+            let (list, rest) = list.split_once(']').expect("a list");
+            let numbers: Vec<String> = list
+                .split(',')
+                .zip(by)
+                .map(|(number, by)| {
+                    (number.trim().parse::<f64>().expect("a number") + by).to_string()
+                })
+                .collect();
+            format!("{name} = [{}]{rest}", numbers.join(", "))
+        }
+        _ => line.to_owned(),
+    }
 }

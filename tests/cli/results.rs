@@ -74,6 +74,25 @@ fn the_reference_columns_come_first_and_in_its_order() {
 }
 
 #[test]
+fn what_the_linkage_measures_is_in_the_table_and_in_the_summary() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+    let table = text(&output.stdout);
+    let mut lines = table
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().expect("a header");
+    let column = |name| header.iter().position(|column| *column == name);
+    let [height, centre] = ["height_m", "p11_z"].map(|name| column(name).expect("a column"));
+    for row in lines {
+        assert_eq!(row[height], row[centre]);
+    }
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert!(text(&output.stdout).contains("height (m)"));
+}
+
+#[test]
 fn a_dash_puts_nothing_but_the_table_on_standard_output() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");

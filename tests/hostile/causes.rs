@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 use suspension_core::linkage::Named;
 use suspension_core::linkages::five_link::{Lengths, Model, Points, equation};
 use suspension_core::{
-    Bounded, Build, ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Linkage, Motion,
-    Newton, Real, SeriesTracker, Signal, SolveError, Tangent, Tracker, assemble,
+    Bounded, Build, Certifier, ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Linkage,
+    Motion, Newton, Real, SeriesTracker, Signal, SolveError, Tangent, Tracker, assemble,
 };
 
 use super::verdict::{demand_same, demand_untouched};
@@ -200,4 +200,26 @@ fn a_position_that_is_none_has_neither_rates_nor_series() {
         .expect_err("no step");
     assert!(matches!(error, SolveError::NotFinite { .. }), "{error}");
     demand_untouched(&start, &motion);
+}
+
+#[test]
+fn nothing_is_proved_of_numbers_that_are_none() {
+    let model = five_link_model::<f64>();
+    let certifier = Certifier::new(&model);
+    let start = motions(&model, &five_link_rough(), five_link_inputs)[4];
+    let inputs = five_link_inputs(1.0);
+    assert!(certifier.certify(&inputs, &start.position).is_proved());
+    for bad in NONE.into_iter().chain([1e300, 1e160]) {
+        for unknown in 0..15 {
+            let mut q = start.position;
+            q[unknown] = bad;
+            assert!(!certifier.certify(&inputs, &q).is_proved(), "{bad}");
+        }
+        let mut inputs = inputs;
+        inputs.drives.value.theta = bad;
+        assert!(
+            !certifier.certify(&inputs, &start.position).is_proved(),
+            "{bad}"
+        );
+    }
 }

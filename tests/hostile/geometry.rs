@@ -1,13 +1,14 @@
 //! Points that coincide, lie in line or in a plane.
 
 use nalgebra::Vector3;
+use suspension_core::linkages::attia2003;
 use suspension_core::linkages::five_link::{Drives, Model, Points};
 use suspension_core::{
     Build, GeometryError, Inputs, Linkage, Motion, Newton, Real, Signal, Tracker, assemble,
 };
 
 use super::verdict::{demand_root, rounding};
-use crate::support::five_link_rough;
+use crate::support::{attia_rough, five_link_rough};
 
 fn refused(change: fn(&mut Points<f64>)) -> GeometryError {
     let mut design = five_link_rough();
@@ -47,19 +48,42 @@ fn a_ball_joint_that_two_links_share() {
     drives::<f64>(|points| points.track_rod_outer = points.lower_front_outer);
 }
 
-/// All points of the knuckle in the plane of the first three.
+/// The foot of the perpendicular from a point to the plane of three.
+fn flattened<T: Real>(point: Vector3<T>, [a, b, c]: [Vector3<T>; 3]) -> Vector3<T> {
+    let normal = (b - a).cross(&(c - a)).normalize();
+    point - normal * normal.dot(&(point - a))
+}
+
+/// All points of the knuckle in the plane of the first three: nine distances are singular there.
+#[test]
+fn a_flat_knuckle_of_distances() {
+    let rough = attia_rough::<f64>();
+    let plane = [rough.p6, rough.p7, rough.p8];
+    for name in ["p9", "p10"] {
+        let mut design = rough;
+        let point = if name == "p9" {
+            &mut design.p9
+        } else {
+            &mut design.p10
+        };
+        *point = flattened(*point, plane);
+        let error = attia2003::Model::new(&design).expect_err("no linkage");
+        assert_eq!(error, GeometryError::Flat { point: name });
+        assert!(error.to_string().contains("state these points as a `body`"));
+    }
+}
+
+/// The same as a body: nothing is special there.
 #[test]
 fn a_flat_knuckle() {
     fn flatten<T: Real>(points: &mut Points<T>) {
-        let origin = points.lower_front_outer;
-        let (u, v) = (
-            points.upper_front_outer - origin,
-            points.upper_rear_outer - origin,
-        );
-        let normal: Vector3<T> = u.cross(&v).normalize();
-        for point in [&mut points.lower_rear_outer, &mut points.track_rod_outer] {
-            *point -= normal * normal.dot(&(*point - origin));
-        }
+        let plane = [
+            points.lower_front_outer,
+            points.upper_front_outer,
+            points.upper_rear_outer,
+        ];
+        points.lower_rear_outer = flattened(points.lower_rear_outer, plane);
+        points.track_rod_outer = flattened(points.track_rod_outer, plane);
     }
     drives::<f64>(flatten);
     drives::<f32>(flatten);

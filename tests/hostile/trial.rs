@@ -153,6 +153,7 @@ where
                 GeometryError::BadLength { length } => (L::Lengths::NAMES, length),
                 GeometryError::NotFinite { point }
                 | GeometryError::Collinear { point }
+                | GeometryError::Flat { point }
                 | GeometryError::NotClosed { point } => (L::Points::NAMES, point),
             };
             assert!(names.contains(&name), "{error:?}");

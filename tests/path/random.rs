@@ -100,7 +100,7 @@ fn next<T: Real, L: Linkage<15, Scalar = T>>(
     path: &mut Path<'_, L, 15>,
 ) -> Result<Option<Step<T>>, TestCaseError> {
     let step = path.next().transpose();
-    step.map_err(|error| TestCaseError::fail(error.to_string()))
+    step.map_err(|error| TestCaseError::fail(format!("{error:?}")))
 }
 
 static FOLLOWED: AtomicUsize = AtomicUsize::new(0);

@@ -172,3 +172,88 @@ fn upper<T: Real, const N: usize>(sums: [T; N]) -> Result<T, SolveError<T>> {
         magnitude(&SVector::from(sums)).map_err(|unknown| SolveError::Overflow { unknown })?;
     Ok(largest * (T::one() + rounding::<T, N>()) + T::SMALLEST)
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector};
+
+    use super::super::verdict::{Certificate, Unproved, judge};
+    use super::{Bounds, Enclosed};
+    use crate::linkage::Factors;
+
+    /// Solves `J x = b` by `x = share b`, right for the identity and a share of 1.
+    struct Share(f64);
+
+    impl Factors<f64, 2> for Share {
+        fn solve(&self, right: &SVector<f64, 2>) -> SVector<f64, 2> {
+            right * self.0
+        }
+        fn solve_drives(&self, right: &SVector<f64, 2>) -> SVector<f64, 2> {
+            self.solve(right)
+        }
+        fn solve_transposed(&self, right: &SVector<f64, 2>) -> SVector<f64, 2> {
+            self.solve(right)
+        }
+        fn determinant_sign(&self) -> f64 {
+            1.0
+        }
+        fn growth_squared(&self) -> f64 {
+            2.0
+        }
+    }
+
+    /// Of `F = (0.01, 0)`, `J = I` and `C` up to 3.
+    fn certificate(share: f64) -> Certificate<f64> {
+        let residual = SVector::from([0.01, 0.0].map(Enclosed::exact));
+        let jacobian = SMatrix::<f64, 2, 2>::identity().map(Enclosed::exact);
+        let bounds = Bounds::new(&residual, &jacobian, &[3.0, 2.0], &Share(share));
+        judge(&bounds.expect("finite"))
+    }
+
+    /// What the bounds allow for rounding of two equations, several times over.
+    const ROUNDING: f64 = 1e-13;
+
+    #[test]
+    fn an_inverse_that_is_none_widens_the_proof() {
+        // The inverse itself: Y = 0.01, Z = 0, K = 3, h = 0.06.
+        let Certificate::Proved {
+            radius,
+            unique_within,
+        } = certificate(1.0)
+        else {
+            panic!("2 K Y < 1")
+        };
+        assert!((radius - 0.02 / 1.94).abs() < ROUNDING && radius >= 0.02 / 1.94);
+        assert!((unique_within - (2.0 / 3.0 - radius)).abs() < ROUNDING);
+        // A quarter too small: Y = 0.0075, Z = 0.25, K = 2.25, h = 0.06.
+        let Certificate::Proved {
+            radius,
+            unique_within,
+        } = certificate(0.75)
+        else {
+            panic!("2 K Y < (1 - Z)^2")
+        };
+        assert!((radius - 0.015 / (0.75 * 1.94)).abs() < ROUNDING);
+        assert!((unique_within - (1.5 / 2.25 - radius)).abs() < ROUNDING);
+    }
+
+    #[test]
+    fn no_inverse_proves_nothing() {
+        for share in [0.0, 2.0, -1.0] {
+            let Certificate::Unproved {
+                why: Unproved::NearSingular { defect },
+            } = certificate(share)
+            else {
+                panic!("{share} times the identity proves something");
+            };
+            assert!(defect >= 1.0);
+        }
+        // Z = 0.97: 2 K Y = 2 * 5.91 * 0.0197 is not below 0.03^2.
+        assert!(matches!(
+            certificate(1.97),
+            Certificate::Unproved {
+                why: Unproved::TooFar { .. }
+            }
+        ));
+    }
+}

@@ -6,15 +6,15 @@ use num_traits::{One, Zero};
 
 use crate::scalar::{Real, Scalar};
 
-/// All numbers within `radius` of `value`: of whatever numbers within two enclosures, sum, difference,
-/// product and quotient lie within that of the enclosures.
+/// All numbers within `radius` of `value`: of whatever numbers within two enclosures, sum,
+/// difference, product and quotient lie within that of the enclosures.
 ///
 /// Rests on IEEE arithmetic that rounds to nearest, with gradual underflow: of a result `x` rounding
-/// takes no more than `EPSILON |x| / 2`, or half the smallest subnormal number where a product or a
-/// quotient underflows. Of the result of `EPSILON |x| + SMALLEST` half goes to that; the radius, itself
-/// the result of a dozen operations at most on positive numbers, is enlarged by `8 EPSILON`, and
-/// `SMALLEST` (`2^52` times the smallest subnormal number in `f64`) covers what underflows in these. A
-/// value that is not finite has a radius that is not.
+/// takes no more than `EPSILON |x| / 2`, and half the smallest subnormal number where a product or
+/// a quotient underflows. The radius has twice that, and is itself the result of a dozen operations
+/// at most on positive numbers, for which it is enlarged by `8 EPSILON`; `SMALLEST`, which is
+/// `1 / EPSILON` times the smallest subnormal number, covers what underflows in these. A result that
+/// is not finite has a radius that is not.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Enclosed<T> {
     value: T,
@@ -118,8 +118,8 @@ impl<T: Real> Div for Enclosed<T> {
     type Output = Self;
     /// Where zero is within the divisor the radius is infinite.
     ///
-    /// `a'/b' - a/b = ((a' - a) - a/b (b' - b)) / b'`, with `SMALLEST` for what underflows before the
-    /// division by a small `b'`.
+    /// `a'/b' - a/b = ((a' - a) - a/b (b' - b)) / b'`, with `SMALLEST` for what underflows before
+    /// the division by a small `b'`.
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
@@ -191,8 +191,8 @@ impl<T: Real> Scalar for Enclosed<T> {
     }
 
     /// The whole number nearest to the middle, exactly. Where it is asked for
-    /// ([`sine_cosine`](crate::trigonometry::sine_cosine)) any whole number near by will do, as long
-    /// as it is one.
+    /// ([`sine_cosine`](crate::trigonometry::sine_cosine)) any whole number near by will do, as
+    /// long as it is one.
     #[inline(always)]
     fn nearest_integer(self) -> Self {
         Self::exact(self.value.nearest_integer())

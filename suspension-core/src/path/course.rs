@@ -48,7 +48,8 @@ where
         };
         let slope = self.slope(&position, &linear.tangent);
         let unknown = index_of_largest(&linear.tangent.unknowns);
-        if !(slope.abs() > smallest_pivot::<T>() * linear.tangent.norm()) {
+        let is_steep = slope.abs() > smallest_pivot::<T>() * linear.tangent.norm();
+        if !is_steep {
             return Err(SolveError::TurningPoint {
                 unknown,
                 asked: self.target.value,

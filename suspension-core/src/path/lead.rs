@@ -11,7 +11,7 @@
 //! in the velocities, and its second rate in the accelerations.
 
 use crate::error::SolveError;
-use crate::linkage::Linkage;
+use crate::linkage::{Linkage, Named};
 use crate::newton::{Converged, Newton};
 use crate::path::course::Course;
 use crate::path::curve::Curve;
@@ -20,6 +20,21 @@ use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::substeps::in_steps;
 use crate::tracker::{Advanced, CORRECTION_OF_MOVE, CORRECTION_OF_SIZE, Stopped};
+
+/// The measure of the listing with this index, as a quantity that leads: chosen at run time among
+/// [`Linkage::Measures`]. `None` where there is none.
+pub fn measured<T, L, const N: usize>(
+    index: usize,
+) -> Option<impl Fn(&Signal<L::Points>) -> Signal<T> + Copy>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let exists = index < <L::Measures as Named<T>>::NAMES.len();
+    exists.then_some(move |points: &Signal<L::Points>| {
+        L::measures(points).map(|measures| measures.values().nth(index).unwrap_or_default())
+    })
+}
 
 /// How to follow a motion that a quantity leads.
 #[derive(Clone, Copy, Debug, PartialEq)]

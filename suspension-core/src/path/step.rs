@@ -140,8 +140,9 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
     /// sides of it are not neighbours: then one of them is on another curve.
     fn bifurcation(&self, arc: &Arc<T, N, ORDER>, distance: T) -> Option<(T, Place<T, N>, End<T>)> {
         let size = self.curve.linkage.size();
-        // Nearer, rounding moves the place across as far as along.
-        let accuracy = T::EPSILON.cbrt() * size;
+        // At a distance d, rounding turns the tangent by EPSILON / d^2: nearer, it is none.
+        let root = T::EPSILON.sqrt().sqrt().sqrt();
+        let accuracy = root * root * root * size;
         let [mut low, mut high] = [T::zero(), distance];
         let [mut before, mut after] = [self.here, self.here];
         for _ in 0..HALVINGS {

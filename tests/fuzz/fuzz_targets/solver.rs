@@ -9,6 +9,7 @@ mod draw;
 #[path = "../../hostile/mechanisms.rs"]
 mod mechanisms;
 #[path = "../../hostile/trial.rs"]
+#[allow(dead_code, reason = "the tests count and hurry")]
 mod trial;
 #[path = "../../hostile/verdict.rs"]
 mod verdict;
