@@ -78,3 +78,54 @@ pub fn stand_in<V>(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(leading: &str) -> Result<Option<StandIn>, String> {
+        let source = Source::new("a.toml", leading);
+        let table: Table<f64> = toml::from_str(leading).expect("a table");
+        let (drives, measures) = (["bump", "steer"], ["height", "spring"]);
+        stand_in(&source, &table, &drives, &measures).map_err(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn one_measure_stands_in_for_the_drive_that_is_left_out() {
+        assert_eq!(told("bump = 1\nsteer = 2"), Ok(None));
+        let found = told("spring = 1\nbump = 2").expect("good").expect("led");
+        assert_eq!((found.measure, found.drive), (1, 1));
+        assert_eq!(
+            (found.key.get_ref().as_str(), found.key.span()),
+            ("spring", 0..6)
+        );
+    }
+
+    #[test]
+    fn any_other_set_of_names_is_refused_at_its_place() {
+        let cases = [
+            ("", "a.toml:1:1: drive `bump` is missing"),
+            ("steer = 1", "a.toml:1:1: drive `bump` is missing"),
+            (
+                "steer = 1\ncamber = 2",
+                "a.toml:2:1: unknown drive `camber`",
+            ),
+            (
+                "height = 1",
+                "a.toml:1:1: drive `steer` is missing; measure `height` stands in",
+            ),
+            (
+                "bump = 1\nsteer = 1\nspring = 1",
+                "a.toml:3:1: measure `spring` can lead only in",
+            ),
+            (
+                "steer = 1\nspring = 1\nheight = 1",
+                "a.toml:3:1: measure `height` cannot lead beside",
+            ),
+        ];
+        for (leading, expected) in cases {
+            let message = told(leading).expect_err(leading);
+            assert!(message.starts_with(expected), "{expected}: {message}");
+        }
+    }
+}
