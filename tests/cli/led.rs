@@ -203,7 +203,12 @@ fn far_from_the_origin_the_height_is_that_of_the_file() {
     let far: Vec<String> = near.lines().map(raised).collect();
     write(folder.path(), "near.toml", &near);
     write(folder.path(), "far.toml", &far.join("\n"));
-    let [near, far] = ["near.toml", "far.toml"].map(|name| table(folder.path(), &["motion", name]));
+    let tables =
+        |command| ["near.toml", "far.toml"].map(|name| table(folder.path(), &[command, name]));
+    let [near, far] = tables("range");
+    let off = far[0]["wheel_centre_z"] - UP - near[0]["wheel_centre_z"];
+    assert!(off.abs() <= 1e-8, "{off:e}");
+    let [near, far] = tables("motion");
     assert_eq!(near.len(), far.len());
     for (near, far) in near.iter().zip(&far) {
         let rounding = 4.0 * UP * f64::EPSILON;
