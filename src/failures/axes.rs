@@ -168,7 +168,7 @@ where
             let approaches: Vec<Approach<'_, N>> = self
                 .turning_points
                 .iter()
-                .filter(|point| point.is_apart::<T>(distance_here))
+                .filter(|point| point.is_apart::<T, L>(self.truth.model, distance_here))
                 .map(|point| Approach::new(point, distance_here))
                 .collect();
             let within = RIGHT_WITHIN * survey.metre;

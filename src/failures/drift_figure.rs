@@ -11,7 +11,7 @@ use crate::number::rounded;
 /// Width and height of the figure.
 pub const SIZE: (f64, f64) = (800.0, 340.0);
 const LEFT: f64 = 78.0;
-const RIGHT: f64 = SIZE.0 - 210.0;
+const RIGHT: f64 = SIZE.0 - 230.0;
 const TOP: f64 = 40.0;
 const BOTTOM: f64 = SIZE.1 - 56.0;
 

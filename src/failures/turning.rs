@@ -86,12 +86,10 @@ impl<const N: usize> TurningPoint<N> {
         Some(motion)
     }
 
-    /// Whether the drive's values at and before the turning point are different numbers, with
-    /// digits to spare.
-    pub fn is_apart<T: Real>(&self, distance: f64) -> bool {
-        const ULPS: f64 = 8.0;
-        let epsilon: f64 = T::EPSILON.to_subset_unchecked();
-        distance > ULPS * epsilon * self.value.abs()
+    /// Whether a residual that counts as a root for numbers `T` leaves the two configurations that
+    /// meet here apart, where the drive is still `distance` away.
+    pub fn is_apart<T: Real, L: Suspension<N>>(&self, model: &L, distance: f64) -> bool {
+        distance > tolerated::<T, L, N>(model, &self.origin)
     }
 }
 

@@ -158,7 +158,7 @@ fn rough_guesses_lead_to_the_nearest_assembly() {
     let [one, five] =
         [0.01, 0.05].map(|sigma| tally(&links, inputs, &instants, GUESSES / 10, sigma));
     assert_eq!(one.configuration, GUESSES / 10);
-    assert!(five.nearest * 100 >= GUESSES / 10 * 97, "{five:?}");
+    assert!(five.nearest * 100 >= GUESSES / 10 * 99, "{five:?}");
 }
 
 /// Where the mechanism has two assemblies that lie close together the result says so.

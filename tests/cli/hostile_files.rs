@@ -43,8 +43,10 @@ fn files_of_any_size() {
     // Just small enough to be read.
     let long_key = "x".repeat(4_000_000);
     assert!(refused_content(&long_key).starts_with("bad.toml:1:"));
-    assert!(refused_content(edited("p2", &format!("{long_key} = 1"))).contains("unknown point"));
-    let zeros = "0,".repeat(2_000_000);
+    assert!(
+        refused_content(edited("p2", &format!("{long_key} = [0, 0, 1]"))).contains("unknown point")
+    );
+    let zeros = "0,".repeat(200_000);
     let message = refused_content(edited("instants", &format!("instants = [{zeros}]")));
     assert!(message.contains("must run one way"), "{message}");
     let folder = folder();
@@ -67,13 +69,7 @@ fn what_cannot_be_read() {
     let folder = folder();
     std::fs::create_dir(folder.path().join("a_folder")).expect("made");
     std::fs::write(folder.path().join("file"), "").expect("written");
-    for name in [
-        "a_folder",
-        "none.toml",
-        "file/none.toml",
-        "",
-        "\u{1f697}.toml",
-    ] {
+    for name in ["a_folder", "none.toml", "file/none.toml", "\u{1f697}.toml"] {
         assert!(refused(folder.path(), name).contains(": cannot be read: "));
     }
     let output = run(folder.path(), &["motion", "two\nlines"]);
@@ -136,7 +132,7 @@ fn far_from_the_origin() {
 /// A line of the file with a point's coordinates moved.
 fn moved(line: &str, by: [f64; 3]) -> String {
     match line.split_once(" = [") {
-        Some((name, list)) if name.starts_with('p') => {
+        Some((name, list)) if name.starts_with('p') && !name.contains(' ') => {
             let (list, rest) = list.split_once(']').expect("a list");
             let numbers: Vec<String> = list
                 .split(',')

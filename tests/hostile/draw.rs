@@ -60,7 +60,7 @@ impl<'a> Draw<'a> {
     /// Between -1 and 1, or hostile.
     pub(crate) fn number(&mut self) -> f64 {
         let word = (self.words)();
-        if self.one_in > 0 && word % self.one_in == 0 {
+        if self.one_in > 0 && word.is_multiple_of(self.one_in) {
             HOSTILE[(word >> 8) as usize % HOSTILE.len()]
         } else {
             f64::from(word.cast_signed()) / 2_f64.powi(31)

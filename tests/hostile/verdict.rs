@@ -25,8 +25,9 @@ where
     let drives = model.coordinates(&inputs.drives).value;
     let chassis = inputs.chassis.signal(model.fixed()).value;
     let left = model.residual(q, &L::drive_anchors(chassis, &drives), &drives);
-    let sum = left.iter().fold(T::zero(), |sum, r| sum + *r);
-    left.amax() + (sum - sum)
+    // A number that is not finite times zero is NaN, which the largest entry alone would hide.
+    let finite = left.iter().fold(T::zero(), |sum, r| sum + *r * T::zero());
+    left.amax() + finite
 }
 
 /// Demands finite numbers and a residual within `allowed`.
