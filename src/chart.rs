@@ -80,7 +80,7 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
         refuse_input(&csv, file, "--csv")?;
     }
     let rivals = rows::from_csv(&wanted.folder.join("rivals.csv"))?;
-    let (study, instants) = setup::load(&source)?;
+    let (study, instants) = setup::load_driven(&source, "chart")?;
     let [first, last] = instants.ends();
     let last = wanted.file.as_ref().map_or(LAST_OF_PUBLISHED, |_| last);
     let steps = (last - first).abs() / wanted.effort.steps[0];

@@ -130,8 +130,11 @@ const MOTION_NOTES: &str = r#"The file:
   step = 0.05
   [drives]                           # polynomials of time in seconds, constant first,
   theta = [0.7, 0.5, 0.125]          # in rad (angles) or the unit (coordinates)
+  height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
+                                     # leads through turning points of the drive: both linkages
+                                     # have height, that of the wheel centre, in place of theta
 
-Results, one row an instant: t_s in s; drives in rad or the unit; points _x _y _z in the unit,
+Results, one row an instant: t_s in s; drives in rad or the unit, the one left out too; points _x _y _z in the unit,
 _vx per s, _ax per s^2; omega in rad/s, alpha in rad/s^2; kingpin, caster, camber and toe in rad;
 iterations of Newton's method; the largest residual in the unit. Axes: x forward, y left, z up.
 
@@ -143,8 +146,9 @@ Exit codes:
   0    done
   1    a result cannot be written
   2    wrong input (file:line:column says where), or --csv names the motion file
-  3    no configuration was found: the motion stops short of its last instant, or the points do
-       not assemble in the design position, or the first instant is out of reach from there
+  3    no configuration was found: the motion stops short of its last instant (where what leads
+       it turns, say), or the points do not assemble in the design position, or the first instant
+       is out of reach from there
   130  interrupted (Ctrl-C, SIGTERM or SIGHUP)
 Where the motion stops short or is interrupted, the rows up to there are in the CSV file.
 

@@ -63,7 +63,7 @@ const TABLE: &str = "failures.csv";
 pub fn failures(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = Source::read(&wanted.file)?;
     refuse_input(&wanted.folder.join(TABLE), &wanted.file, "--out")?;
-    let (study, instants) = setup::load(&source)?;
+    let (study, instants) = setup::load_driven(&source, "failures")?;
     let [first, last] = instants.ends();
     if first == last {
         let name = source.name();

@@ -4,6 +4,7 @@ pub mod check;
 pub mod drives;
 pub mod file;
 pub mod instants;
+pub mod leading;
 pub mod polynomial;
 pub mod setup;
 pub mod source;

@@ -1,17 +1,19 @@
 //! A mechanism ready to move, whatever its linkage.
 
 pub mod columns;
+pub mod led;
+mod moving;
 pub mod sweep;
 
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use nalgebra::{Const, DimMin, Vector3};
+use nalgebra::{Const, DimMin};
 use suspension_core::linkage::Listing;
 use suspension_core::{
-    Advanced, Build, HasKingpin, HasWheel, Inputs, Linkage, Motion, SolveError, Still, Stopped,
-    Tracker,
+    Advanced, Build, HasKingpin, HasWheel, Inputs, Linkage, LocalOrigin, Motion, SolveError, Still,
+    Stopped, Tracker,
 };
 
 use crate::assemblies::{self, Listed, Wish};
@@ -21,15 +23,16 @@ use crate::chart;
 use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
 use crate::failures;
-use crate::input::drives::{DriveLaws, in_words};
+use crate::input::drives::DriveLaws;
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
 use crate::number::{number, rounded};
 use crate::range::course::DriveRange;
-use crate::range::locking::turning_drive;
 use crate::range::meeting::meeting;
 use crate::range::station;
 use columns::PointNames;
+use led::Lead;
+use toml::Spanned;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
 pub trait Suspension<const N: usize>:
@@ -45,6 +48,9 @@ impl<L, const N: usize> Suspension<N> for L where
         + 'static
 {
 }
+
+/// Steps that the way from one instant to the next may take.
+const MAX_STEPS: usize = 10_000;
 
 /// Takes the row of one instant; may end the sweep.
 pub type OnRow<'a> = dyn FnMut(&[f64]) -> Result<ControlFlow<()>, Failure> + 'a;
@@ -62,6 +68,9 @@ pub trait Study {
 
     /// Those of them that are what the linkage measures.
     fn measures(&self) -> Vec<String>;
+
+    /// The measure that leads in place of a drive, with its place in the file.
+    fn leader(&self) -> Option<&Spanned<String>>;
 
     /// The points' names.
     fn points(&self) -> PointNames;
@@ -187,15 +196,17 @@ pub struct Assembled<L, const N: usize> {
     /// The unit of its lengths.
     pub unit: Unit,
     /// Where the file's coordinates have the origin of all below: zero, save far from the points.
-    pub origin: Vector3<f64>,
+    pub origin: LocalOrigin<f64>,
     /// The geometry.
     pub model: L,
     /// The first instant, s.
     pub first: f64,
     /// The configuration there.
     pub start: Motion<f64, N>,
-    /// The drives.
+    /// The drives; one for which a measure leads stays as it is there.
     pub drives: DriveLaws,
+    /// The measure that leads in place of a drive.
+    pub lead: Option<Lead<N>>,
 }
 
 impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N>
@@ -218,24 +229,28 @@ where
         columns::measures::<L, N>(self.unit)
     }
 
+    fn leader(&self) -> Option<&Spanned<String>> {
+        self.lead.as_ref().map(|lead| &lead.stand_in.key)
+    }
+
     fn points(&self) -> PointNames {
         PointNames::of::<L, N>()
     }
 
     fn sweep(&self, instants: &Instants, on_row: &mut OnRow<'_>) -> Result<End, Failure> {
-        let mut motion = self.start;
+        let mut moving = self.moving();
         let [mut last, _] = instants.ends();
         for t in instants.iter() {
-            match follow(&self.model, &self.drives, [last, t], &mut motion) {
+            match self.follow([last, t], &mut moving) {
                 Ok(advanced) => {
-                    let inputs = self.drives.inputs(t);
-                    let row = columns::row(self, t, &inputs, &motion, &advanced);
+                    let inputs = self.inputs(t, &moving);
+                    let row = columns::row(self, t, &inputs, &moving.motion(), &advanced);
                     if on_row(&row)?.is_break() {
                         return Ok(End::Cut);
                     }
                 }
                 Err(stopped) => {
-                    return Ok(End::Stopped(self.stop(t, &stopped, &motion)));
+                    return Ok(End::Stopped(self.stop(t, &stopped, &moving)));
                 }
             }
             last = t;
@@ -312,7 +327,8 @@ where
     }
 
     fn meeting(&self, drive: usize, ends: [f64; 2], instants: &Instants) -> Option<(f64, usize)> {
-        meeting::<L, N>(&self.drives, drive, ends, instants)
+        let driven = self.lead.is_none();
+        driven.then(|| meeting::<L, N>(&self.drives, drive, ends, instants))?
     }
 
     fn failures(
@@ -343,25 +359,6 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
         std::hint::black_box(motion);
         Some(took)
     }
-
-    fn stop(&self, asked: f64, stopped: &Stopped<f64>, last: &Motion<f64, N>) -> Stop {
-        let at: Inputs<Still, L::Drives> = self.drives.inputs(stopped.reached);
-        let drives = |t: f64| {
-            let inputs: Inputs<Still, L::Drives> = self.drives.inputs(t);
-            in_words::<L, N>(&inputs.drives.value, self.unit)
-        };
-        Stop {
-            asked,
-            drives_asked: drives(asked),
-            reached: stopped.reached,
-            drives_reached: drives(stopped.reached),
-            cause: stopped.refused.map_or_else(
-                || "the time is too far away".to_owned(),
-                |(_, error)| cause::<L, N>(&error, self.unit),
-            ),
-            turns: turning_drive(&self.model, &at, &last.position),
-        }
-    }
 }
 
 /// Follows the motion from one time to another, in as many steps as it takes.
@@ -372,7 +369,7 @@ pub(crate) fn follow<L: Suspension<N>, const N: usize>(
     motion: &mut Motion<f64, N>,
 ) -> Result<Advanced<f64>, Stopped<f64>> {
     let tracker = Tracker {
-        max_steps: 10_000,
+        max_steps: MAX_STEPS,
         ..Tracker::default()
     };
     tracker.advance(model, |t| drives.inputs(t), from, to, motion)

@@ -10,6 +10,7 @@ mod cli {
     mod failures;
     mod files;
     mod hostile_files;
+    mod led;
     mod plots;
     mod program;
     mod range;

@@ -10,7 +10,7 @@ use suspension_core::{DriveKind, Inputs, Motion, Named, Signal, Still};
 
 use crate::assemblies::{Assemblies, Census, Evidence};
 use crate::failure::Failure;
-use crate::input::drives::in_words;
+use crate::input::drives::{in_words, replaced};
 use crate::study::{Assembled, Suspension};
 
 /// Where assemblies are wanted.
@@ -130,12 +130,8 @@ fn with<L: Suspension<N>, const N: usize>(
         };
         return Err(Failure::Input(format!("{file}: --at {value}: {bound}")));
     }
-    let mut values = inputs.drives.value.values().enumerate();
     Ok(Inputs::still(Signal {
-        value: L::Drives::from_fn(|_| match values.next() {
-            Some((index, other)) if index != drive => other,
-            _ => value,
-        }),
+        value: replaced(&inputs.drives.value, drive, value),
         ..Signal::default()
     }))
 }
@@ -187,13 +183,13 @@ fn assembly<L: Suspension<N>, const N: usize>(
         smallest_pivot: factored.map_or(0.0, |lu| lu.smallest_pivot().1),
         mirrored: mirrored.map(|(point, _)| *point).collect(),
         wheel: Wheel::of(&points).map(|wheel| Wheel {
-            centre: wheel.centre + assembled.origin,
+            centre: wheel.centre + assembled.origin.position(),
             ..wheel
         }),
         coordinates: points
             .values()
             .skip(chassis)
-            .map(|point| point + assembled.origin)
+            .map(|point| point + assembled.origin.position())
             .flat_map(|point| [point.x, point.y, point.z])
             .collect(),
     }

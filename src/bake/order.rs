@@ -67,7 +67,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         Ok(Sheet {
             baked: self
                 .bake(drive, &wanted)?
-                .moved(self.assembled.origin.into()),
+                .moved(self.assembled.origin.position().into()),
             file: self.file.to_owned(),
             linkage: linkage.to_owned(),
             drive: names[drive].to_owned(),

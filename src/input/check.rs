@@ -22,23 +22,39 @@ pub fn names<V>(
     kind: &str,
     known: &[&str],
 ) -> Result<(), Failure> {
+    known_names(source, table, kind, known)?;
     let entries = table.get_ref();
-    let unknown = entries
-        .keys()
-        .filter(|key| !known.contains(&key.get_ref().as_str()))
-        .min_by_key(|key| key.span().start);
-    if let Some(key) = unknown {
-        let message = format!(
-            "unknown {kind} `{}`; the linkage has {}",
-            key.get_ref(),
-            known.join(", ")
-        );
-        return Err(source.refuse(&key.span(), message));
-    }
     match known.iter().find(|name| !entries.contains_key(**name)) {
         Some(name) => Err(source.refuse(&table.span(), format!("{kind} `{name}` is missing"))),
         None => Ok(()),
     }
+}
+
+/// Checks that a table has no entry but for known names.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first unknown key.
+pub fn known_names<V>(
+    source: &Source,
+    table: &Table<V>,
+    kind: &str,
+    known: &[&str],
+) -> Result<(), Failure> {
+    let unknown = table
+        .get_ref()
+        .keys()
+        .filter(|key| !known.contains(&key.get_ref().as_str()))
+        .min_by_key(|key| key.span().start);
+    let Some(key) = unknown else {
+        return Ok(());
+    };
+    let message = format!(
+        "unknown {kind} `{}`; the linkage has {}",
+        key.get_ref(),
+        known.join(", ")
+    );
+    Err(source.refuse(&key.span(), message))
 }
 
 /// Checks that all values of a table are finite.

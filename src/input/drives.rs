@@ -11,28 +11,47 @@ use crate::input::polynomial::Polynomial;
 use crate::input::source::Source;
 use crate::number::number;
 
+/// A quantity over time: a polynomial with its first and second derivative.
+#[derive(Clone, Debug)]
+pub struct Law([Polynomial; 3]);
+
+impl Law {
+    /// Of a polynomial.
+    pub fn new(value: Polynomial) -> Self {
+        let rate = value.derivative();
+        let second_rate = rate.derivative();
+        Self([value, rate, second_rate])
+    }
+
+    /// The quantity with its rates at time `t`.
+    pub fn at(&self, t: f64) -> Signal<f64> {
+        let [value, rate, second_rate] = self.0.each_ref().map(|law| law.at(t));
+        Signal {
+            value,
+            rate,
+            second_rate,
+        }
+    }
+}
+
 /// The drives of a linkage over time, in the order of its drives.
 #[derive(Clone, Debug)]
 pub struct DriveLaws {
-    laws: Vec<[Polynomial; 3]>,
+    laws: Vec<Law>,
 }
 
 impl DriveLaws {
     /// One polynomial for each drive.
     pub fn new(polynomials: impl IntoIterator<Item = Polynomial>) -> Self {
-        let with_rates = |value: Polynomial| {
-            let rate = value.derivative();
-            let second_rate = rate.derivative();
-            [value, rate, second_rate]
-        };
         Self {
-            laws: polynomials.into_iter().map(with_rates).collect(),
+            laws: polynomials.into_iter().map(Law::new).collect(),
         }
     }
 
     /// Taylor coefficients of the drives at time `t`, order 1 first.
     pub fn terms<D: Named<f64>, const K: usize>(&self, t: f64) -> [D; K] {
-        let mut derivatives: Vec<Polynomial> = self.laws.iter().map(|law| law[0].clone()).collect();
+        let mut derivatives: Vec<Polynomial> =
+            self.laws.iter().map(|law| law.0[0].clone()).collect();
         let mut factorial = 1.0;
         std::array::from_fn(|index| {
             factorial *= (index + 1) as f64;
@@ -48,7 +67,7 @@ impl DriveLaws {
     pub fn inputs<D: Named<f64>>(&self, t: f64) -> Inputs<Still, D> {
         let [value, rate, second_rate] = [0, 1, 2].map(|order| {
             let mut laws = self.laws.iter();
-            D::from_fn(|_| laws.next().map_or(0.0, |law| law[order].at(t)))
+            D::from_fn(|_| laws.next().map_or(0.0, |law| law.0[order].at(t)))
         });
         Inputs::still(Signal {
             value,
@@ -56,6 +75,15 @@ impl DriveLaws {
             second_rate,
         })
     }
+}
+
+/// The drives with another value of one.
+pub fn replaced<D: Named<f64>>(drives: &D, index: usize, value: f64) -> D {
+    let mut values = drives.values().enumerate();
+    D::from_fn(|_| match values.next() {
+        Some((other, kept)) if other != index => kept,
+        _ => value,
+    })
 }
 
 /// Checks that driving angles lie where a link's angle from an axis can lie, from 0 to pi.
@@ -95,10 +123,16 @@ pub fn in_words<L: Linkage<N, Scalar = f64>, const N: usize>(
     drives: &L::Drives,
     unit: Unit,
 ) -> String {
+    each_in_words::<L, N>(drives, unit).join(", ")
+}
+
+/// Each drive's value in words.
+pub fn each_in_words<L: Linkage<N, Scalar = f64>, const N: usize>(
+    drives: &L::Drives,
+    unit: Unit,
+) -> Vec<String> {
     let names = <L::Drives as Named<f64>>::NAMES;
     let each = names.iter().zip(drives.values()).zip(L::DRIVE_KINDS);
-    let words: Vec<String> = each
-        .map(|((name, value), kind)| format!("{name} = {} {}", number(value), unit_of(*kind, unit)))
-        .collect();
-    words.join(", ")
+    each.map(|((name, value), kind)| format!("{name} = {} {}", number(value), unit_of(*kind, unit)))
+        .collect()
 }

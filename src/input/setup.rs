@@ -1,5 +1,7 @@
 //! From a motion file to a mechanism in the configuration of the first instant.
 
+mod led;
+
 use nalgebra::{Const, DimMin, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::Wheel;
@@ -11,6 +13,7 @@ use crate::input::check;
 use crate::input::drives::{DriveLaws, check_angles, in_words};
 use crate::input::file::{MotionFile, Offset, Position};
 use crate::input::instants::Instants;
+use crate::input::leading::{StandIn, stand_in};
 use crate::input::polynomial::Polynomial;
 use crate::input::source::Source;
 use crate::number::number;
@@ -56,6 +59,25 @@ pub fn load(source: &Source) -> Result<(Box<dyn Study>, Instants), Failure> {
     Ok((study, instants))
 }
 
+/// Reads a motion file for a command that all drives must lead; see [`load`].
+///
+/// # Errors
+///
+/// Those of [`load`], and [`Failure::Input`] where a measure stands in for a drive.
+pub fn load_driven(source: &Source, command: &str) -> Result<(Box<dyn Study>, Instants), Failure> {
+    let (study, instants) = load(source)?;
+    match study.leader() {
+        None => Ok((study, instants)),
+        Some(key) => {
+            let message = format!(
+                "`{}` is a measure; suspension {command} needs a motion that drives lead",
+                key.get_ref()
+            );
+            Err(source.refuse(&key.span(), message))
+        }
+    }
+}
+
 /// The names of the catalogue's linkages.
 pub fn linkages() -> String {
     CATALOGUE.map(|(name, _)| name).join(", ")
@@ -65,32 +87,43 @@ fn prepare<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<Box<dyn 
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    check_names::<L, N>(task)?;
-    let origin = LocalOrigin::among(&guess::<L, N>(task)).position();
-    let file = task.file.seen_from(origin.into());
+    let stand_in = check_names::<L, N>(task)?;
+    let origin = LocalOrigin::among(&guess::<L, N>(task));
+    let file = task.file.seen_from(origin.position().into());
     let task = &Task {
         file: &file,
         ..*task
     };
     let guess = guess::<L, N>(task);
     let model = model::<L, N>(task, &guess)?;
-    let (model, q, design) = at_design::<L, N>(task, model, &guess)?;
-    let drives = drive_laws::<L, N>(task);
+    let design = at_design::<L, N>(task, model, &guess)?;
+    let drives = drive_laws::<L, N>(task, &design.drives);
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     check_angles::<L, _, N>(task.source, &first, &task.file.drives)?;
-    let start = to_first_instant(task, &model, q, &design, &drives)?;
+    let (start, drives, lead) = match stand_in {
+        None => (to_first_instant(task, &design, &drives)?, drives, None),
+        Some(stand_in) => {
+            let lead = led::to_first_instant(task, &design, &drives, stand_in, &origin)?;
+            let there = lead.inputs(&design.model, &drives.inputs(task.first), &lead.start);
+            let drives = drive_laws::<L, N>(task, &there.drives.value);
+            (lead.start.motion(), drives, Some(lead))
+        }
+    };
     Ok(Box::new(Assembled {
         linkage: task.linkage,
         unit: task.file.unit,
         origin,
-        model,
+        model: design.model,
         first: task.first,
         start,
         drives,
+        lead,
     }))
 }
 
-fn check_names<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<(), Failure> {
+fn check_names<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+) -> Result<Option<StandIn>, Failure> {
     let Task { source, file, .. } = task;
     let drives = <L::Drives as Named<f64>>::NAMES;
     let points = <L::Points as Named<Vector3<f64>>>::NAMES;
@@ -104,8 +137,10 @@ fn check_names<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<(), 
         check::names(source, design, "drive", drives)?;
         check::finite_values(source, design, "drive")?;
     }
-    check::names(source, &file.drives, "drive", drives)?;
-    check::drives(source, &file.drives)
+    let measures = <L::Measures as Named<f64>>::NAMES;
+    let stand_in = stand_in(source, &file.drives, drives, measures)?;
+    check::drives(source, &file.drives)?;
+    Ok(stand_in)
 }
 
 /// The points as the file has them, relative ones off the others as they stand.
@@ -157,14 +192,18 @@ fn refuse_geometry(task: &Task<'_>, error: &GeometryError) -> Failure {
     source.refuse(&span.unwrap_or_else(|| file.points.span()), error)
 }
 
-/// Model, unknowns and drives in the configuration in which markers are attached.
-type AtDesign<L, const N: usize> = (L, SVector<f64, N>, <L as Linkage<N>>::Drives);
+/// The configuration in which markers are attached.
+struct Design<L: Linkage<N>, const N: usize> {
+    model: L,
+    q: SVector<f64, N>,
+    drives: L::Drives,
+}
 
 fn at_design<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     model: L,
     guess: &L::Points,
-) -> Result<AtDesign<L, N>, Failure> {
+) -> Result<Design<L, N>, Failure> {
     let Task { source, file, .. } = task;
     let design = match &file.design {
         Some(values) => {
@@ -189,7 +228,11 @@ fn at_design<L: Suspension<N>, const N: usize>(
         .with_markers(&points)
         .map_err(|error| refuse_geometry(task, &error))?;
     match Wheel::of(&points) {
-        Some(_) => Ok((model, q, design)),
+        Some(_) => Ok(Design {
+            model,
+            q,
+            drives: design,
+        }),
         None => {
             let centre = PointNames::of::<L, N>().wheel_centre;
             let span = file.points.get_ref()[centre].span();
@@ -235,42 +278,57 @@ fn place_markers<L: Suspension<N>, const N: usize>(
     })
 }
 
-fn drive_laws<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> DriveLaws {
+/// The drives over time; those that the file does not lead stay as they are in `held`.
+fn drive_laws<L: Suspension<N>, const N: usize>(task: &Task<'_>, held: &L::Drives) -> DriveLaws {
     let table = task.file.drives.get_ref();
-    let names = <L::Drives as Named<f64>>::NAMES.iter();
-    DriveLaws::new(names.map(|name| Polynomial::new(table[*name].get_ref().clone())))
+    let each = <L::Drives as Named<f64>>::NAMES.iter().zip(held.values());
+    DriveLaws::new(each.map(|(name, held)| {
+        let stated = table.get(*name).map(|law| law.get_ref().clone());
+        Polynomial::new(stated.unwrap_or_else(|| vec![held]))
+    }))
 }
 
-/// Drives the mechanism on a straight line from its design to the first instant.
+/// The drives on a straight line from the design at time 0 to the first instant at time 1.
+fn way<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    design: &Design<L, N>,
+    drives: &DriveLaws,
+) -> DriveLaws {
+    let first = drives.inputs::<L::Drives>(task.first).drives.value;
+    let ends = design.drives.values().zip(first.values());
+    DriveLaws::new(ends.map(|(from, to)| Polynomial::line(from, to)))
+}
+
+const FROM_DESIGN_TO_FIRST: [f64; 2] = [0.0, 1.0];
+
+/// Drives the mechanism from its design to the first instant.
 fn to_first_instant<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
-    model: &L,
-    q: SVector<f64, N>,
-    design: &L::Drives,
+    design: &Design<L, N>,
     drives: &DriveLaws,
 ) -> Result<Motion<f64, N>, Failure> {
-    let first = drives.inputs::<L::Drives>(task.first).drives.value;
-    let ends = design.values().zip(first.values());
-    let way = DriveLaws::new(ends.map(|(from, to)| Polynomial::line(from, to)));
-    let mut motion = Motion::at_rest(q);
-    let from_design_to_first = [0.0, 1.0];
-    match follow(model, &way, from_design_to_first, &mut motion) {
+    let way = way(task, design, drives);
+    let mut motion = Motion::at_rest(design.q);
+    match follow(&design.model, &way, FROM_DESIGN_TO_FIRST, &mut motion) {
         Ok(_) => Ok(motion),
         Err(stopped) => {
             let unit = task.file.unit;
-            let reached = way.inputs::<L::Drives>(stopped.reached).drives.value;
+            let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]]
+                .map(|t| in_words::<L, N>(&way.inputs::<L::Drives>(t).drives.value, unit));
             let cause = stopped
                 .refused
                 .map(|(_, error)| cause::<L, N>(&error, unit));
-            Err(Failure::Solver(format!(
-                "{}: the first instant, t = {} s with {}, is out of reach: driven there from the \
-                 design position, the mechanism stops at {} ({})",
-                task.source.name(),
-                number(task.first),
-                in_words::<L, N>(&first, unit),
-                in_words::<L, N>(&reached, unit),
-                cause.unwrap_or_default(),
-            )))
+            Err(out_of_reach(task, [&first, &reached], cause))
         }
     }
+}
+
+fn out_of_reach(task: &Task<'_>, [first, reached]: [&str; 2], cause: Option<String>) -> Failure {
+    Failure::Solver(format!(
+        "{}: the first instant, t = {} s with {first}, is out of reach: driven there from the \
+         design position, the mechanism stops at {reached} ({})",
+        task.source.name(),
+        number(task.first),
+        cause.unwrap_or_default(),
+    ))
 }

@@ -134,7 +134,7 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
         let mut at = |curve: &Curve<'_, L, N>, place: &Place<f64, N>, turns| {
             drives[index] = place.value;
             let freed = [index as f64 + 1.0];
-            station(curve, place, turns, [&freed, &drives])
+            station(curve, place, &self.origin, turns, [&freed, &drives])
         };
         let mut run = Run {
             stations: vec![at(path.curve(), path.here(), false)],

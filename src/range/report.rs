@@ -83,6 +83,7 @@ fn meeting(study: &dyn Study, instants: &Instants, range: &DriveRange) -> String
                 rounded(t, DIGITS)
             )
         }
+        None if study.leader().is_some() => "led by a measure, not by this drive".to_owned(),
         None => format!(
             "the file's motion, carried on to {CARRIED_ON} times its duration, is at neither end \
              by this drive alone"

@@ -2,7 +2,7 @@
 
 use suspension_core::path::{Curve, Place};
 use suspension_core::wheel::{Kingpin, Wheel};
-use suspension_core::{DriveKind, HasWheel, Named, Signal};
+use suspension_core::{DriveKind, HasWheel, LocalOrigin, Named, Signal};
 
 use crate::input::drives::unit_of;
 use crate::input::file::Unit;
@@ -39,11 +39,12 @@ pub fn names<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
     columns
 }
 
-/// The station at a place. `drives` are the drives' values with the freed one, number `freed`,
+/// The station at a place, its points in the coordinates in which `origin` is stated. `drives` are the drives' values with the freed one, number `freed`,
 /// anywhere.
 pub fn station<L: Suspension<N>, const N: usize>(
     curve: &Curve<'_, L, N>,
     place: &Place<f64, N>,
+    origin: &LocalOrigin<f64>,
     turns: bool,
     [freed, drives]: [&[f64]; 2],
 ) -> Station {
@@ -60,13 +61,14 @@ pub fn station<L: Suspension<N>, const N: usize>(
     };
     let points = curve.points(at);
     let chassis = <L::Fixed as Named<nalgebra::Vector3<f64>>>::NAMES.len();
-    let [_, centre] = points.wheel();
+    let placed = origin.from_local(&points);
+    let [_, centre] = placed.wheel();
     let mut row = freed.to_vec();
     row.push(f64::from(u8::from(turns)));
     row.extend(drives);
     row.push(speed);
     row.extend(
-        points
+        placed
             .values()
             .skip(chassis)
             .flat_map(|point| [point.x, point.y, point.z]),

@@ -66,14 +66,18 @@ pub fn names<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
 /// The columns of what the linkage measures.
 pub fn measures<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
     let names = <L::Measures as Named<f64>>::NAMES.iter();
-    let measures = names.zip(L::MEASURE_KINDS).map(|(name, kind)| {
-        let unit = match kind {
-            MeasureKind::Length => unit.symbol(),
-            MeasureKind::Angle => "rad",
-        };
-        format!("{name}_{unit}")
-    });
-    measures.collect()
+    let measures = names.zip(L::MEASURE_KINDS);
+    measures
+        .map(|(name, kind)| format!("{name}_{}", unit_of_measure(*kind, unit)))
+        .collect()
+}
+
+/// A measure's unit.
+pub fn unit_of_measure(kind: MeasureKind, unit: Unit) -> &'static str {
+    match kind {
+        MeasureKind::Length => unit.symbol(),
+        MeasureKind::Angle => "rad",
+    }
 }
 
 fn triple(name: &str, kind: &str) -> [String; 3] {
@@ -90,7 +94,7 @@ pub fn row<L: Suspension<N>, const N: usize>(
     advanced: &Advanced<f64>,
 ) -> Vec<f64> {
     let points = motion.points(&assembled.model, inputs);
-    let origin = assembled.origin;
+    let origin = assembled.origin.position();
     let mut row = vec![t];
     row.extend(inputs.drives.value.values());
     let coordinates = motion.position.iter().enumerate();
@@ -118,7 +122,14 @@ pub fn row<L: Suspension<N>, const N: usize>(
     let wheel = Wheel::of(&points.value);
     let [camber, toe] = wheel.map_or([f64::NAN; 2], |wheel| [wheel.camber, wheel.toe]);
     row.extend([kingpin.angle, kingpin.caster, camber, toe]);
-    row.extend(L::measures(&points).value.values());
+    let measures = L::measures(&points).value;
+    let offsets = assembled.origin.of_measures::<L, N>();
+    row.extend(
+        measures
+            .values()
+            .zip(offsets.values())
+            .map(|(local, offset)| local + offset),
+    );
     row.extend([advanced.iterations as f64, advanced.last.residual]);
     row
 }

@@ -1,0 +1,85 @@
+//! To the first instant of a motion that a measure leads.
+
+use suspension_core::path::{Curve, Led};
+use suspension_core::{LocalOrigin, Named};
+
+use super::{Design, FROM_DESIGN_TO_FIRST, Task, out_of_reach, way};
+use crate::failure::Failure;
+use crate::input::drives::{DriveLaws, Law};
+use crate::input::leading::StandIn;
+use crate::input::polynomial::Polynomial;
+use crate::study::led::Lead;
+use crate::study::{Suspension, cause};
+
+/// Leads the mechanism from its design to the first instant: the measure and the drives that are
+/// left on a straight line.
+pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    design: &Design<L, N>,
+    drives: &DriveLaws,
+    stand_in: StandIn,
+    origin: &LocalOrigin<f64>,
+) -> Result<Lead<N>, Failure> {
+    let way = way(task, design, drives);
+    let mut led = at_rest(task, design, &way, stand_in.drive)?;
+    let points = led.points(&design.model, &way.inputs::<L::Drives>(0.0));
+    let measured = |all: L::Measures| all.values().nth(stand_in.measure).unwrap_or_default();
+    let offset = measured(origin.of_measures::<L, N>());
+    let law = law(task, &stand_in, offset);
+    let ends = [
+        measured(L::measures(&points).value),
+        law.at(task.first).value,
+    ];
+    let lead = Lead {
+        stand_in,
+        law: Law::new(Polynomial::line(ends[0], ends[1])),
+        offset,
+        start: led,
+    };
+    match lead.follow(&design.model, &way, FROM_DESIGN_TO_FIRST, &mut led) {
+        Ok(_) => Ok(Lead {
+            law,
+            start: led,
+            ..lead
+        }),
+        Err(stopped) => {
+            let unit = task.file.unit;
+            let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]]
+                .map(|t| lead.in_words::<L>(&way.inputs::<L::Drives>(t).drives.value, t, unit));
+            let cause = stopped
+                .refused
+                .map(|(_, error)| lead.cause::<L>(&error, unit));
+            Err(out_of_reach(task, [&first, &reached], cause))
+        }
+    }
+}
+
+/// At rest in the design position, one drive free.
+fn at_rest<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    design: &Design<L, N>,
+    way: &DriveLaws,
+    drive: usize,
+) -> Result<Led<f64, N>, Failure> {
+    let name = task.source.name();
+    let inputs = way.inputs::<L::Drives>(0.0);
+    let curve = Curve::new(&design.model, &inputs, drive)
+        .ok_or_else(|| Failure::Solver(format!("{name}: there is no such drive")))?;
+    Led::at_rest(&curve, &design.q).map_err(|error| {
+        let cause = cause::<L, N>(&error, task.file.unit);
+        Failure::Solver(format!(
+            "{name}: no measure leads from the design position: {cause}"
+        ))
+    })
+}
+
+/// The measure over time, as the file has it, of points in local coordinates.
+fn law(task: &Task<'_>, stand_in: &StandIn, offset: f64) -> Law {
+    let mut coefficients = task.file.drives.get_ref()[stand_in.key.get_ref().as_str()]
+        .get_ref()
+        .clone();
+    if let Some(constant) = coefficients.first_mut() {
+        *constant -= offset;
+    }
+    Law::new(Polynomial::new(coefficients))
+}

@@ -1,0 +1,311 @@
+//! Motions that a measure leads in place of a drive.
+
+use std::path::Path;
+
+use super::program::{Rows, example, folder, rows, run, text};
+
+/// A motion by theta between the turning points of the height.
+const BY_THETA: [(&str, &str); 2] = [
+    ("stop = 1.95", "stop = 2.4"),
+    ("theta = [0.7, 0.5, 0.125]", "theta = [0.9, 0.5]"),
+];
+
+/// Another motion of the linkage, by its height.
+const BY_HEIGHT: (&str, &str) = ("theta = [0.7, 0.5, 0.125]", "height = [50.0, -10.0]");
+
+fn edited(name: &str, edits: &[(&str, &str)]) -> String {
+    edits.iter().fold(example(name), |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replacen(from, to, 1)
+    })
+}
+
+fn write(folder: &Path, name: &str, content: &str) {
+    std::fs::write(folder.join(name), content).expect("written");
+}
+
+fn table(folder: &Path, arguments: &[&str]) -> Rows {
+    let output = run(folder, &[arguments, &["--csv", "-"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
+
+/// The instants at which a motion from `from` with a constant rate has these heights.
+fn instants(heights: impl Iterator<Item = f64>, from: f64, rate: f64) -> String {
+    let each: Vec<String> = heights
+        .map(|height| format!("{:.17e}", (height - from) / rate))
+        .collect();
+    format!("instants = [{}]", each.join(", "))
+}
+
+/// Led by height at a constant rate, a row has the same configuration as by theta, its velocities
+/// `v h'_led / h'` and accelerations `(a - v h'' / h') (h'_led / h')^2`.
+#[test]
+fn a_led_motion_is_the_driven_one_at_another_pace() {
+    const RATE: f64 = -40.0;
+    let folder = folder();
+    write(
+        folder.path(),
+        "theta.toml",
+        &edited("five_link.toml", &BY_THETA),
+    );
+    let driven = table(folder.path(), &["motion", "theta.toml"]);
+    let from = driven[0]["height_mm"];
+    let times = instants(driven.iter().map(|row| row["height_mm"]), from, RATE);
+    let by_height = [
+        ("start = 0.0\nstop = 1.95\nstep = 0.05", times.as_str()),
+        (BY_HEIGHT.0, &format!("height = [{from:.17e}, {RATE}]")),
+    ];
+    write(
+        folder.path(),
+        "height.toml",
+        &edited("five_link.toml", &by_height),
+    );
+    let led = table(folder.path(), &["motion", "height.toml"]);
+    assert_eq!((led.len(), driven.len()), (49, 49));
+    let mut worst = [0.0_f64; 3];
+    for (led, driven) in led.iter().zip(&driven) {
+        let pace = RATE / driven["wheel_centre_vz"];
+        let slowing = driven["wheel_centre_az"] / driven["wheel_centre_vz"];
+        let mut differ = |order: usize, column: &str, expected: f64| {
+            let off = (led[column] - expected).abs() / expected.abs().max(1.0);
+            worst[order] = worst[order].max(off);
+        };
+        differ(0, "theta_rad", driven["theta_rad"]);
+        for point in ["lower_front_outer", "track_rod_outer", "wheel_centre"] {
+            for axis in ["x", "y", "z"] {
+                let [x, v, a] = ["", "v", "a"].map(|kind| format!("{point}_{kind}{axis}"));
+                differ(0, &x, driven[&x]);
+                differ(1, &v, driven[&v] * pace);
+                differ(2, &a, (driven[&a] - driven[&v] * slowing) * pace * pace);
+            }
+        }
+    }
+    assert!(
+        worst[0] <= 1e-12 && worst[1] <= 1e-11 && worst[2] <= 1e-10,
+        "{worst:?}"
+    );
+}
+
+/// The example goes through the turning point of theta, and is there and beyond where the curve
+/// of `suspension range` is.
+#[test]
+fn height_leads_through_the_turning_point_of_theta() {
+    let folder = folder();
+    let name = "five_link_height.toml";
+    write(folder.path(), name, &example(name));
+    let motion = table(folder.path(), &["motion", name]);
+    let theta: Vec<f64> = motion.iter().map(|row| row["theta_rad"]).collect();
+    let falls: Vec<bool> = theta.windows(2).map(|pair| pair[1] < pair[0]).collect();
+    let turns = falls.windows(2).filter(|pair| pair[0] != pair[1]).count();
+    assert_eq!((motion.len(), falls[0], turns), (184, true, 1));
+    assert!((motion[183]["height_mm"] + 99.5).abs() <= 1e-9);
+    let curve = table(folder.path(), &["range", name]);
+    let height = |index: usize| curve[index]["wheel_centre_z"];
+    let turning = (0..curve.len())
+        .find(|index| curve[*index]["turns"] == 1.0 && curve[*index]["theta_rad"] < 0.7)
+        .expect("a turning point");
+    // Along the curve the height falls one way from there and rises the other.
+    let falls_onwards = height(turning + 1) < height(turning);
+    let along = |steps: usize| {
+        if falls_onwards {
+            turning + steps
+        } else {
+            turning - steps
+        }
+    };
+    let stations: Vec<_> = (0..)
+        .map(along)
+        .take_while(|index| height(*index) > -99.0)
+        .collect();
+    assert!(stations.len() > 20, "{}", stations.len());
+    let times = instants(stations.iter().map(|index| height(*index)), 358.0, -50.0);
+    let there = [("start = 0.0\nstop = 9.15\nstep = 0.05", times.as_str())];
+    write(folder.path(), "there.toml", &edited(name, &there));
+    let led = table(folder.path(), &["motion", "there.toml"]);
+    for (row, index) in led.iter().zip(stations) {
+        let station = &curve[index];
+        for (column, expected) in station.iter().filter(|(column, _)| {
+            column.ends_with("_x") || column.ends_with("_z") || *column == "theta_rad"
+        }) {
+            let off = (row[column] - expected).abs() / expected.abs().max(1.0);
+            assert!(
+                off <= 1e-12,
+                "{column} at {} off by {off:e}",
+                row["height_mm"]
+            );
+        }
+    }
+}
+
+#[test]
+fn where_the_measure_turns_the_motion_ends() {
+    let folder = folder();
+    let beyond = edited("five_link_height.toml", &[("stop = 9.15", "stop = 9.5")]);
+    write(folder.path(), "a.toml", &beyond);
+    let output = run(folder.path(), &["motion", "a.toml", "--csv", "a.csv"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr).lines().last().expect("a message");
+    for expected in [
+        "no configuration at t = 9.2 s with height = -102 mm",
+        "with height = -100.14009",
+        "measure `height` turns at -100.14009",
+        "184 rows were kept",
+    ] {
+        assert!(
+            message.contains(expected),
+            "{expected} is not in: {message}"
+        );
+    }
+    let kept = std::fs::read(folder.path().join("a.csv")).expect("a table");
+    assert_eq!(rows(&kept).len(), 184);
+}
+
+#[test]
+fn a_first_height_beyond_the_turn_is_out_of_reach() {
+    let folder = folder();
+    let high = edited("five_link_height.toml", &[("[358.0, -50.0]", "[360.0]")]);
+    write(folder.path(), "a.toml", &high);
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr);
+    assert_eq!(message.lines().count(), 1);
+    for expected in [
+        "t = 0 s with height = 360 mm",
+        "measure `height` turns at 358.9",
+    ] {
+        assert!(
+            message.contains(expected),
+            "{expected} is not in: {message}"
+        );
+    }
+}
+
+/// A kilometre up, the height counts from the file's origin.
+#[test]
+fn far_from_the_origin_the_height_is_that_of_the_file() {
+    const UP: f64 = 1e6;
+    let folder = folder();
+    let near = edited("five_link.toml", &[BY_HEIGHT]);
+    let raised = |line: &str| match line
+        .split_once("= [")
+        .map(|(name, rest)| (name, rest.trim_end_matches(']')))
+    {
+        Some((name, list)) if !name.contains('{') && !name.starts_with('h') => {
+            let (xy, z) = list.rsplit_once(", ").expect("coordinates");
+            format!(
+                "{name}= [{xy}, {}]",
+                z.parse::<f64>().expect("a number") + UP
+            )
+        }
+        _ => line.replace("[50.0,", &format!("[{},", 50.0 + UP)),
+    };
+    let far: Vec<String> = near.lines().map(raised).collect();
+    write(folder.path(), "near.toml", &near);
+    write(folder.path(), "far.toml", &far.join("\n"));
+    let tables =
+        |command| ["near.toml", "far.toml"].map(|name| table(folder.path(), &[command, name]));
+    let [near, far] = tables("range");
+    let off = far[0]["wheel_centre_z"] - UP - near[0]["wheel_centre_z"];
+    assert!(off.abs() <= 1e-8, "{off:e}");
+    let [near, far] = tables("motion");
+    assert_eq!(near.len(), far.len());
+    for (near, far) in near.iter().zip(&far) {
+        let rounding = 4.0 * UP * f64::EPSILON;
+        for column in ["height_mm", "wheel_centre_z", "lower_rear_outer_z"] {
+            assert!(
+                (far[column] - UP - near[column]).abs() <= 4.0 * rounding,
+                "{column}"
+            );
+        }
+        assert!((far["theta_rad"] - near["theta_rad"]).abs() <= rounding);
+    }
+}
+
+#[test]
+fn sets_of_leading_quantities_that_do_not_fit_are_refused() {
+    let cases = [
+        (
+            "theta = [0.7]\nheight = [50.0]",
+            ":52:1: measure `height` can lead only in place",
+        ),
+        (
+            "bump = [50.0]",
+            ":51:1: unknown drive `bump`; the linkage has theta, height",
+        ),
+        (
+            "height = []",
+            ":51:10: drive `height` needs at least one coefficient",
+        ),
+        (
+            "height = [nan]",
+            ":51:10: drive `height` has a coefficient that is not a finite",
+        ),
+        ("", ":49:1: drive `theta` is missing"),
+    ];
+    let folder = folder();
+    for (drives, expected) in cases {
+        let content = edited("five_link.toml", &[(BY_HEIGHT.0, drives)]);
+        write(folder.path(), "a.toml", &content);
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let message = text(&output.stderr);
+        assert_eq!(message.lines().count(), 1);
+        assert!(
+            message.starts_with(&format!("a.toml{expected}")),
+            "{message}"
+        );
+    }
+    let design = edited(
+        "five_link.toml",
+        &[("theta = 1.57", "height = 50.0\ntheta = 1.57")],
+    );
+    write(folder.path(), "a.toml", &design);
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(text(&output.stderr).contains("unknown drive `height`"));
+}
+
+#[test]
+fn commands_that_need_drives_to_lead_refuse_a_led_motion() {
+    let folder = folder();
+    write(
+        folder.path(),
+        "a.toml",
+        &edited("five_link.toml", &[BY_HEIGHT]),
+    );
+    for command in ["bake", "chart", "failures"] {
+        let output = run(folder.path(), &[command, "a.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let expected = format!("a.toml:51:1: `height` is a measure; suspension {command} needs");
+        assert!(text(&output.stderr).starts_with(&expected), "{output:?}");
+    }
+    let files = std::fs::read_dir(folder.path()).expect("a folder").count();
+    assert_eq!(files, 1);
+}
+
+#[test]
+fn range_and_assemblies_start_from_where_the_measure_leads_to() {
+    let folder = folder();
+    write(
+        folder.path(),
+        "a.toml",
+        &edited("five_link.toml", &[BY_HEIGHT]),
+    );
+    let theta = table(folder.path(), &["motion", "a.toml"])[0]["theta_rad"];
+    for (command, before, after) in [
+        ("range", "deg (", " rad) at the first instant"),
+        ("assemblies", "At theta = ", " rad:"),
+    ] {
+        let output = run(folder.path(), &[command, "a.toml"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let report = text(&output.stdout);
+        let (head, _) = report.split_once(after).expect(after);
+        let (_, value) = head.split_once(before).expect(before);
+        let value: f64 = value.parse().expect("a number");
+        assert!((value - theta).abs() <= 1e-11, "{report}");
+        if command == "range" {
+            assert!(report.contains("led by a measure"), "{report}");
+        }
+    }
+}
