@@ -1,11 +1,12 @@
 //! From a motion file to a mechanism in the configuration of the first instant.
 
 mod led;
+mod start;
 
 use nalgebra::{Const, DimMin, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::Wheel;
-use suspension_core::{GeometryError, Linkage, LocalOrigin, Motion, Named, Newton, assemble};
+use suspension_core::{GeometryError, Linkage, LocalOrigin, Named, Newton, assemble};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -16,9 +17,8 @@ use crate::input::instants::Instants;
 use crate::input::leading::{StandIn, stand_in};
 use crate::input::polynomial::Polynomial;
 use crate::input::source::Source;
-use crate::number::number;
 use crate::study::columns::PointNames;
-use crate::study::{Assembled, Study, Suspension, cause, follow};
+use crate::study::{Assembled, Study, Suspension, cause};
 
 type Prepare = fn(&Task<'_>) -> Result<Box<dyn Study>, Failure>;
 
@@ -101,7 +101,11 @@ where
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     check_angles::<L, _, N>(task.source, &first, &task.file.drives)?;
     let (start, drives, lead) = match stand_in {
-        None => (to_first_instant(task, &design, &drives)?, drives, None),
+        None => (
+            start::to_first_instant(task, &design, &drives)?,
+            drives,
+            None,
+        ),
         Some(stand_in) => {
             let lead = led::to_first_instant(task, &design, &drives, stand_in, &origin)?;
             let there = lead.inputs(&design.model, &drives.inputs(task.first), &lead.start);
@@ -286,49 +290,4 @@ fn drive_laws<L: Suspension<N>, const N: usize>(task: &Task<'_>, held: &L::Drive
         let stated = table.get(*name).map(|law| law.get_ref().clone());
         Polynomial::new(stated.unwrap_or_else(|| vec![held]))
     }))
-}
-
-/// The drives on a straight line from the design at time 0 to the first instant at time 1.
-fn way<L: Suspension<N>, const N: usize>(
-    task: &Task<'_>,
-    design: &Design<L, N>,
-    drives: &DriveLaws,
-) -> DriveLaws {
-    let first = drives.inputs::<L::Drives>(task.first).drives.value;
-    let ends = design.drives.values().zip(first.values());
-    DriveLaws::new(ends.map(|(from, to)| Polynomial::line(from, to)))
-}
-
-const FROM_DESIGN_TO_FIRST: [f64; 2] = [0.0, 1.0];
-
-/// Drives the mechanism from its design to the first instant.
-fn to_first_instant<L: Suspension<N>, const N: usize>(
-    task: &Task<'_>,
-    design: &Design<L, N>,
-    drives: &DriveLaws,
-) -> Result<Motion<f64, N>, Failure> {
-    let way = way(task, design, drives);
-    let mut motion = Motion::at_rest(design.q);
-    match follow(&design.model, &way, FROM_DESIGN_TO_FIRST, &mut motion) {
-        Ok(_) => Ok(motion),
-        Err(stopped) => {
-            let unit = task.file.unit;
-            let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]]
-                .map(|t| in_words::<L, N>(&way.inputs::<L::Drives>(t).drives.value, unit));
-            let cause = stopped
-                .refused
-                .map(|(_, error)| cause::<L, N>(&error, unit));
-            Err(out_of_reach(task, [&first, &reached], cause))
-        }
-    }
-}
-
-fn out_of_reach(task: &Task<'_>, [first, reached]: [&str; 2], cause: Option<String>) -> Failure {
-    Failure::Solver(format!(
-        "{}: the first instant, t = {} s with {first}, is out of reach: driven there from the \
-         design position, the mechanism stops at {reached} ({})",
-        task.source.name(),
-        number(task.first),
-        cause.unwrap_or_default(),
-    ))
 }

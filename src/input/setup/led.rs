@@ -3,7 +3,8 @@
 use suspension_core::path::{Curve, Led};
 use suspension_core::{LocalOrigin, Named};
 
-use super::{Design, FROM_DESIGN_TO_FIRST, Task, out_of_reach, way};
+use super::start::{FROM_DESIGN_TO_FIRST, out_of_reach, way};
+use super::{Design, Task};
 use crate::failure::Failure;
 use crate::input::drives::{DriveLaws, Law};
 use crate::input::leading::StandIn;
