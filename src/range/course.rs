@@ -160,7 +160,7 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
             match stretch.end {
                 Some(End::Closed { gap }) => (run.limit, run.gap) = (Limit::Nothing, Some(gap)),
                 Some(End::Bifurcation { accuracy }) => run.limit = Limit::Bifurcation(accuracy),
-                Some(End::Range | End::Steps) | None => {}
+                Some(End::Range | End::OutOfRange | End::Steps) | None => {}
             }
         }
         Ok(run)

@@ -23,7 +23,7 @@ use search::{AROUND, Found, around, nearer};
 /// Distances are the norm over all coordinates of free points, in units of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assembly<T> {
-    /// Factorisations made on the way to it.
+    /// Factorisations made on the way to it, from the start that found it.
     pub iterations: usize,
     /// The largest residual, in units of length.
     pub residual: T,

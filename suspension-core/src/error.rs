@@ -7,6 +7,9 @@
 use core::fmt;
 
 /// Why no configuration was found. The state that was passed in is unchanged.
+///
+/// On a [`Curve`](crate::path::Curve) of `N` unknowns, unknown `N` is the coordinate of the free
+/// drive, and equation `N` that of the quantity that leads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SolveError<T> {
     /// A residual, or a derivative of it, is NaN or infinite: so is an input, the start or the time
@@ -98,9 +101,9 @@ pub enum SolveError<T> {
 impl<T> SolveError<T> {
     /// The name of the equation, unknown or point concerned, from the linkage's name tables.
     pub fn culprit<'a>(&self, equations: &'a [&'a str], unknowns: &'a [&'a str]) -> &'a str {
-        let (table, index) = match self {
+        let (table, index, beyond) = match self {
             Self::NotFinite { equation } | Self::NotConverged { equation, .. } => {
-                (equations, equation)
+                (equations, equation, "the leading quantity")
             }
             Self::Overflow { unknown }
             | Self::CrossedSingularity { unknown }
@@ -108,10 +111,14 @@ impl<T> SolveError<T> {
             | Self::Diverging { unknown, .. }
             | Self::TooFar { unknown, .. }
             | Self::StepTooLong { unknown, .. }
-            | Self::TurningPoint { unknown, .. } => (unknowns, unknown),
+            | Self::TurningPoint { unknown, .. } => (unknowns, unknown, "the free drive"),
             Self::Mirrored { point } => return point,
         };
-        table.get(*index).copied().unwrap_or("?")
+        match table.get(*index) {
+            Some(name) => name,
+            None if *index == table.len() => beyond,
+            None => "?",
+        }
     }
 }
 

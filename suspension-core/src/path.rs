@@ -25,6 +25,7 @@ mod lead;
 mod led;
 mod linear;
 mod place;
+mod quantity;
 mod step;
 mod turning;
 
@@ -149,7 +150,15 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Iterator for Path<'_, L
         if self.ended {
             return None;
         }
-        let stretch = self.step();
+        let stretch = if self.is_out_of_range() {
+            Ok(Stretch {
+                turning: None,
+                place: self.here,
+                end: Some(End::OutOfRange),
+            })
+        } else {
+            self.step()
+        };
         self.ended = !matches!(stretch, Ok(Stretch { end: None, .. }));
         Some(stretch)
     }

@@ -3,10 +3,10 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::attia2003;
 use suspension_core::path::{Leader, Led, Place};
-use suspension_core::{Build, HasWheel, Motion, Signal, SolveError, Stopped};
+use suspension_core::{Build, HasWheel, Linkage, Motion, Newton, Signal, SolveError, Stopped};
 
 use super::case::{Case, attia, five_link};
-use crate::support::{INSTANTS, Reference, theta};
+use crate::support::{self, INSTANTS, Reference, theta};
 
 /// The height of the wheel centre with its rates.
 fn height<P: HasWheel<f64>>(points: &Signal<P>) -> Signal<f64> {
@@ -205,4 +205,55 @@ where
 fn passes_the_turning_points_of_the_drive() {
     round_by_height(&attia());
     round_by_height(&five_link());
+}
+
+/// A root whose knuckle is mirrored is no place to be led to.
+#[test]
+fn a_mirrored_knuckle_is_never_led_to() {
+    let case = attia::<f64>();
+    let plain = Newton {
+        max_halvings: 0,
+        ..Newton::from_afar()
+    };
+    let mut mirrored = SVector::<f64, 15>::from_iterator(
+        (6..=10).flat_map(|number| <[f64; 3]>::from(support::printed_guess(&format!("p{number}")))),
+    );
+    let inputs = (case.inputs)(0.0);
+    plain
+        .solve(&case.model, &inputs, &mut mirrored)
+        .expect("a root, though not the published one");
+    let start = Led::at_rest(&case.curve(), &mirrored).expect("regular");
+    let target = height(&start.points(&case.model, &inputs));
+    let mut led = start;
+    let step = Leader::default().step(&case.model, &inputs, height, &target, 0.0, &mut led);
+    let wrong = SolveError::Mirrored { point: "p9" };
+    assert_eq!((step.expect_err("mirrored"), led), (wrong, start));
+}
+
+/// A target or a quantity that is no number is neither a turning point nor the linkage's fault.
+#[test]
+fn a_quantity_that_is_no_number_is_told() {
+    let case = attia::<f64>();
+    let inputs = (case.inputs)(0.0);
+    let start = Led::at_rest(&case.curve(), &case.q).expect("regular");
+    let here = height(&start.points(&case.model, &inputs));
+    let demand = |quantity: &dyn Fn(&Signal<attia2003::Points<f64>>) -> Signal<f64>, target| {
+        let mut led = start;
+        let step = Leader::default().step(&case.model, &inputs, quantity, &target, 0.0, &mut led);
+        let error = step.expect_err("no number");
+        assert!(matches!(error, SolveError::NotFinite { .. }), "{error:?}");
+        let name = error.culprit(
+            &attia2003::Model::<f64>::EQUATIONS,
+            &attia2003::Model::<f64>::UNKNOWNS,
+        );
+        assert_eq!((name, led), ("the leading quantity", start));
+    };
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        demand(&height, Signal { value, ..here });
+    }
+    let no_rate = |points: &Signal<attia2003::Points<f64>>| Signal {
+        rate: f64::NAN,
+        ..height(points)
+    };
+    demand(&no_rate, here);
 }

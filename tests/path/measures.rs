@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::path::{Curve, Leader, Led, measured};
-use suspension_core::{Build, Inputs, Linkage, Named, Newton, Signal, Still};
+use suspension_core::{Build, Inputs, Linkage, Named, Newton, Real, Signal, Still};
 
 suspension_core::linkage! {
     /// A four-bar whose crank cannot turn fully.
@@ -33,7 +33,7 @@ fn design() -> Points<f64> {
     }
 }
 
-fn inputs(drives: Drives<f64>) -> Inputs<Still, Drives<f64>> {
+fn inputs<T: Real>(drives: Drives<T>) -> Inputs<Still, Drives<T>> {
     let none = Drives::default();
     Inputs::still(Signal {
         value: drives,
@@ -94,4 +94,41 @@ fn every_measure_leads_through_the_crank_s_turning_point() {
         assert_eq!(turned, 1, "{name}: {turns:?}");
     }
     assert!(measured::<f64, Model<f64>, 6>(names.len()).is_none());
+}
+
+/// The same mechanism in metres and in millimetres: whatever the unit and the precision, an angle
+/// leads as well as a length, and comes as near to its target.
+fn angle_leads<T: Real>(unit: f64, allowed: f64) {
+    let metres = design();
+    let mut points = metres.values().map(|p| (p * unit).map(T::constant));
+    let design = Points::from_fn(|_| points.next().expect("as many points"));
+    let model = Model::new(&design).expect("a four-bar");
+    let inputs = inputs(model.drives_at(&design));
+    let curve = Curve::new(&model, &inputs, 0).expect("a drive");
+    let swing = measured::<T, Model<T>, 6>(2).expect("a measure");
+    let mut led = Led::at_rest(&curve, &Model::unknowns(&design)).expect("regular");
+    let from = swing(&led.points(&model, &inputs)).value;
+    let rate = T::constant(0.15);
+    let target = |t: T| Signal {
+        value: from + rate * t,
+        rate,
+        second_rate: T::zero(),
+    };
+    for step in 1..=20 {
+        let [before, t] = [step - 1, step].map(|t| T::constant(f64::from(t) / 20.0));
+        Leader::default()
+            .advance(&model, |_| inputs, swing, target, [before, t], &mut led)
+            .unwrap_or_else(|stopped| panic!("in {unit}: {stopped:?}"));
+        let found = swing(&led.points(&model, &inputs)).value;
+        let off: f64 = (found - target(t).value).to_subset().expect("f64");
+        assert!(off.abs() <= allowed, "in {unit}: off by {off} rad");
+    }
+}
+
+#[test]
+fn an_angle_leads_in_any_unit_and_precision() {
+    angle_leads::<f64>(1.0, 1e-14);
+    angle_leads::<f64>(1e3, 1e-14);
+    angle_leads::<f32>(1.0, 4e-6);
+    angle_leads::<f32>(1e3, 4e-6);
 }

@@ -1,7 +1,7 @@
 //! The published mechanism: both ends of its drive, and once round its curve.
 
 use suspension_core::path::{Continuation, End};
-use suspension_core::{Build, Real};
+use suspension_core::{Build, Real, Signal};
 
 use super::case::{Case, attia, five_link};
 
@@ -72,6 +72,38 @@ fn a_path_stays_within_its_range() {
         assert_eq!(last.end, Some(End::Range));
         assert!((last.place.value - bound).abs() < 1e-14);
         assert!(path.next().is_none());
+    }
+}
+
+#[test]
+fn a_path_that_starts_outside_its_range_makes_no_step() {
+    let case = five_link::<f64>();
+    let start = case.curve().value(&Signal {
+        value: case.curve().configuration(&case.q).drive,
+        rate: 0.0,
+        second_rate: 0.0,
+    });
+    let ends = |range| {
+        let settings = Continuation {
+            range: Some(range),
+            ..Continuation::default()
+        };
+        [true, false].map(|increasing| {
+            let path = settings.path(case.curve(), &case.q, increasing);
+            let mut path = path.expect("a regular start");
+            let here = path.here().configuration;
+            let last = path.by_ref().last().expect("a path").expect("regular");
+            assert!(path.next().is_none());
+            (last.end, last.place.configuration == here)
+        })
+    };
+    let start = start.value;
+    for outside in [[start + 0.1, start + 0.2], [start - 0.2, start - 0.1]] {
+        assert_eq!(ends(outside), [(Some(End::OutOfRange), true); 2]);
+    }
+    // At a bound it is within.
+    for within in [[start, start + 0.1], [start - 0.1, start]] {
+        assert!(ends(within).iter().all(|end| end.0 == Some(End::Range)));
     }
 }
 

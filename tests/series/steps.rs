@@ -1,7 +1,8 @@
 //! Steps by series alone, and steps that are refused.
 
-use suspension_core::linkages::five_link;
-use suspension_core::{InputSeries, Jet, Motion, Real, SeriesTracker, SolveError, Still};
+use nalgebra::SVector;
+use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::{InputSeries, Jet, Motion, Newton, Real, SeriesTracker, SolveError, Still};
 
 use super::support::{self, INSTANTS, Reference};
 
@@ -123,4 +124,27 @@ fn a_motion_of_another_assembly_is_refused() {
     let error = SeriesTracker::within(1e-9).step(&model, &ahead::<_, 6>(1.0), 1e-3, &mut mirrored);
     assert!(matches!(error, Err(SolveError::CrossedSingularity { .. })));
     assert_eq!(mirrored, before);
+}
+
+/// A root whose knuckle is mirrored is no place to step to.
+#[test]
+fn a_mirrored_knuckle_is_refused() {
+    let model: attia2003::Model<f64> = support::attia_model();
+    let plain = Newton {
+        max_halvings: 0,
+        ..Newton::from_afar()
+    };
+    let inputs = support::attia_inputs(0.0);
+    let mut mirrored = SVector::<f64, 15>::from_iterator(
+        (6..=10).flat_map(|number| <[f64; 3]>::from(support::printed_guess(&format!("p{number}")))),
+    );
+    plain
+        .solve(&model, &inputs, &mut mirrored)
+        .expect("a root, though not the published one");
+    let start = Motion::at_rest(mirrored);
+    let mut motion = start;
+    let ahead: InputSeries<Still, _, 4> = InputSeries::still(Jet::of_signal(&inputs.drives));
+    let step = SeriesTracker::within(1e-12).step(&model, &ahead, 0.0, &mut motion);
+    let wrong = SolveError::Mirrored { point: "p9" };
+    assert_eq!((step.expect_err("mirrored"), motion), (wrong, start));
 }

@@ -6,7 +6,7 @@ use crate::scalar::Real;
 
 /// The rigid body `shape` moved, never mirrored, to where it fits `guess` best in the
 /// least-squares sense: Horn 1987, Closed-form solution of absolute orientation using unit
-/// quaternions. A guess that is not finite is returned as it is.
+/// quaternions. A guess that is not finite, or whose points coincide, is returned as it is.
 pub fn best_rigid_fit<T: Real, const K: usize>(
     shape: &[Vector3<T>; K],
     guess: &[Vector3<T>; K],

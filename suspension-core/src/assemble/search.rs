@@ -44,7 +44,7 @@ pub(super) struct Found<T, const N: usize> {
 }
 
 impl<T: Real, const N: usize> Found<T, N> {
-    /// The first root of a search.
+    /// A root to which one start led.
     pub(super) fn new(root: SVector<T, N>, guess: &SVector<T, N>, converged: Converged<T>) -> Self {
         let assembly = Assembly {
             iterations: converged.iterations,

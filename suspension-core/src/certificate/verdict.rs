@@ -47,7 +47,8 @@ pub enum Unproved<T> {
         defect: T,
     },
     /// `correction >= bound`: for a correction of this size the curvature of the equations is too
-    /// strong. Either the residual is too large, or a singularity too near.
+    /// strong. Either the residual is too large, or a singularity too near. With a correction below
+    /// the bound, though hardly, the margin is lost to rounding.
     TooFar {
         /// A bound of `|A F|`, the correction that Newton's method would make, in units of length.
         correction: T,

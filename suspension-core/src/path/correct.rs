@@ -8,6 +8,7 @@ use crate::magnitude::{index_of_largest, magnitude};
 use crate::newton::{Converged, Newton, within};
 use crate::path::configuration::Configuration;
 use crate::path::curve::Curve;
+use crate::path::linear::of_entry;
 use crate::scalar::Real;
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
@@ -28,7 +29,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
             let linear = self.linear(&at, parameter)?;
             let rounding = newton.rounding_at(self.linkage, &at.unknowns);
             let step = linear.lu.solve(&residual);
-            let size = within(&step, bound, rounding)?;
+            let size = within(&step, bound, rounding).map_err(of_entry::<T, N>(parameter))?;
             at = at - linear.along(&step);
             // One more correction with the same factors takes off what the square of the first
             // has left.

@@ -2,6 +2,7 @@
 
 use crate::error::SolveError;
 use crate::factored::smallest_pivot;
+use crate::handedness;
 use crate::linkage::Linkage;
 use crate::magnitude::{index_of_largest, magnitude};
 use crate::motion::input_terms;
@@ -26,6 +27,15 @@ pub(super) struct Course<'a, T, L: Linkage<N>, Q, const N: usize> {
     pub(super) target: &'a Signal<T>,
 }
 
+/// A position that solves the equations and where the quantity meets its target.
+struct Met<T, const N: usize> {
+    position: Configuration<T, N>,
+    /// See [`Course::steepest`].
+    steepest: T,
+    converged: Converged<T>,
+    off_target: T,
+}
+
 impl<T, L, Q, const N: usize> Course<'_, T, L, Q, N>
 where
     T: Real,
@@ -37,7 +47,17 @@ where
         dt: T,
         led: &Led<T, N>,
     ) -> Result<(Led<T, N>, LedStep<T>), SolveError<T>> {
-        let (position, converged, off_target) = self.position(dt, led)?;
+        let Met {
+            position,
+            steepest,
+            converged,
+            off_target,
+        } = self.position(dt, led)?;
+        handedness::check(
+            self.curve.linkage,
+            &position.unknowns,
+            &self.curve.fixed(&position),
+        )?;
         let linear = self.curve.linear(&position, led.parameter)?;
         let largest = linear.tangent.largest_entry();
         let is_poor = linear.tangent.entry(largest).abs() * T::constant(POOR) > T::one();
@@ -46,14 +66,14 @@ where
             Some(parameter) => self.curve.linear(&position, parameter)?,
             None => linear,
         };
-        let slope = self.slope(&position, &linear.tangent);
+        let slope = self.slope(&position, &linear.tangent)?;
         let unknown = index_of_largest(&linear.tangent.unknowns);
-        let is_steep = slope.abs() > smallest_pivot::<T>() * linear.tangent.norm();
+        let is_steep = slope.abs() > smallest_pivot::<T>() * steepest * linear.tangent.norm();
         if !is_steep {
             return Err(SolveError::TurningPoint {
                 unknown,
                 asked: self.target.value,
-                extreme: self.value(&position),
+                extreme: self.value(&position)?,
             });
         }
         let increases = Some((slope > T::zero()) == linear.is_positive(&linear.tangent));
@@ -75,11 +95,7 @@ where
     }
 
     /// Newton's method on the equations and the quantity together.
-    fn position(
-        &self,
-        dt: T,
-        led: &Led<T, N>,
-    ) -> Result<(Configuration<T, N>, Converged<T>, T), SolveError<T>> {
+    fn position(&self, dt: T, led: &Led<T, N>) -> Result<Met<T, N>, SolveError<T>> {
         let Leader {
             newton,
             correction_of_move,
@@ -99,31 +115,35 @@ where
         let mut bound = Some((*correction_of_move * moved).max(*correction_of_size * size));
         for iterations in 1..=newton.max_iterations {
             let linear = self.curve.linear(&at, led.parameter)?;
-            let (step, slope) = self.correction(&at, &linear);
+            let step = self.correction(&at, &linear)?;
             let rounding = newton.rounding_at(self.curve.linkage, &at.unknowns);
             let correction = within(&step.unknowns, bound, rounding)?;
             at = at + step;
             // Once more with the same factors, for what the square of the first has left.
-            let (second, _) = self.correction(&at, &linear);
-            at = at + second;
+            at = at + self.correction(&at, &linear)?;
             let residual = finite(&self.curve.residual(&at))?;
             let rounding = newton.rounding_at(self.curve.linkage, &at.unknowns);
             let tolerance = newton.tolerance * rounding;
-            let off_target = (self.value(&at) - self.target.value).abs();
-            // What rounding of the positions and of the quantity itself leaves of it.
-            let steepness = (slope.abs() / linear.tangent.norm())
-                .max(T::one())
-                .max(T::one() / size);
-            let near =
-                tolerance * steepness + newton.tolerance * T::EPSILON * self.target.value.abs();
-            if residual <= tolerance && off_target <= near {
-                let converged = Converged {
-                    iterations,
-                    residual,
-                    tolerance,
-                    growth: linear.growth(),
-                };
-                return Ok((at, converged, off_target));
+            if residual <= tolerance {
+                let steepest = self.steepest(&at)?;
+                let off_target = (self.value(&at)? - self.target.value).abs();
+                // What rounding of the positions and of the quantity itself leaves of it.
+                let near =
+                    tolerance * steepest + newton.tolerance * T::EPSILON * self.target.value.abs();
+                if off_target <= near {
+                    let converged = Converged {
+                        iterations,
+                        residual,
+                        tolerance,
+                        growth: linear.growth(),
+                    };
+                    return Ok(Met {
+                        position: at,
+                        steepest,
+                        converged,
+                        off_target,
+                    });
+                }
             }
             bound = newton.contraction.map(|part| part * correction);
         }
@@ -136,17 +156,16 @@ where
         })
     }
 
-    /// A Newton step, and the quantity's slope along the tangent.
+    /// A Newton step.
     fn correction(
         &self,
         at: &Configuration<T, N>,
         linear: &Linear<T, N>,
-    ) -> (Configuration<T, N>, T) {
+    ) -> Result<Configuration<T, N>, SolveError<T>> {
         let error = linear.along(&linear.lu.solve(&self.curve.residual(at)));
-        let slope = self.slope(at, &linear.tangent);
-        let excess = self.value(at) - self.slope(at, &error) - self.target.value;
-        let step = linear.tangent * (-excess / slope) - error;
-        (step, slope)
+        let slope = self.slope(at, &linear.tangent)?;
+        let excess = self.value(at)? - self.slope(at, &error)? - self.target.value;
+        Ok(linear.tangent * (-excess / slope) - error)
     }
 
     /// Velocity and acceleration at a position.
@@ -193,29 +212,6 @@ where
         })
     }
 
-    fn value(&self, at: &Configuration<T, N>) -> T {
-        let none = Configuration::zero();
-        self.measured(at, none, none).value
-    }
-
-    /// The rate of the quantity where the configuration changes at a rate.
-    fn slope(&self, at: &Configuration<T, N>, rate: &Configuration<T, N>) -> T {
-        self.measured(at, *rate, Configuration::zero()).rate
-    }
-
-    fn measured(
-        &self,
-        at: &Configuration<T, N>,
-        rate: Configuration<T, N>,
-        second_rate: Configuration<T, N>,
-    ) -> Signal<T> {
-        (self.quantity)(&self.curve.moving_points(&Signal {
-            value: *at,
-            rate,
-            second_rate,
-        }))
-    }
-
     /// The turning point of the quantity, where it lies near the last motion and before the
     /// target.
     pub(super) fn turning_before(&self, led: &Led<T, N>) -> Option<SolveError<T>> {
@@ -227,9 +223,10 @@ where
                     (self.quantity)(&self.curve.moving_points(along))
                 })?;
         let asked = self.target.value;
-        let here = self.value(&from);
+        let here = self.value(&from).ok()?;
         // So near to the extreme the slope is lost in rounding.
-        let near = T::EPSILON * T::constant(1024.0) * self.curve.linkage.size();
+        let rounding = T::EPSILON * self.curve.linkage.size();
+        let near = rounding * T::constant(1024.0) * self.steepest(&from).ok()?;
         let short = if here < extreme {
             extreme - asked
         } else {

@@ -8,7 +8,7 @@ use crate::lu::Lu;
 use crate::motion::Prescribed;
 use crate::parts;
 use crate::path::configuration::Configuration;
-use crate::path::linear::Linear;
+use crate::path::linear::{Linear, of_entry};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::trigonometry::sine_cosine;
@@ -216,7 +216,7 @@ where
             *column = minus_of_drive.map(|entry| -entry);
         }
         Linear::new(
-            Lu::factor(&matrix)?,
+            Lu::factor(&matrix).map_err(of_entry::<T, N>(parameter))?,
             parameter,
             &SVector::from(minus_of_parameter),
         )

@@ -16,6 +16,7 @@ use crate::newton::{Converged, Newton};
 use crate::path::course::Course;
 use crate::path::curve::Curve;
 use crate::path::led::Led;
+use crate::path::quantity::number;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::substeps::in_steps;
@@ -83,8 +84,9 @@ impl<T: Real> Leader<T> {
     /// # Errors
     ///
     /// [`SolveError::TurningPoint`] where the quantity turns before it meets the target,
-    /// [`SolveError::CrossedSingularity`] where another singularity lies between, else as
-    /// [`Tracker::step`](crate::Tracker::step). The motion is then unchanged.
+    /// [`SolveError::CrossedSingularity`] where another singularity lies between,
+    /// [`SolveError::NotFinite`] of equation `N` where the quantity or its target is no number, else
+    /// as [`Tracker::step`](crate::Tracker::step). The motion is then unchanged.
     pub fn step<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -98,6 +100,7 @@ impl<T: Real> Leader<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
+        number::<T, N>(target.value)?;
         let course = Course {
             leader: self,
             curve: Curve::of(linkage, inputs, led.drive),
@@ -109,6 +112,7 @@ impl<T: Real> Leader<T> {
                 *led = next;
                 Ok(step)
             }
+            Err(error @ SolveError::NotFinite { .. }) => Err(error),
             Err(error) => Err(course.turning_before(led).unwrap_or(error)),
         }
     }

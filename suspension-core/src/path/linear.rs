@@ -32,7 +32,9 @@ impl<T: Real, const N: usize> Linear<T, N> {
         minus_column: &SVector<T, N>,
     ) -> Result<Self, SolveError<T>> {
         let along = lu.solve(minus_column);
-        magnitude(&along).map_err(|unknown| SolveError::Overflow { unknown })?;
+        magnitude(&along).map_err(|unknown| SolveError::Overflow {
+            unknown: entry::<N>(unknown, parameter),
+        })?;
         Ok(Self {
             lu,
             parameter,
@@ -64,6 +66,27 @@ impl<T: Real, const N: usize> Linear<T, N> {
     /// The health of the pivots: the norm of their inverses.
     pub(crate) fn growth(&self) -> T {
         self.lu.growth_squared().sqrt()
+    }
+}
+
+/// The entry of the configuration that a column solves for: that of the parameter is the drive's,
+/// `N`.
+fn entry<const N: usize>(column: usize, parameter: usize) -> usize {
+    if column == parameter { N } else { column }
+}
+
+/// An error of solving with the matrix, which names a column, with the entry instead.
+pub(crate) fn of_entry<T, const N: usize>(
+    parameter: usize,
+) -> impl Fn(SolveError<T>) -> SolveError<T> {
+    move |mut error| {
+        if let SolveError::Singular { unknown, .. }
+        | SolveError::Overflow { unknown }
+        | SolveError::Diverging { unknown, .. } = &mut error
+        {
+            *unknown = entry::<N>(*unknown, parameter);
+        }
+        error
     }
 }
 

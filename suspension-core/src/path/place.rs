@@ -58,6 +58,8 @@ pub enum End<T> {
     },
     /// The drive is at a bound of the range that was asked for.
     Range,
+    /// The path's start lies outside the range that was asked for: no step is made.
+    OutOfRange,
     /// All steps that were allowed are made.
     Steps,
 }

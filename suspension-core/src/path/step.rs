@@ -9,8 +9,7 @@ use crate::path::{Continuation, ORDER, Path};
 use crate::scalar::Real;
 use crate::tracker::CORRECTION_OF_MOVE;
 
-/// The least cosine of the angle between the tangents at the ends of a step: then the parameter's
-/// entry keeps its sign where `N` is 15 or less, and the orientation is beyond doubt.
+/// The least cosine of the angle between the tangents at the ends of a step.
 const STRAIGHT: f64 = 0.97;
 
 /// How often a step may be halved.
@@ -72,7 +71,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
                 None => (distance, place, None),
             }
         };
-        if place.tangent.dot(&self.here.tangent) < T::constant(STRAIGHT)
+        if place.tangent.dot(&self.here.tangent) < straight::<T, N>()
             || self.turns(arc, distance) > 1
         {
             return Err(bent);
@@ -132,7 +131,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         let place = self.arrive(arc, distance).ok()?;
         let gap = (place.configuration - *start).norm();
         let is_same = gap <= T::EPSILON.sqrt() * size
-            && place.tangent.dot(&self.start.tangent) > T::constant(STRAIGHT);
+            && place.tangent.dot(&self.start.tangent) > straight::<T, N>();
         is_same.then_some((distance, place, End::Closed { gap }))
     }
 
@@ -163,4 +162,11 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
             after.positive != before.positive && apart <= accuracy * T::constant(16.0);
         are_neighbours.then_some((low, before, End::Bifurcation { accuracy }))
     }
+}
+
+/// [`STRAIGHT`], or more where there are many unknowns: the largest entry of a unit tangent, the
+/// parameter's, is `1 / sqrt(N + 1)` or more, and keeps its sign while the tangents are less than
+/// that apart. The orientation is then beyond doubt.
+fn straight<T: Real, const N: usize>() -> T {
+    T::constant(STRAIGHT.max(1.0 - 0.5 / (N + 1) as f64))
 }

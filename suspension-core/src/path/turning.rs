@@ -45,15 +45,27 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
             if ahead { excess.map(|x| -x) } else { excess }
         })?;
         let is_end_of_angle = self.curve.length().is_some_and(|length| {
-            let rounding = self
-                .settings
-                .newton
-                .rounding_at(self.curve.linkage, &place.configuration.unknowns);
+            let rounding = self.rounding_at(&place);
             length - place.configuration.drive.abs() <= rounding * T::constant(64.0)
         });
         Ok(Turning {
             place,
             is_end_of_angle,
+        })
+    }
+
+    /// What rounding leaves of a length at a place.
+    fn rounding_at(&self, place: &Place<T, N>) -> T {
+        let newton = &self.settings.newton;
+        newton.rounding_at(self.curve.linkage, &place.configuration.unknowns)
+    }
+
+    /// Whether the path is outside its range, by more than its correction at a bound may be.
+    pub(super) fn is_out_of_range(&self) -> bool {
+        self.settings.range.is_some_and(|[low, high]| {
+            let nearest = self.curve.coordinate(self.here.value.max(low).min(high));
+            let off = (self.here.configuration.drive - nearest).abs();
+            off > self.rounding_at(&self.here) * T::constant(1024.0)
         })
     }
 

@@ -3,6 +3,7 @@
 use super::{ChassisSeries, InputSeries, PrescribedSeries, Series};
 use crate::error::SolveError;
 use crate::factored::{smallest_pivot, with_factors};
+use crate::handedness;
 use crate::linkage::Linkage;
 use crate::magnitude::{index_of_largest, magnitude};
 use crate::motion::{Motion, Prescribed};
@@ -63,6 +64,7 @@ impl<T: Real> SeriesTracker<T> {
         let size = magnitude(&residual).map_err(|equation| SolveError::NotFinite { equation })?;
         let (tolerance, iterations) = (self.tolerance, 1);
         if size <= tolerance {
+            handedness::check(linkage, &next.position, &fixed.value)?;
             *motion = next;
             Ok(Converged {
                 iterations,

@@ -10,6 +10,10 @@
 //!
 //! While `|w| < |d|` the step's own direction becomes singular nowhere between its ends. Where a
 //! step runs into a turning point `|w| / |d|` grows without bound.
+//!
+//! So it is with the chassis at rest, and where all its points move by the same: `d` is then what
+//! the others move beside them. Of any moving chassis the mean displacement of its points is taken,
+//! which assumes that they move by about the same.
 
 use nalgebra::{SVector, Vector3};
 
