@@ -8,7 +8,7 @@ use crate::input::instants::Instants;
 use crate::number::number;
 use crate::output::csv_file::{CsvFile, Target};
 use crate::output::progress::Progress;
-use crate::study::{End, Stop, Study};
+use crate::study::{End, Study};
 
 /// The rows of a table: names above, numbers below.
 #[derive(Clone, Debug, Default)]
@@ -187,33 +187,5 @@ impl Outcome {
             1 => format!("1 {what} was {done}, at t = {last} s"),
             count => format!("{count} {what}s were {done}, up to t = {last} s"),
         }
-    }
-}
-
-impl Stop {
-    /// In one sentence: what was asked for, how far the mechanism goes, and why no further.
-    pub fn in_words(&self) -> String {
-        let Self {
-            asked,
-            drives_asked,
-            reached,
-            drives_reached,
-            cause,
-            turns,
-        } = self;
-        let locks = turns.map_or_else(String::new, |drive| {
-            format!(
-                " there the mechanism locks, at a turning point of drive `{drive}` where \
-                 velocities grow without bound;"
-            )
-        });
-        format!(
-            "no configuration at t = {} s with {drives_asked}: the motion ends at \
-             t = {} s with {drives_reached} ({cause});{locks}",
-            number(*asked),
-            number(*reached)
-        )
-        .trim_end_matches(';')
-        .to_owned()
     }
 }

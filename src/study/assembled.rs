@@ -1,0 +1,172 @@
+//! A linkage of the catalogue, assembled and with its drives.
+
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::{Const, DimMin};
+use suspension_core::{Advanced, LocalOrigin, Motion, Stopped, Tracker};
+use toml::Spanned;
+
+use crate::assemblies::{self, Listed, Wish};
+use crate::bake::order::{Order, Ordered};
+use crate::bake::source::Sheet;
+use crate::chart;
+use crate::chart::survey::{Effort, Survey};
+use crate::failure::Failure;
+use crate::failures;
+use crate::input::drives::DriveLaws;
+use crate::input::file::Unit;
+use crate::input::instants::Instants;
+use crate::range::course::DriveRange;
+use crate::range::meeting::meeting;
+use crate::range::station;
+use crate::study::columns::{self, PointNames};
+use crate::study::led::Lead;
+use crate::study::timing::{self, Timing};
+use crate::study::{End, MAX_STEPS, OnRow, Study, Suspension};
+
+/// A linkage in the configuration of the first instant, with its drives over time.
+#[derive(Clone, Debug)]
+pub struct Assembled<L, const N: usize> {
+    /// The linkage's name in the catalogue.
+    pub linkage: &'static str,
+    /// The unit of its lengths.
+    pub unit: Unit,
+    /// Where the file's coordinates have the origin of all below: zero, save far from the points.
+    pub origin: LocalOrigin<f64>,
+    /// The geometry.
+    pub model: L,
+    /// The first instant, s.
+    pub first: f64,
+    /// The configuration there.
+    pub start: Motion<f64, N>,
+    /// The drives; one for which a measure leads stays as it is there.
+    pub drives: DriveLaws,
+    /// The measure that leads in place of a drive.
+    pub lead: Option<Lead<N>>,
+}
+
+impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    fn linkage(&self) -> &'static str {
+        self.linkage
+    }
+
+    fn unit(&self) -> Unit {
+        self.unit
+    }
+
+    fn columns(&self) -> Vec<String> {
+        columns::names::<L, N>(self.unit)
+    }
+
+    fn measures(&self) -> Vec<String> {
+        columns::measures::<L, N>(self.unit)
+    }
+
+    fn leader(&self) -> Option<&Spanned<String>> {
+        self.lead.as_ref().map(|lead| &lead.stand_in.key)
+    }
+
+    fn points(&self) -> PointNames {
+        PointNames::of::<L, N>()
+    }
+
+    fn sweep(&self, instants: &Instants, on_row: &mut OnRow<'_>) -> Result<End, Failure> {
+        let mut moving = self.moving();
+        let [mut last, _] = instants.ends();
+        for t in instants.iter() {
+            match self.follow([last, t], &mut moving) {
+                Ok(advanced) => {
+                    let inputs = self.inputs(t, &moving);
+                    let row = columns::row(self, t, &inputs, &moving.motion(), &advanced);
+                    if on_row(&row)?.is_break() {
+                        return Ok(End::Cut);
+                    }
+                }
+                Err(stopped) => {
+                    return Ok(End::Stopped(self.stop(t, &stopped, &moving)));
+                }
+            }
+            last = t;
+        }
+        Ok(End::Complete)
+    }
+
+    fn time_a_step(&self, ends: [f64; 2]) -> Option<Timing> {
+        timing::time_a_step(self, ends)
+    }
+
+    fn bake(&self, file: &str, instants: &Instants, order: &Order) -> Result<Sheet, Failure> {
+        let ordered = Ordered {
+            file,
+            assembled: self,
+            instants,
+            order,
+        };
+        ordered.sheet()
+    }
+
+    fn assemblies(
+        &self,
+        file: &str,
+        wish: &Wish,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<Listed>, Failure> {
+        assemblies::list(self, file, wish, interrupted)
+    }
+
+    fn chart(
+        &self,
+        ends: [f64; 2],
+        effort: &Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<Survey, Failure> {
+        chart::measure(self, ends, effort, interrupted)
+    }
+
+    fn range_columns(&self) -> Vec<String> {
+        station::names::<L, N>(self.unit)
+    }
+
+    fn ranges(
+        &self,
+        instants: &Instants,
+        interrupted: &AtomicBool,
+    ) -> Result<Vec<DriveRange>, Failure> {
+        let [first, _] = instants.ends();
+        let drives = 0..L::DRIVE_KINDS.len();
+        drives
+            .map(|index| self.range(first, index, interrupted))
+            .collect()
+    }
+
+    fn meeting(&self, drive: usize, ends: [f64; 2], instants: &Instants) -> Option<(f64, usize)> {
+        let driven = self.lead.is_none();
+        driven.then(|| meeting::<L, N>(&self.drives, drive, ends, instants))?
+    }
+
+    fn failures(
+        &self,
+        ends: [f64; 2],
+        effort: &failures::survey::Effort,
+        interrupted: &AtomicBool,
+    ) -> Result<failures::survey::Counted, Failure> {
+        failures::measure(self, ends, effort, interrupted)
+    }
+}
+
+/// Follows the motion from one time to another, in as many steps as it takes.
+pub(crate) fn follow<L: Suspension<N>, const N: usize>(
+    model: &L,
+    drives: &DriveLaws,
+    [from, to]: [f64; 2],
+    motion: &mut Motion<f64, N>,
+) -> Result<Advanced<f64>, Stopped<f64>> {
+    let tracker = Tracker {
+        max_steps: MAX_STEPS,
+        ..Tracker::default()
+    };
+    tracker.advance(model, |t| drives.inputs(t), from, to, motion)
+}
