@@ -127,9 +127,11 @@ where
             if residual <= tolerance {
                 let steepest = self.steepest(&at)?;
                 let off_target = (self.value(&at)? - self.target.value).abs();
-                // What rounding of the positions and of the quantity itself leaves of it.
-                let near =
-                    tolerance * steepest + newton.tolerance * T::EPSILON * self.target.value.abs();
+                let slope = self.slope(&at, &linear.tangent)?.abs() / linear.tangent.norm();
+                // As near along the curve as the residual's tolerance, or what rounding of the
+                // positions and of the quantity itself leaves of it.
+                let near = (tolerance * slope).max(rounding * steepest * T::constant(4.0))
+                    + newton.tolerance * T::EPSILON * self.target.value.abs();
                 if off_target <= near {
                     let converged = Converged {
                         iterations,
