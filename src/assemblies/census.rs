@@ -24,6 +24,9 @@ pub struct Census<const N: usize> {
     pub real: Vec<SVector<f64, N>>,
     /// How many are complex.
     pub complex: usize,
+    /// How many have imaginary parts that may be rounding, and no iteration confirms a real one:
+    /// beside a fold two real ones or two complex ones, which are not told apart.
+    pub unconfirmed: usize,
     /// How many a mechanism with general lengths has.
     pub generic: usize,
     /// How many of those go to infinity as the lengths become the mechanism's.
@@ -34,7 +37,7 @@ pub struct Census<const N: usize> {
 
 impl<const N: usize> Census<N> {
     /// How many assemblies of a general mechanism were followed neither to one of this mechanism
-    /// nor to infinity: several that coincide, or paths lost near a singularity.
+    /// nor to infinity: several that coincide, paths lost near a singularity, or the unconfirmed ones.
     pub fn unaccounted(&self) -> usize {
         let accounted = self.real.len() + self.complex + self.infinite;
         self.generic.saturating_sub(accounted)
@@ -78,30 +81,33 @@ where
             break;
         }
     }
-    let real: Vec<_> = roots
+    let bound = REAL * size;
+    let (nearly_real, complex): (Vec<_>, Vec<_>) = roots
         .iter()
-        .filter_map(|root| real::<L, N>(model, inputs, root))
+        .partition(|root| root.iter().all(|entry| entry.im.abs() <= bound));
+    let real: Vec<_> = nearly_real
+        .iter()
+        .filter_map(|root| confirmed::<L, N>(model, inputs, root, bound))
         .collect();
     Census {
         infinite: infinite.min(generic.roots.len().saturating_sub(roots.len())),
-        complex: roots.len() - real.len(),
+        complex: complex.len(),
+        unconfirmed: nearly_real.len() - real.len(),
         real,
         generic: generic.roots.len(),
         evidence: generic.evidence,
     }
 }
 
-/// The real root that a complex one is, to rounding.
-fn real<L: Enumerable<N>, const N: usize>(
+/// The real root within `bound` of a nearly real one.
+fn confirmed<L: Enumerable<N>, const N: usize>(
     model: &L,
     inputs: &Inputs<Still, L::Drives>,
     root: &Vector<N>,
+    bound: f64,
 ) -> Option<SVector<f64, N>> {
-    let bound = REAL * model.size();
     let found = root.map(|entry: Complex<f64>| entry.re);
     let mut q = found;
-    let near = root.iter().all(|entry| entry.im.abs() <= bound)
-        && Newton::near_by().solve(model, inputs, &mut q).is_ok()
-        && (q - found).amax() <= bound;
-    near.then_some(q)
+    Newton::near_by().solve(model, inputs, &mut q).ok()?;
+    ((q - found).amax() <= bound).then_some(q)
 }

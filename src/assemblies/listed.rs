@@ -39,6 +39,8 @@ pub struct Listed {
     pub infinite: usize,
     /// How many of those lead nowhere that is known.
     pub unaccounted: usize,
+    /// How many of these are real or complex, which rounding does not tell beside a fold.
+    pub unconfirmed: usize,
     /// Whether there is good reason to believe that the list is complete.
     pub is_complete: bool,
     /// Why the generic ones are believed to be all.
@@ -155,6 +157,7 @@ fn listed<L: Suspension<N>, const N: usize>(
         generic: census.generic,
         infinite: census.infinite,
         unaccounted: census.unaccounted(),
+        unconfirmed: census.unconfirmed,
         is_complete: census.is_complete(),
         evidence: census.evidence,
     }

@@ -24,14 +24,17 @@ const SHORTEST: f64 = 1e-12;
 /// How large a root may become, as a multiple of the linkage's size.
 const FAR: f64 = 1e5;
 
+/// The last part of a line: only there a root as large is on its way to infinity.
+const NEAR_THE_END: f64 = 1e-2;
+
 /// Where a path led.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum End<const N: usize> {
     /// To a root of the member at the end of the line.
     Root(Vector<N>),
-    /// To infinity.
+    /// To infinity at the end of the line.
     Infinite,
-    /// To where the root is not isolated, or no steps are left.
+    /// To where the root is not isolated, or far away before the end, or no steps are left.
     Lost,
 }
 
@@ -42,7 +45,7 @@ where
 {
     way.iter().fold(End::Root(*q), |end, line| match end {
         End::Root(q) => follow_line(line, q),
-        ended => ended,
+        End::Infinite | End::Lost => End::Lost,
     })
 }
 
@@ -57,7 +60,11 @@ where
     for _ in 0..MOST_STEPS {
         let scale = line.size() + q.camax();
         if scale > FAR * line.size() {
-            return End::Infinite;
+            return if 1.0 - s < NEAR_THE_END {
+                End::Infinite
+            } else {
+                End::Lost
+            };
         }
         let Some(terms) = line.series(&q, s, &factors) else {
             return End::Lost;

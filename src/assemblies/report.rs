@@ -109,6 +109,7 @@ fn certainty(listed: &Listed) -> String {
         generic,
         infinite,
         unaccounted,
+        unconfirmed,
         evidence,
         ..
     } = listed;
@@ -118,13 +119,17 @@ fn certainty(listed: &Listed) -> String {
     } else {
         "The list may not be complete"
     };
+    let unconfirmed = match unconfirmed {
+        0 => String::new(),
+        count => format!(" ({count} beside a fold, real or complex is not to be told)"),
+    };
     let trace = match evidence.trace {
         Some(bend) => format!("the trace test leaves {} of a straight line", rounded(bend)),
         None => "the trace test does not apply, as no drive moves a free point".to_owned(),
     };
     format!(
         "{verdict}: {real} real and {complex} complex assemblies, {infinite} at infinity, \
-         {unaccounted} not accounted for,\nof the {generic} that such a mechanism has with general \
+         {unaccounted} not accounted for{unconfirmed},\nof the {generic} that such a mechanism has with general \
          lengths ({} random starts, {} without a\nnew one; {trace}).\n",
         evidence.starts,
         match evidence.loops {

@@ -73,6 +73,7 @@ velocities, one row wherever their number has doubled or so:
   steps                       from the beginning
   drift_m                     the largest residual after any step since the row before, m
   iterations_a_step           since the row before
+  ended                       why the run ended there, if it did not make all its steps
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism has no motion,
 130 interrupted, what was counted is kept.

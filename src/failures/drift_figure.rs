@@ -92,6 +92,7 @@ fn details(row: &LongRow) -> String {
         steps,
         drift_m,
         iterations_a_step,
+        ended: _,
     } = row;
     let (drift, iterations) = (rounded(*drift_m, 2), rounded(*iterations_a_step, 4));
     format!(

@@ -1,9 +1,10 @@
 //! Millions of steps back and forth through a motion: what a method forgets, it drifts by.
 
+use std::fmt::LowerExp;
 use std::marker::PhantomData;
 
 use serde::{Deserialize, Serialize};
-use suspension_core::{Inputs, Linkage, Motion, Named, Real, Still, Tracker};
+use suspension_core::{Inputs, Linkage, Motion, Named, Real, SolveError, Still, Tracker};
 
 use super::integration::runge_kutta;
 use super::method::Method;
@@ -52,6 +53,8 @@ pub struct LongRun<'a, D, M, T, const N: usize> {
     leg: u64,
     done: u64,
     motion: Motion<T, N>,
+    /// Why the last step failed.
+    failed: Option<SolveError<T>>,
 }
 
 /// What a stretch of steps was like.
@@ -88,6 +91,7 @@ where
             leg: (truth.duration() / step) as u64,
             done: 0,
             motion: cast(&truth.at(truth.ends[0])),
+            failed: None,
         }
     }
 
@@ -97,8 +101,12 @@ where
         while stretch.steps < steps {
             let times = [self.done, self.done + 1].map(|step| self.time(step));
             let inputs = |t: T| inputs::<_, D, _>(self.drives, t);
-            let Some(iterations) = self.step(inputs, times.map(T::constant)) else {
-                break;
+            let iterations = match self.step(inputs, times.map(T::constant)) {
+                Ok(iterations) => iterations,
+                Err(error) => {
+                    self.failed = Some(error);
+                    break;
+                }
             };
             let [_, to] = times.map(T::constant);
             let off = drift(self.model, &inputs(to), &self.motion.position);
@@ -128,17 +136,16 @@ where
         &mut self,
         inputs: impl Fn(T) -> Inputs<Still, M::Drives>,
         [from, to]: [T; 2],
-    ) -> Option<u64> {
+    ) -> Result<u64, SolveError<T>> {
         let Self { model, motion, .. } = self;
         match self.way {
             Way::Tracked => {
                 let converged = Tracker::default().step(*model, &inputs(to), to - from, motion);
-                converged.ok().map(|converged| converged.iterations as u64)
+                converged.map(|converged| converged.iterations as u64)
             }
             Way::Integrated => {
-                let position = runge_kutta(*model, inputs, [from, to], &motion.position);
-                motion.position = position.ok()?;
-                Some(0)
+                motion.position = runge_kutta(*model, inputs, [from, to], &motion.position)?;
+                Ok(0)
             }
         }
     }
@@ -159,6 +166,8 @@ pub struct LongRow {
     pub drift_m: f64,
     /// Iterations of a step since the row before; of an integrator none.
     pub iterations_a_step: f64,
+    /// Why the run ended here; empty where it went on or made all its steps.
+    pub ended: String,
 }
 
 /// Steps from one look at the user's wish to the next.
@@ -170,37 +179,46 @@ pub fn looks(steps: u64) -> usize {
 }
 
 /// Makes as many steps as the survey wants, with a row wherever their number has doubled or so,
-/// from a thousand on. Ends early where a step fails or the user interrupts.
+/// from a thousand on. Where a step fails or the user interrupts, the last row says so.
 pub fn add<D, M, T, const N: usize>(
     survey: &mut Survey<'_>,
     closure: &str,
     mut run: LongRun<'_, D, M, T, N>,
 ) where
-    T: Real,
+    T: Real + LowerExp,
     M: Linkage<N, Scalar = T>,
     D: Named<f64>,
 {
     for stop in milestones(survey.effort.long_run) {
         let mut all = Stretch::default();
-        while run.done < stop {
+        let mut ended = String::new();
+        while run.done < stop && ended.is_empty() {
             let steps = (stop - run.done).min(A_LOOK);
             let stretch = run.advance(steps);
             all.steps += stretch.steps;
             all.iterations += stretch.iterations;
             all.drift = all.drift.max(stretch.drift);
             survey.progress.step();
-            if stretch.steps < steps || survey.is_interrupted() {
-                return;
+            if let Some(error) = &run.failed {
+                let place = error.culprit(&M::EQUATIONS, &M::UNKNOWNS);
+                ended = format!("no further step, {place}: {error}");
+            } else if survey.is_interrupted() {
+                "interrupted".clone_into(&mut ended);
             }
         }
+        let is_last = !ended.is_empty();
         survey.counted.long_runs.push(LongRow {
             method: run.way.name().to_owned(),
             closure: closure.to_owned(),
             scalar: std::any::type_name::<T>().to_owned(),
-            steps: stop,
+            steps: run.done,
             drift_m: all.drift / survey.metre,
-            iterations_a_step: all.iterations as f64 / all.steps as f64,
+            iterations_a_step: all.iterations as f64 / all.steps.max(1) as f64,
+            ended,
         });
+        if is_last {
+            return;
+        }
     }
 }
 

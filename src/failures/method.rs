@@ -22,7 +22,8 @@ pub enum Method {
     Tracked,
     /// The core's tracker in a single step.
     Stepped,
-    /// The same without its guard.
+    /// The same without bounds on corrections and on the change of the Jacobian, and without memory
+    /// of the determinant's sign; mirrored bodies are still refused.
     Unguarded,
     /// Velocities integrated by the method of Runge and Kutta.
     Integrated,
@@ -127,11 +128,13 @@ fn plain<T: Real>() -> Newton<T> {
 }
 
 fn unguarded<T: Real>() -> Tracker<T> {
-    let boundless = T::constant(1e9);
+    // Finite in every number type: infinity times a move of zero would not be a number.
+    let boundless = T::constant(f64::from(f32::MAX));
     Tracker {
         newton: plain(),
         correction_of_move: boundless,
         correction_of_size: boundless,
+        change_of_jacobian: boundless,
         ..Tracker::default()
     }
 }

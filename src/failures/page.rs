@@ -103,12 +103,13 @@ impl Findings {
                     table {
                         tr {
                             th { "method" } th { "closure" } th { "number" } th { "steps" }
-                            th { "largest residual, m" } th { "iterations a step" }
+                            th { "largest residual, m" } th { "iterations a step" } th { "ended" }
                         }
                         @for row in rows {
                             tr {
                                 td { (row.method) } td { (row.closure) } td { (row.scalar) } td.number { (row.steps) }
                                 td.number { (rounded(row.drift_m, 2)) } td.number { (rounded(row.iterations_a_step, 4)) }
+                                td { (row.ended) }
                             }
                         }
                     }

@@ -57,8 +57,6 @@ pub enum Limit {
     EndOfAngle,
     /// Another curve crosses within so much of the value, in the unit of length.
     Bifurcation(f64),
-    /// Nothing: the drive comes back to its first value without a turn.
-    Nothing,
     /// The search was cut short: all steps were made, or the user interrupted.
     Cut,
     /// No further place was found, and why.
@@ -158,7 +156,7 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
             }
             run.stations.push(at(path.curve(), &stretch.place, false));
             match stretch.end {
-                Some(End::Closed { gap }) => (run.limit, run.gap) = (Limit::Nothing, Some(gap)),
+                Some(End::Closed { gap }) => run.gap = Some(gap),
                 Some(End::Bifurcation { accuracy }) => run.limit = Limit::Bifurcation(accuracy),
                 Some(End::Range | End::OutOfRange | End::Steps) | None => {}
             }

@@ -60,7 +60,6 @@ fn limit(end: &RangeEnd, unit: Unit) -> String {
             rounded(*accuracy, 2),
             unit.symbol()
         ),
-        Limit::Nothing => "no end, the drive comes back without a turn".to_owned(),
         Limit::Cut => "the search was cut short here".to_owned(),
         Limit::Lost(cause) => format!("no further place was found ({cause})"),
     }

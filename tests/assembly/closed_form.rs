@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension::assemblies::Assemblies;
-use suspension_core::{Build, Inputs, Linkage, Signal, linkage};
+use suspension_core::{Build, Inputs, Linkage, Signal, Still, linkage};
 
 linkage! {
     /// A point on two links, its height driven: the two points where circles meet.
@@ -27,23 +27,25 @@ linkage! {
     }
 }
 
+const DESIGN: two_links::Points<f64> = two_links::Points {
+    left: Vector3::new(-3.0, 0.0, 0.0),
+    right: Vector3::new(3.0, 0.0, 0.0),
+    top: Vector3::new(0.0, 4.0, 0.0),
+};
+
+fn at(height: f64) -> Inputs<Still, two_links::Drives<f64>> {
+    Inputs::still(Signal {
+        value: two_links::Drives { height },
+        ..Signal::default()
+    })
+}
+
 /// Feet at (-3, 0, 0) and (3, 0, 0), links of length 5: at height z the point stands at
 /// (0, +-sqrt(16 - z^2), z), and nowhere above 4.
 #[test]
 fn two_links_meet_in_two_points_or_none() {
-    let design = two_links::Points {
-        left: Vector3::new(-3.0, 0.0, 0.0),
-        right: Vector3::new(3.0, 0.0, 0.0),
-        top: Vector3::new(0.0, 4.0, 0.0),
-    };
-    let model = two_links::Model::new(&design).expect("a geometry");
-    let at = |height| {
-        Inputs::still(Signal {
-            value: two_links::Drives { height },
-            ..Signal::default()
-        })
-    };
-    let near = two_links::Model::unknowns(&design);
+    let model = two_links::Model::new(&DESIGN).expect("a geometry");
+    let near = two_links::Model::unknowns(&DESIGN);
     let mut search = Assemblies::new(&model, &near, &at(0.0));
     for height in [0.0, 1.0, 3.999, 4.001, 7.0] {
         let census = search.at(&at(height));
@@ -65,6 +67,19 @@ fn two_links_meet_in_two_points_or_none() {
             );
         }
     }
+}
+
+/// At a height of 4 the two points meet: with imaginary parts of 4.7e-6 they may be real.
+#[test]
+fn roots_beside_a_fold_are_not_counted_as_complex() {
+    let model = two_links::Model::new(&DESIGN).expect("a geometry");
+    let near = two_links::Model::unknowns(&DESIGN);
+    let mut search = Assemblies::new(&model, &near, &at(0.0));
+    let census = search.at(&at(4.0 + 4.7e-6 * 4.7e-6 / 8.0));
+    println!("{census:?}");
+    assert_eq!((census.real.len(), census.complex), (0, 0));
+    assert!(census.unconfirmed > 0 && census.unaccounted() == 2);
+    assert!(!census.is_complete());
 }
 
 /// A drive that moves a foot: no equation is linear in it, and the trace test says that it does not
