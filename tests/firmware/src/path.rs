@@ -1,8 +1,8 @@
 //! Curves and led motions. All settings come from outside, so that no branch is folded away.
 
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::path::{Continuation, Curve, End, Leader, Led, Stretch};
 use suspension_core::nalgebra::{SVector, Vector3};
+use suspension_core::path::{Continuation, Curve, End, Leader, Led, Stretch};
 use suspension_core::{Inputs, Linkage, Named, Real, Signal};
 
 /// Follows a curve to its end; the last place is left in `stretch`.
@@ -35,7 +35,12 @@ where
 
 /// The height of a point, from above.
 fn height<T: Real, P: Named<Vector3<T>>>(points: &Signal<P>, point: usize) -> Signal<T> {
-    let z = |points: &P| points.values().nth(point).map_or(T::zero(), |point| point.z);
+    let z = |points: &P| {
+        points
+            .values()
+            .nth(point)
+            .map_or(T::zero(), |point| point.z)
+    };
     Signal {
         value: z(&points.value),
         rate: z(&points.rate),
