@@ -30,7 +30,7 @@ fn check<T: Real, L: Build<15, Scalar = T>>(
     let design = displaced(rough, by);
     let model = match L::new(&design) {
         Ok(model) => model,
-        Err(GeometryError::Collinear { .. }) => return Ok(false),
+        Err(GeometryError::Collinear { .. } | GeometryError::Flat { .. }) => return Ok(false),
         Err(error) => return Err(TestCaseError::fail(error.to_string())),
     };
     let drives = |theta: f64| L::Drives::from_fn(|_| T::constant(theta));

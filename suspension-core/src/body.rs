@@ -120,7 +120,9 @@ pub fn angular_acceleration_eq10<T: Real>(
 /// `a' . b = omega . (a x b)`, refused where it is zero to rounding.
 fn eq9_denominator<T: Real>(edges: &Frame<T>, rates: &Frame<T>) -> Result<T, Indeterminate<T>> {
     let denominator = rates.u.dot(&edges.v);
-    let threshold = T::EPSILON.sqrt() * rates.u.norm() * edges.v.norm();
+    // One edge may lie along the axis of rotation: then its rate is rounding alone.
+    let turning = (rates.u.norm() * edges.v.norm()).max(edges.u.norm() * rates.v.norm());
+    let threshold = T::EPSILON.sqrt() * turning;
     if denominator.abs() > threshold {
         Ok(denominator)
     } else {

@@ -6,7 +6,6 @@ suspension_core::linkage! {
         drive y: p.y;
         drive z: p.z;
         measure reach: distance(a -> p);
-        measure turn: angle(a -> p, z, x);
     }
 }
 
