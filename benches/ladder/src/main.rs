@@ -15,6 +15,7 @@
 mod macros {
     pub(crate) mod ast;
     pub(crate) mod check;
+    pub(crate) mod cluster;
     pub(crate) mod eliminate;
     pub(crate) mod emit;
     pub(crate) mod errors;
@@ -25,7 +26,7 @@ mod macros {
     pub(crate) mod system;
 }
 // Where they look for each other.
-use macros::{ast, check, eliminate, emit, errors, expand, lower, parse, sample, system};
+use macros::{ast, check, cluster, eliminate, emit, errors, expand, lower, parse, sample, system};
 
 mod chart;
 mod compilation;
