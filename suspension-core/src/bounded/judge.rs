@@ -61,18 +61,37 @@ impl<T: Real> Measures<T> {
     }
 }
 
-/// A step that was accepted.
+/// A step that was accepted. It keeps squares: a root is software on most controllers, and taken
+/// only where it is read.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settled<T> {
+    tolerance: T,
+    residual_squared: T,
+    error_squared: T,
+    growth_squared: T,
+}
+
+impl<T: Real> Settled<T> {
     /// The norm of the residual that is left, in units of length, from the quadratic identity: it
     /// tells what the sweeps left, far below what rounding leaves.
-    pub residual: T,
-    /// What it was compared with.
-    pub tolerance: T,
+    pub fn residual(&self) -> T {
+        self.residual_squared.sqrt()
+    }
+
+    /// What the residual was compared with.
+    pub fn tolerance(&self) -> T {
+        self.tolerance
+    }
+
     /// The norm of the error of the predicted position, in units of length.
-    pub error: T,
+    pub fn error(&self) -> T {
+        self.error_squared.sqrt()
+    }
+
     /// The health of the pivots: the norm of their inverses.
-    pub growth: T,
+    pub fn growth(&self) -> T {
+        self.growth_squared.sqrt()
+    }
 }
 
 /// Which test a step failed.
@@ -113,7 +132,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         let error_squared = measures.error_squared;
         let is_near = error_squared <= of_size * of_size
             || error_squared.sqrt() <= self.correction_of_move * moved();
-        if !measures.error_squared.is_finite() || !measures.rates_squared.is_finite() {
+        if !error_squared.is_finite() || !measures.rates_squared.is_finite() {
             Err(Refusal::NotFinite)
         } else if !is_near {
             Err(Refusal::Diverging)
@@ -125,10 +144,10 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
             Err(Refusal::Mirrored)
         } else {
             Ok(Settled {
-                residual: measures.residual_squared.sqrt(),
                 tolerance,
-                error: measures.error_squared.sqrt(),
-                growth: measures.growth_squared.sqrt(),
+                residual_squared: measures.residual_squared,
+                error_squared,
+                growth_squared: measures.growth_squared,
             })
         }
     }

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::Outputs;
 use super::judge::Measures;
 use super::predict::Prediction;
-use crate::entrywise::{difference, minus_multiple, sum};
+use crate::entrywise::{difference, plus_multiple, sum};
 use crate::handedness::count_mirrored;
 use crate::linkage::{Factors, Linkage};
 use crate::magnitude::sum_of_squares;
@@ -76,11 +76,11 @@ where
         factors: &F,
         outputs: Outputs,
     ) -> (Motion<L::Scalar, N>, Measures<L::Scalar>) {
-        let (error, residual) = self.error(factors);
+        let (error, left) = self.error(factors);
         let position = difference(&self.prediction.position, &error);
         let (velocity, acceleration) = self.rates(factors, outputs, &position, &error);
         let measures = Measures {
-            residual_squared: sum_of_squares(residual.data.0[0]),
+            residual_squared: sum_of_squares(left.data.0[0]) * L::Scalar::constant(0.25),
             error_squared: sum_of_squares(error.data.0[0]),
             rates_squared: sum_of_squares(acceleration.data.0[0]),
             growth_squared: factors.growth_squared(),
@@ -102,7 +102,7 @@ where
     L: Linkage<N>,
     C: ChassisMotion<L::Fixed>,
 {
-    /// The error of the prediction, and the residual that is left without it.
+    /// The error of the prediction, and twice the residual that is left without it.
     #[inline(always)]
     fn error<F: Factors<L::Scalar, N>>(
         &self,
@@ -112,15 +112,18 @@ where
         let Prescribed { fixed, drives } = self.prescribed;
         let at = &self.prediction.position;
         let residual = self.linkage.residual(at, &fixed.value, &drives.value);
-        let mut right = residual;
-        let mut error = factors.solve(&right);
+        // F(q0 - e) = F(q0) - J e + C(e, e) / 2: of the first solution the last term is left, of
+        // each later one what that term changed by.
+        let mut error = factors.solve(&residual);
+        let mut curvature = self.curvature(&error, &error);
+        let mut left = curvature;
         for _ in 1..SWEEPS {
-            right = minus_multiple(&residual, &self.curvature(&error, &error), -half);
-            error = factors.solve(&right);
+            error = factors.solve(&plus_multiple(&residual, &curvature, half));
+            let before = curvature;
+            curvature = self.curvature(&error, &error);
+            left = difference(&curvature, &before);
         }
-        // F(q0 - e) = F(q0) - J e + C(e, e) / 2, and J e is what was on the right.
-        let quadratic = minus_multiple(&residual, &self.curvature(&error, &error), -half);
-        (error, difference(&quadratic, &right))
+        (error, left)
     }
 
     /// Velocity and acceleration at `position`.

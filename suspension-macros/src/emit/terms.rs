@@ -103,14 +103,15 @@ pub(super) fn assign_carried(body: &Ident, point: &Site, term: &Ident) -> TokenS
     quote!(#(#entries)*)
 }
 
-/// A vector whose rows are zero but for those assigned.
+/// A vector whose rows are zero but for those assigned. The zeros are negative: a compiler that keeps
+/// to the rules of arithmetic leaves out their addition, but not that of positive ones.
 pub(super) fn rows(system: &System, assignments: &[TokenStream]) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     if assignments.is_empty() {
         return quote!(SVector::zeros());
     }
     quote! {
-        let mut rows = [T::zero(); #n];
+        let mut rows = [-T::zero(); #n];
         #(#assignments)*
         SVector::from(rows)
     }
