@@ -221,6 +221,17 @@ impl<T: Scalar> Carried<T> {
         }
     }
 
+    /// What a gradient by the point is by the frame's three points, the point being where the frame
+    /// carries it: the transpose of [`velocity`](Self::velocity).
+    #[inline(always)]
+    pub fn by_frame(&self, gradient: Vector3<T>, frame: &Frame<T>) -> [Vector3<T>; 3] {
+        let (u, v) = (multiple(frame.u, self.c), multiple(frame.v, self.c));
+        let by_second = plus_cross(multiple(gradient, self.a), v, gradient);
+        let by_third = plus_cross(multiple(gradient, self.b), gradient, u);
+        let by_origin = difference(difference(gradient, by_second), by_third);
+        [by_origin, by_second, by_third]
+    }
+
     /// `C(v, w)`, with `v` and `w` frames of rates. The point itself enters linearly.
     #[inline(always)]
     pub fn curvature(&self, v: &Frame<T>, w: &Frame<T>) -> Vector3<T> {

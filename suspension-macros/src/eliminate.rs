@@ -26,6 +26,10 @@ pub(crate) struct Entry {
     pub(crate) values: Vec<f64>,
     /// Whether it is 1 in every position: a pivot that cannot go bad.
     pub(crate) unit: bool,
+    /// Whether it is a coordinate of a point in the equation that ties the point to a frame: such
+    /// pivots come first, because what they do is known in closed form and need not be multiplied
+    /// out (see `emit::substitution`).
+    pub(crate) carried: bool,
 }
 
 /// The steps of an elimination.
@@ -50,6 +54,8 @@ pub(crate) struct Step {
     pub(crate) column: usize,
     /// Whether the pivot is 1 in every position.
     pub(crate) unit: bool,
+    /// See [`Entry::carried`].
+    pub(crate) carried: bool,
     /// Columns of the pivot row to the right of the pivot.
     pub(crate) right: Vec<usize>,
     /// Rows below the pivot that have an entry in its column.

@@ -1,6 +1,7 @@
 //! From the system to the module that the user gets.
 
 mod build;
+mod carried;
 mod clusters;
 mod docs;
 mod elimination;

@@ -178,6 +178,11 @@ impl Equation {
         }
     }
 
+    /// Whether it ties the point to a frame.
+    fn carries(&self, name: &Ident) -> bool {
+        matches!(self, Self::Carried { point, .. } if point.name == *name)
+    }
+
     /// For each row, its dependences.
     fn columns(&self) -> Vec<Vec<Dependence<'_>>> {
         match self {
@@ -221,6 +226,18 @@ pub(crate) struct Place<'a> {
     pub(crate) column: usize,
     /// Whether it is 1 in every position.
     unit: bool,
+    /// See [`Entry::carried`].
+    carried: bool,
+}
+
+/// A point that elimination takes out first: where the frame that carries it goes, it goes.
+pub(crate) struct Substituted<'a> {
+    pub(crate) body: &'a Ident,
+    pub(crate) point: &'a Ident,
+    /// The column of its first coordinate.
+    pub(crate) column: usize,
+    /// Those of the frame's points, where they are free.
+    pub(crate) frame: [Option<usize>; 3],
 }
 
 /// That a row depends on a coordinate of a free point.
@@ -281,21 +298,59 @@ impl System {
                 row: place.row,
                 column: place.column,
                 unit: place.unit,
+                carried: place.carried,
                 values: values.collect::<Option<Vec<f64>>>().unwrap_or_default(),
             }
         });
         entries.collect()
     }
 
+    /// The column of a free point's first coordinate.
+    fn first_column(&self, name: &Ident) -> Option<usize> {
+        let index = self.free.iter().position(|free| free.name == *name);
+        index.map(|index| 3 * index)
+    }
+
+    /// The free points that one frame carries and that carry no others.
+    pub(crate) fn substituted(&self) -> Vec<Substituted<'_>> {
+        let carried = self.equations.iter().filter_map(|equation| match equation {
+            Equation::Carried { body, point, frame } => Some((body, point, frame)),
+            _ => None,
+        });
+        let is_alone = |name: &Ident| {
+            let carries =
+                |(_, _, frame): (_, _, &[Site; 3])| frame.iter().any(|site| site.name == *name);
+            carried
+                .clone()
+                .filter(|(_, point, _)| point.name == *name)
+                .count()
+                == 1
+                && !carried.clone().any(carries)
+        };
+        let alone = carried
+            .clone()
+            .filter(|(_, point, _)| is_alone(&point.name));
+        let substituted = alone.filter_map(|(body, point, frame)| {
+            Some(Substituted {
+                body,
+                point: &point.name,
+                column: self.first_column(&point.name)?,
+                frame: frame.each_ref().map(|site| self.first_column(&site.name)),
+            })
+        });
+        substituted.collect()
+    }
+
     /// Where the Jacobian is not always zero.
     pub(crate) fn places(&self) -> Vec<Place<'_>> {
         let mut places = Vec::new();
+        let substituted = self.substituted();
         let mut first_row = 0;
         for equation in &self.equations {
             let rows = equation.columns();
             for (row, columns) in rows.iter().enumerate() {
                 for &Dependence { point, axis, unit } in columns {
-                    let Some(index) = self.free.iter().position(|free| free.name == *point) else {
+                    let Some(first_column) = self.first_column(point) else {
                         continue;
                     };
                     places.push(Place {
@@ -304,8 +359,10 @@ impl System {
                         point,
                         axis,
                         row: first_row + row,
-                        column: 3 * index + axis,
+                        column: first_column + axis,
                         unit,
+                        carried: equation.carries(point)
+                            && substituted.iter().any(|other| other.point == point),
                     });
                 }
             }

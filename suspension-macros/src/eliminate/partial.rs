@@ -20,6 +20,7 @@ struct Cell {
     /// In each position; none where they are not known.
     values: Vec<f64>,
     unit: bool,
+    carried: bool,
     /// When it is ready, in operations from the start.
     ready: usize,
 }
@@ -59,6 +60,7 @@ impl Partial {
             let cell = Cell {
                 values: entry.values.clone(),
                 unit: entry.unit,
+                carried: entry.carried,
                 ready: 0,
             };
             partial.put(entry.row, entry.column, cell);
@@ -79,13 +81,30 @@ impl Partial {
     /// Eliminates to the end; `None` where no entry is large enough for a pivot.
     pub(super) fn eliminate(mut self, attempt: u64) -> Option<Order> {
         let mut preference = Preference::of(attempt);
-        for _ in 0..self.cells.len() {
-            let (row, column) = self.pivot(&mut preference)?;
+        let carried = self.carried();
+        for step in 0..self.cells.len() {
+            let (row, column) = match carried.get(step) {
+                Some(&pivot) => pivot,
+                None => self.pivot(&mut preference)?,
+            };
             let pivot = self.cells[row][column].clone()?;
             self.step(row, column, pivot);
         }
         self.order.sort_substitution();
         Some(self.order)
+    }
+
+    /// The pivots that come first.
+    fn carried(&self) -> Vec<(usize, usize)> {
+        let rows = self.columns_of.iter().enumerate();
+        let places =
+            rows.flat_map(|(row, columns)| columns.iter().map(move |&column| (row, column)));
+        let is_carried = |&(row, column): &(usize, usize)| {
+            self.cells[row][column]
+                .as_ref()
+                .is_some_and(|cell| cell.carried)
+        };
+        places.filter(is_carried).collect()
     }
 
     /// Of the entries that are large enough beside their column, the one that ranks lowest.
@@ -156,6 +175,7 @@ impl Partial {
             let multiplier = Cell {
                 values: combined(&entry.values, &pivot.values, |a, p| a / p),
                 unit: false,
+                carried: false,
                 ready: inverse_ready.max(entry.ready) + scaled,
             };
             self.order.chain = self.order.chain.max(multiplier.ready);
@@ -166,6 +186,7 @@ impl Partial {
             row,
             column,
             unit: pivot.unit,
+            carried: pivot.carried,
             right,
             below,
         });
@@ -205,11 +226,13 @@ impl Partial {
                 Some(before) => Cell {
                     values: combined(&before.values, &product, |a, b| a - b),
                     unit: false,
+                    carried: false,
                     ready: before.ready.max(product_ready) + 1,
                 },
                 None => Cell {
                     values: product.iter().map(|value| -value).collect(),
                     unit: false,
+                    carried: false,
                     ready: product_ready,
                 },
             };

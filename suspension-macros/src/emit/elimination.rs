@@ -5,12 +5,13 @@ use quote::{format_ident, quote};
 use syn::Ident;
 
 use super::jacobian::{entries, parameters, with_points};
-use super::{indices, substitution};
+use super::{carried, indices, substitution};
 use crate::eliminate::{Order, Step};
 use crate::system::System;
 
 /// Rows, columns and order of an elimination under their names.
 pub(super) struct Unrolled<'a> {
+    pub(super) system: &'a System,
     pub(super) order: &'a Order,
     rows: Vec<Ident>,
     columns: Vec<Ident>,
@@ -21,17 +22,20 @@ pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let unrolled = Unrolled::new(system, order);
     let fields = unrolled.fields();
+    let carried = carried::fields(system);
     let solve = substitution::solve(&unrolled, &n);
     let solve_drives = substitution::solve_drives(&unrolled, &n, system);
     let solve_transposed = substitution::solve_transposed(&unrolled, &n);
     quote! {
         /// The Jacobian eliminated in a fixed order, `L D U`: multipliers below each pivot, what is
         /// left of its row, divided by the pivot, to the right, and in its own place the pivot's
-        /// inverse. Pivots that are 1 in every position are left out.
+        /// inverse. Pivots that are 1 in every position are left out, and of carried points the rows:
+        /// frame and constants stand for them.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Factors<T> {
             growth_squared: T,
             determinant_sign: T,
+            #carried
             #(#fields: T,)*
         }
 
@@ -69,7 +73,9 @@ pub(super) fn factor(system: &System, order: &Order) -> TokenStream {
         }
     });
     let mut filled = Vec::new();
-    let steps = order.steps.iter();
+    let substituted = carried::reduce(&unrolled, &mut filled);
+    let carried = carried::values(system);
+    let steps = order.steps.iter().filter(|step| !step.carried);
     let steps: Vec<TokenStream> = steps
         .map(|step| unrolled.eliminate(step, &mut filled))
         .collect();
@@ -83,10 +89,12 @@ pub(super) fn factor(system: &System, order: &Order) -> TokenStream {
         system,
         quote! {
             #entries
+            #substituted
             #(#steps)*
             Factors {
                 growth_squared: sum_of_squares([#(#pivots),*]),
                 determinant_sign: #sign product([#(#pivots),*]),
+                #carried
                 #(#fields,)*
             }
         },
@@ -106,9 +114,10 @@ fn entry(row: &Ident, column: &Ident) -> Ident {
 }
 
 impl<'a> Unrolled<'a> {
-    fn new(system: &System, order: &'a Order) -> Self {
+    fn new(system: &'a System, order: &'a Order) -> Self {
         let points = system.free.iter();
         Self {
+            system,
             order,
             rows: system.rows(),
             columns: points
@@ -141,14 +150,25 @@ impl<'a> Unrolled<'a> {
         let mut fields = Vec::new();
         for step in &self.order.steps {
             fields.extend(self.inverse(step));
-            fields.extend(
-                step.right
-                    .iter()
-                    .map(|&column| self.entry(step.row, column)),
-            );
+            let right = step.right.iter().filter(|_| !step.carried);
+            fields.extend(right.map(|&column| self.entry(step.row, column)));
             fields.extend(step.below.iter().map(|&row| self.entry(row, step.column)));
         }
         fields
+    }
+
+    /// Whether an entry starts from nothing here.
+    pub(super) fn fills(
+        &self,
+        row: usize,
+        column: usize,
+        filled: &mut Vec<(usize, usize)>,
+    ) -> bool {
+        let is_new = self.order.fill.contains(&(row, column)) && !filled.contains(&(row, column));
+        if is_new {
+            filled.push((row, column));
+        }
+        is_new
     }
 
     /// One step: the pivot's inverse, the multipliers, and what they take from each row below.
@@ -167,10 +187,7 @@ impl<'a> Unrolled<'a> {
             );
             for &column in &step.right {
                 let (entry, of_pivot) = (self.entry(row, column), self.entry(step.row, column));
-                let is_new =
-                    self.order.fill.contains(&(row, column)) && !filled.contains(&(row, column));
-                statements.push(if is_new {
-                    filled.push((row, column));
+                statements.push(if self.fills(row, column, filled) {
                     quote!(let #entry = -(#multiplier * #of_pivot);)
                 } else {
                     quote!(let #entry = #entry.minus_product(#multiplier, #of_pivot);)

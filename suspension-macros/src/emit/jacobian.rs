@@ -84,11 +84,10 @@ fn of_equation(equation: &Equation, write: &Write<'_>) -> TokenStream {
             let identity = identity.map(|(row, column)| write(row, column, quote!(T::one())));
             let blocks = ["origin", "second", "third"].into_iter().zip(frame);
             let blocks = blocks.map(|(block, site)| of_block(site, &rows, &ident(block), write));
-            quote! {
-                let gradient = self.#name.gradient(&#frame_of);
-                #(#identity)*
-                #(#blocks)*
-            }
+            let entries = quote!(#(#identity)* #(#blocks)*);
+            let gradient = (!entries.is_empty())
+                .then(|| quote!(let gradient = self.#name.gradient(&#frame_of);));
+            quote!(#gradient #entries)
         }
         Equation::Coordinate {
             axis, of, minus, ..

@@ -7,7 +7,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::elimination::Unrolled;
-use super::rates;
+use super::{carried, rates};
 use crate::eliminate::Step;
 use crate::system::System;
 
@@ -43,7 +43,9 @@ pub(super) fn solve_drives(unrolled: &Unrolled<'_>, n: &Literal, system: &System
 
 /// `J^T y = right`: first with the transposed upper factor, then with the lower one.
 pub(super) fn solve_transposed(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStream {
-    let upper = unrolled.order.steps.iter().flat_map(|step| {
+    let substituted = carried::transposed(unrolled);
+    let steps = unrolled.order.steps.iter().filter(|step| !step.carried);
+    let upper = steps.flat_map(|step| {
         let column = unrolled.column(step.column);
         step.right.iter().map(move |&right| {
             let (entry, right) = (unrolled.entry(step.row, right), unrolled.column(right));
@@ -69,6 +71,7 @@ pub(super) fn solve_transposed(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStr
         fn solve_transposed(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
             let [mut unknowns] = right.data.0;
             let mut rows = [T::zero(); #n];
+            #substituted
             #(#upper)*
             #(#diagonal)*
             #(#lower)*
@@ -98,7 +101,7 @@ fn down_and_up(unrolled: &Unrolled<'_>, mut live: BTreeSet<usize>) -> Vec<TokenS
         }
     }
     let mut known = BTreeSet::new();
-    for step in steps.iter().rev() {
+    for step in steps.iter().rev().filter(|step| !step.carried) {
         let start = live.contains(&step.row).then(|| unrolled.row(step.row));
         if let Some(sum) = back_substituted(unrolled, step, start, &known) {
             known.insert(step.column);
@@ -106,6 +109,7 @@ fn down_and_up(unrolled: &Unrolled<'_>, mut live: BTreeSet<usize>) -> Vec<TokenS
             statements.push(quote!(unknowns[#unknown] = #sum;));
         }
     }
+    statements.push(carried::substituted(unrolled, &live));
     statements
 }
 
