@@ -38,7 +38,8 @@ pub(crate) struct Order {
     pub(crate) steps: Vec<Step>,
     /// Entries that the matrix does not have but its factors do.
     pub(crate) fill: BTreeSet<(usize, usize)>,
-    /// Multiplications and divisions of one factorisation.
+    /// Multiplications and divisions of one factorisation, beside those of carried points, which are
+    /// the same in every order.
     pub(crate) operations: usize,
     /// The longest chain of operations of which each needs the one before.
     pub(crate) chain: usize,
@@ -113,19 +114,23 @@ impl Order {
         odd
     }
 
+    /// Entries of the factors that are stored, each a multiplication of a solution; of carried points
+    /// the multipliers alone.
+    pub(crate) fn non_zeros(&self) -> usize {
+        let of_step = |step: &Step| {
+            let right = if step.carried { 0 } else { step.right.len() };
+            step.below.len() + right + usize::from(!step.unit)
+        };
+        self.steps.iter().map(of_step).sum()
+    }
+
     /// What a step takes, one factorisation and three solutions: operations, and once more those
     /// of the longest chain, which cannot overlap. Growth, which the positions around the design
     /// add to, decides between orders that are close.
     fn cost(&self) -> f64 {
-        let operations = self.operations + 3 * self.substitutions();
+        let operations = self.operations + 3 * self.non_zeros();
         let chain = self.chain + 3 * self.substitution_chain();
         (operations + chain) as f64 + self.growth
-    }
-
-    /// Multiplications of one solution.
-    fn substitutions(&self) -> usize {
-        let of_step = |step: &Step| step.below.len() + step.right.len() + usize::from(!step.unit);
-        self.steps.iter().map(of_step).sum()
     }
 
     /// The longest chain of one solution.

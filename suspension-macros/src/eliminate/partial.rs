@@ -164,7 +164,9 @@ impl Partial {
         let scaled = usize::from(!pivot.unit);
         let inverse_ready = pivot.ready + scaled * DIVISION;
         let divided = scaled * (below.len() + right.len());
-        self.order.operations += scaled + divided + below.len() * right.len();
+        if !pivot.carried {
+            self.order.operations += scaled + divided + below.len() * right.len();
+        }
         self.order.chain = self.order.chain.max(inverse_ready);
         self.order
             .grow(pivot.values.iter().map(|value| value.recip()));

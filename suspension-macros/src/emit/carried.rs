@@ -23,6 +23,14 @@ impl Substituted<'_> {
         frame_name(self.body)
     }
 
+    /// The rows of other equations that depend on it.
+    pub(super) fn rows(&self, order: &Order) -> BTreeSet<usize> {
+        self.steps(order)
+            .flat_map(|step| &step.below)
+            .copied()
+            .collect()
+    }
+
     /// Its three steps, one an axis.
     fn steps<'a>(&self, order: &'a Order) -> impl Iterator<Item = &'a Step> {
         let columns = self.column..self.column + 3;
@@ -32,7 +40,7 @@ impl Substituted<'_> {
 }
 
 /// One frame a body.
-fn frames(substituted: &[Substituted<'_>]) -> Vec<Ident> {
+pub(super) fn frames(substituted: &[Substituted<'_>]) -> Vec<Ident> {
     let mut names: Vec<Ident> = substituted.iter().map(Substituted::frame_name).collect();
     names.dedup();
     names
@@ -58,10 +66,8 @@ pub(super) fn values(system: &System) -> TokenStream {
 pub(super) fn reduce(unrolled: &Unrolled<'_>, filled: &mut Vec<(usize, usize)>) -> TokenStream {
     let mut statements = TokenStream::new();
     for point in unrolled.system.substituted() {
-        let rows = point.steps(unrolled.order).flat_map(|step| &step.below);
-        let rows: BTreeSet<usize> = rows.copied().collect();
         let (constants, frame) = (point.constants(), point.frame_name());
-        for row in rows {
+        for row in point.rows(unrolled.order) {
             let gradient = point.steps(unrolled.order).map(|step| {
                 if step.below.contains(&row) {
                     unrolled.entry(row, step.column).into_token_stream()

@@ -12,7 +12,7 @@
 ///
 /// 15 equations `F(q) = 0`: `d6_1`, `d7_2`, `d8_3`, `d9_4`, `d10_5`, `d7_6`, `d8_6`, `d9_6`, `d10_6`, `d8_7`, `d9_7`, `d10_7`, `d9_8`, `d10_8`, `theta`.
 ///
-/// Jacobian: 15 x 15, 70 non-zeros of 225; its factors have 79. The longest chain of operations in the factorisation is 33, a division counted as 4; in a solution it is 14.
+/// Jacobian: 15 x 15, 70 non-zeros of 225; 78 are stored of its factors. The longest chain of operations in the factorisation is 33, a division counted as 4; in a solution it is 14.
 ///
 /// | no branch | multiplications | additions | divisions |
 /// |---|---|---|---|
@@ -497,7 +497,7 @@ pub mod attia2003 {
             drives: &Drives<T>,
         ) -> SVector<T, 15> {
             let free = Free::of(q);
-            let mut rows = [T::zero(); 15];
+            let mut rows = [-T::zero(); 15];
             rows[equation::D6_1] = self.d6_1.residual(difference(free.p6, fixed.p1));
             rows[equation::D7_2] = self.d7_2.residual(difference(free.p7, fixed.p2));
             rows[equation::D8_3] = self.d8_3.residual(difference(free.p8, fixed.p3));
@@ -969,7 +969,7 @@ pub mod attia2003 {
         ) -> SVector<T, 15> {
             let v = Free::of(v);
             let w = Free::of(w);
-            let mut rows = [T::zero(); 15];
+            let mut rows = [-T::zero(); 15];
             rows[equation::D6_1] = self
                 .d6_1
                 .curvature(difference(v.p6, v_fixed.p1), difference(w.p6, w_fixed.p1));
@@ -1023,7 +1023,7 @@ pub mod attia2003 {
             _fixed_rate: &Fixed<T>,
             drive_rate: &Drives<T>,
         ) -> SVector<T, 15> {
-            let mut rows = [T::zero(); 15];
+            let mut rows = [-T::zero(); 15];
             rows[equation::THETA] = drive_rate.theta;
             SVector::from(rows)
         }
@@ -1036,7 +1036,7 @@ pub mod attia2003 {
             fixed_rate: &Fixed<T>,
         ) -> SVector<T, 15> {
             let free = Free::of(q);
-            let mut rows = [T::zero(); 15];
+            let mut rows = [-T::zero(); 15];
             rows[equation::D6_1] = dot(
                 self.d6_1.gradient(difference(free.p6, fixed.p1)),
                 fixed_rate.p1,
@@ -1183,7 +1183,8 @@ pub mod attia2003 {
 
     /// The Jacobian eliminated in a fixed order, `L D U`: multipliers below each pivot, what is
     /// left of its row, divided by the pivot, to the right, and in its own place the pivot's
-    /// inverse. Pivots that are 1 in every position are left out.
+    /// inverse. Pivots that are 1 in every position are left out, and of carried points the rows:
+    /// frame and constants stand for them.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Factors<T> {
         growth_squared: T,

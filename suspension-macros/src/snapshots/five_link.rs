@@ -7,15 +7,15 @@
 ///
 /// 15 equations `F(q) = 0`: `lower_front`, `upper_front`, `upper_rear`, `lower_rear`, `track_rod`, `knuckle_lower_front_outer_upper_front_outer`, `knuckle_lower_front_outer_upper_rear_outer`, `knuckle_upper_front_outer_upper_rear_outer`, `knuckle_lower_rear_outer_x`, `knuckle_lower_rear_outer_y`, `knuckle_lower_rear_outer_z`, `knuckle_track_rod_outer_x`, `knuckle_track_rod_outer_y`, `knuckle_track_rod_outer_z`, `theta`.
 ///
-/// Jacobian: 15 x 15, 94 non-zeros of 225; its factors have 105. The longest chain of operations in the factorisation is 32, a division counted as 4; in a solution it is 20.
+/// Jacobian: 15 x 15, 94 non-zeros of 225; 53 are stored of its factors. The longest chain of operations in the factorisation is 32, a division counted as 4; in a solution it is 21.
 ///
 /// | no branch | multiplications | additions | divisions |
 /// |---|---|---|---|
 /// | residual | 86 | 86 | 0 |
 /// | Jacobian | 36 | 40 | 0 |
 /// | curvature | 62 | 94 | 0 |
-/// | factor | 182 | 124 | 9 |
-/// | solve | 99 | 90 | 0 |
+/// | factor | 166 | 116 | 8 |
+/// | solve | 95 | 93 | 0 |
 #[allow(dead_code, unreachable_pub)]
 pub mod five_link {
     use ::suspension_core::generated::*;
@@ -557,7 +557,7 @@ pub mod five_link {
             let knuckle_track_rod_outer = self
                 .knuckle_track_rod_outer
                 .residual(free.track_rod_outer, &knuckle_frame);
-            let mut rows = [T::zero(); 15];
+            let mut rows = [-T::zero(); 15];
             rows[equation::LOWER_FRONT] = self
                 .lower_front
                 .residual(difference(free.lower_front_outer, fixed.lower_front_inner));
@@ -934,77 +934,60 @@ pub mod five_link {
                 .y;
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z = -gradient
                 .z;
-            let gradient = self.knuckle_lower_rear_outer.gradient(&knuckle_frame);
-            let knuckle_lower_rear_outer_x_by_lower_rear_outer_x = T::one();
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = gradient.origin.m11;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_y = gradient.origin.m12;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_z = gradient.origin.m13;
-            let knuckle_lower_rear_outer_y_by_lower_front_outer_x = gradient.origin.m21;
-            let knuckle_lower_rear_outer_y_by_lower_front_outer_y = gradient.origin.m22;
-            let knuckle_lower_rear_outer_y_by_lower_front_outer_z = gradient.origin.m23;
-            let knuckle_lower_rear_outer_z_by_lower_front_outer_x = gradient.origin.m31;
-            let knuckle_lower_rear_outer_z_by_lower_front_outer_y = gradient.origin.m32;
-            let knuckle_lower_rear_outer_z_by_lower_front_outer_z = gradient.origin.m33;
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = gradient.second.m11;
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = gradient.second.m12;
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = gradient.second.m13;
-            let knuckle_lower_rear_outer_y_by_upper_front_outer_x = gradient.second.m21;
-            let knuckle_lower_rear_outer_y_by_upper_front_outer_y = gradient.second.m22;
-            let knuckle_lower_rear_outer_y_by_upper_front_outer_z = gradient.second.m23;
-            let knuckle_lower_rear_outer_z_by_upper_front_outer_x = gradient.second.m31;
-            let knuckle_lower_rear_outer_z_by_upper_front_outer_y = gradient.second.m32;
-            let knuckle_lower_rear_outer_z_by_upper_front_outer_z = gradient.second.m33;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = gradient.third.m11;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = gradient.third.m12;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = gradient.third.m13;
-            let knuckle_lower_rear_outer_y_by_upper_rear_outer_x = gradient.third.m21;
-            let knuckle_lower_rear_outer_y_by_upper_rear_outer_y = gradient.third.m22;
-            let knuckle_lower_rear_outer_y_by_upper_rear_outer_z = gradient.third.m23;
-            let knuckle_lower_rear_outer_z_by_upper_rear_outer_x = gradient.third.m31;
-            let knuckle_lower_rear_outer_z_by_upper_rear_outer_y = gradient.third.m32;
-            let knuckle_lower_rear_outer_z_by_upper_rear_outer_z = gradient.third.m33;
-            let gradient = self.knuckle_track_rod_outer.gradient(&knuckle_frame);
-            let knuckle_track_rod_outer_x_by_lower_front_outer_x = gradient.origin.m11;
-            let knuckle_track_rod_outer_x_by_lower_front_outer_y = gradient.origin.m12;
-            let knuckle_track_rod_outer_x_by_lower_front_outer_z = gradient.origin.m13;
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = gradient.origin.m21;
-            let knuckle_track_rod_outer_y_by_lower_front_outer_y = gradient.origin.m22;
-            let knuckle_track_rod_outer_y_by_lower_front_outer_z = gradient.origin.m23;
-            let knuckle_track_rod_outer_z_by_lower_front_outer_x = gradient.origin.m31;
-            let knuckle_track_rod_outer_z_by_lower_front_outer_y = gradient.origin.m32;
-            let knuckle_track_rod_outer_z_by_lower_front_outer_z = gradient.origin.m33;
-            let knuckle_track_rod_outer_x_by_upper_front_outer_x = gradient.second.m11;
-            let knuckle_track_rod_outer_x_by_upper_front_outer_y = gradient.second.m12;
-            let knuckle_track_rod_outer_x_by_upper_front_outer_z = gradient.second.m13;
-            let knuckle_track_rod_outer_y_by_upper_front_outer_x = gradient.second.m21;
-            let knuckle_track_rod_outer_y_by_upper_front_outer_y = gradient.second.m22;
-            let knuckle_track_rod_outer_y_by_upper_front_outer_z = gradient.second.m23;
-            let knuckle_track_rod_outer_z_by_upper_front_outer_x = gradient.second.m31;
-            let knuckle_track_rod_outer_z_by_upper_front_outer_y = gradient.second.m32;
-            let knuckle_track_rod_outer_z_by_upper_front_outer_z = gradient.second.m33;
-            let knuckle_track_rod_outer_x_by_upper_rear_outer_x = gradient.third.m11;
-            let knuckle_track_rod_outer_x_by_upper_rear_outer_y = gradient.third.m12;
-            let knuckle_track_rod_outer_x_by_upper_rear_outer_z = gradient.third.m13;
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_x = gradient.third.m21;
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_y = gradient.third.m22;
-            let knuckle_track_rod_outer_y_by_upper_rear_outer_z = gradient.third.m23;
-            let knuckle_track_rod_outer_z_by_upper_rear_outer_x = gradient.third.m31;
-            let knuckle_track_rod_outer_z_by_upper_rear_outer_y = gradient.third.m32;
-            let knuckle_track_rod_outer_z_by_upper_rear_outer_z = gradient.third.m33;
-            let lower_rear_by_lower_rear_outer_x = T::one()
-                / lower_rear_by_lower_rear_outer_x;
-            let knuckle_lower_rear_outer_x_by_lower_rear_outer_x = knuckle_lower_rear_outer_x_by_lower_rear_outer_x
-                * lower_rear_by_lower_rear_outer_x;
-            let knuckle_lower_rear_outer_x_by_lower_rear_outer_z = -(knuckle_lower_rear_outer_x_by_lower_rear_outer_x
-                * lower_rear_by_lower_rear_outer_z);
-            let knuckle_lower_rear_outer_x_by_lower_rear_outer_y = -(knuckle_lower_rear_outer_x_by_lower_rear_outer_x
-                * lower_rear_by_lower_rear_outer_y);
-            let lower_rear_by_lower_rear_outer_z = lower_rear_by_lower_rear_outer_z
-                * lower_rear_by_lower_rear_outer_x;
-            let lower_rear_by_lower_rear_outer_y = lower_rear_by_lower_rear_outer_y
-                * lower_rear_by_lower_rear_outer_x;
+            let [origin, second, third] = self
+                .knuckle_lower_rear_outer
+                .by_frame(
+                    Vector3::new(
+                        lower_rear_by_lower_rear_outer_x,
+                        lower_rear_by_lower_rear_outer_y,
+                        lower_rear_by_lower_rear_outer_z,
+                    ),
+                    &knuckle_frame,
+                );
+            let lower_rear_by_lower_front_outer_x = origin.x;
+            let lower_rear_by_lower_front_outer_y = origin.y;
+            let lower_rear_by_lower_front_outer_z = origin.z;
+            let lower_rear_by_upper_front_outer_x = second.x;
+            let lower_rear_by_upper_front_outer_y = second.y;
+            let lower_rear_by_upper_front_outer_z = second.z;
+            let lower_rear_by_upper_rear_outer_x = third.x;
+            let lower_rear_by_upper_rear_outer_y = third.y;
+            let lower_rear_by_upper_rear_outer_z = third.z;
+            let [origin, second, third] = self
+                .knuckle_track_rod_outer
+                .by_frame(
+                    Vector3::new(
+                        track_rod_by_track_rod_outer_x,
+                        track_rod_by_track_rod_outer_y,
+                        track_rod_by_track_rod_outer_z,
+                    ),
+                    &knuckle_frame,
+                );
+            let track_rod_by_lower_front_outer_x = origin.x;
+            let track_rod_by_lower_front_outer_y = origin.y;
+            let track_rod_by_lower_front_outer_z = origin.z;
+            let track_rod_by_upper_front_outer_x = second.x;
+            let track_rod_by_upper_front_outer_y = second.y;
+            let track_rod_by_upper_front_outer_z = second.z;
+            let track_rod_by_upper_rear_outer_x = third.x;
+            let track_rod_by_upper_rear_outer_y = third.y;
+            let track_rod_by_upper_rear_outer_z = third.z;
             let lower_front_by_lower_front_outer_y = T::one()
                 / lower_front_by_lower_front_outer_y;
+            let lower_rear_by_lower_front_outer_y = lower_rear_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let lower_rear_by_lower_front_outer_x = lower_rear_by_lower_front_outer_x
+                .minus_product(
+                    lower_rear_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
+            let track_rod_by_lower_front_outer_y = track_rod_by_lower_front_outer_y
+                * lower_front_by_lower_front_outer_y;
+            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
+                .minus_product(
+                    track_rod_by_lower_front_outer_y,
+                    lower_front_by_lower_front_outer_x,
+                );
             let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y
                 * lower_front_by_lower_front_outer_y;
             let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
@@ -1019,171 +1002,22 @@ pub mod five_link {
                     knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
                     lower_front_by_lower_front_outer_x,
                 );
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_y = knuckle_lower_rear_outer_x_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_y_by_lower_front_outer_y = knuckle_lower_rear_outer_y_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let knuckle_lower_rear_outer_y_by_lower_front_outer_x = knuckle_lower_rear_outer_y_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_z_by_lower_front_outer_y = knuckle_lower_rear_outer_z_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let knuckle_lower_rear_outer_z_by_lower_front_outer_x = knuckle_lower_rear_outer_z_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
-            let knuckle_track_rod_outer_x_by_lower_front_outer_y = knuckle_track_rod_outer_x_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let knuckle_track_rod_outer_x_by_lower_front_outer_x = knuckle_track_rod_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
-            let knuckle_track_rod_outer_y_by_lower_front_outer_y = knuckle_track_rod_outer_y_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let knuckle_track_rod_outer_y_by_lower_front_outer_x = knuckle_track_rod_outer_y_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_y_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
-            let knuckle_track_rod_outer_z_by_lower_front_outer_y = knuckle_track_rod_outer_z_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let knuckle_track_rod_outer_z_by_lower_front_outer_x = knuckle_track_rod_outer_z_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_track_rod_outer_z_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
             let lower_front_by_lower_front_outer_x = lower_front_by_lower_front_outer_x
                 * lower_front_by_lower_front_outer_y;
-            let track_rod_by_lower_front_outer_x = -(track_rod_by_track_rod_outer_z
-                * knuckle_track_rod_outer_z_by_lower_front_outer_x);
-            let track_rod_by_upper_rear_outer_y = -(track_rod_by_track_rod_outer_z
-                * knuckle_track_rod_outer_z_by_upper_rear_outer_y);
-            let track_rod_by_upper_front_outer_x = -(track_rod_by_track_rod_outer_z
-                * knuckle_track_rod_outer_z_by_upper_front_outer_x);
-            let track_rod_by_upper_front_outer_y = -(track_rod_by_track_rod_outer_z
-                * knuckle_track_rod_outer_z_by_upper_front_outer_y);
-            let track_rod_by_upper_rear_outer_z = -(track_rod_by_track_rod_outer_z
-                * knuckle_track_rod_outer_z_by_upper_rear_outer_z);
-            let track_rod_by_upper_front_outer_z = -(track_rod_by_track_rod_outer_z
-                * knuckle_track_rod_outer_z_by_upper_front_outer_z);
-            let track_rod_by_upper_rear_outer_x = -(track_rod_by_track_rod_outer_z
-                * knuckle_track_rod_outer_z_by_upper_rear_outer_x);
-            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
-                .minus_product(
-                    track_rod_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                );
-            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
-                .minus_product(
-                    track_rod_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                );
-            let track_rod_by_upper_front_outer_x = track_rod_by_upper_front_outer_x
-                .minus_product(
-                    track_rod_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                );
-            let track_rod_by_upper_front_outer_y = track_rod_by_upper_front_outer_y
-                .minus_product(
-                    track_rod_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                );
-            let track_rod_by_upper_rear_outer_z = track_rod_by_upper_rear_outer_z
-                .minus_product(
-                    track_rod_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                );
-            let track_rod_by_upper_front_outer_z = track_rod_by_upper_front_outer_z
-                .minus_product(
-                    track_rod_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                );
-            let track_rod_by_upper_rear_outer_x = track_rod_by_upper_rear_outer_x
-                .minus_product(
-                    track_rod_by_track_rod_outer_x,
-                    knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                );
-            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
-                .minus_product(
-                    track_rod_by_track_rod_outer_y,
-                    knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                );
-            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
-                .minus_product(
-                    track_rod_by_track_rod_outer_y,
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                );
-            let track_rod_by_upper_front_outer_x = track_rod_by_upper_front_outer_x
-                .minus_product(
-                    track_rod_by_track_rod_outer_y,
-                    knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                );
-            let track_rod_by_upper_front_outer_y = track_rod_by_upper_front_outer_y
-                .minus_product(
-                    track_rod_by_track_rod_outer_y,
-                    knuckle_track_rod_outer_y_by_upper_front_outer_y,
-                );
-            let track_rod_by_upper_rear_outer_z = track_rod_by_upper_rear_outer_z
-                .minus_product(
-                    track_rod_by_track_rod_outer_y,
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                );
-            let track_rod_by_upper_front_outer_z = track_rod_by_upper_front_outer_z
-                .minus_product(
-                    track_rod_by_track_rod_outer_y,
-                    knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                );
-            let track_rod_by_upper_rear_outer_x = track_rod_by_upper_rear_outer_x
-                .minus_product(
-                    track_rod_by_track_rod_outer_y,
-                    knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_front_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
-                );
             let upper_rear_by_upper_rear_outer_x = T::one()
                 / upper_rear_by_upper_rear_outer_x;
+            let lower_rear_by_upper_rear_outer_x = lower_rear_by_upper_rear_outer_x
+                * upper_rear_by_upper_rear_outer_x;
+            let lower_rear_by_upper_rear_outer_y = lower_rear_by_upper_rear_outer_y
+                .minus_product(
+                    lower_rear_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_y,
+                );
+            let lower_rear_by_upper_rear_outer_z = lower_rear_by_upper_rear_outer_z
+                .minus_product(
+                    lower_rear_by_upper_rear_outer_x,
+                    upper_rear_by_upper_rear_outer_z,
+                );
             let track_rod_by_upper_rear_outer_x = track_rod_by_upper_rear_outer_x
                 * upper_rear_by_upper_rear_outer_x;
             let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
@@ -1220,64 +1054,49 @@ pub mod five_link {
                     knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
                     upper_rear_by_upper_rear_outer_z,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_x = knuckle_lower_rear_outer_x_by_upper_rear_outer_x
-                * upper_rear_by_upper_rear_outer_x;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_z,
-                );
-            let knuckle_lower_rear_outer_z_by_upper_rear_outer_x = knuckle_lower_rear_outer_z_by_upper_rear_outer_x
-                * upper_rear_by_upper_rear_outer_x;
-            let knuckle_lower_rear_outer_z_by_upper_rear_outer_y = knuckle_lower_rear_outer_z_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_rear_outer_z_by_upper_rear_outer_z = knuckle_lower_rear_outer_z_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_z,
-                );
             let upper_rear_by_upper_rear_outer_y = upper_rear_by_upper_rear_outer_y
                 * upper_rear_by_upper_rear_outer_x;
             let upper_rear_by_upper_rear_outer_z = upper_rear_by_upper_rear_outer_z
                 * upper_rear_by_upper_rear_outer_x;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = T::one()
+                / knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            let lower_rear_by_upper_rear_outer_z = lower_rear_by_upper_rear_outer_z
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            let lower_rear_by_upper_rear_outer_y = lower_rear_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_lower_front_outer_x,
+                    lower_rear_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
+            let lower_rear_by_lower_front_outer_x = lower_rear_by_lower_front_outer_x
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    lower_rear_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
+            let track_rod_by_upper_rear_outer_z = track_rod_by_upper_rear_outer_z
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_front_outer_x,
+                    track_rod_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
+            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_front_outer_y,
+                    track_rod_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x);
+            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
+            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
+                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
             let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = T::one()
                 / knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
             let upper_front_by_upper_front_outer_z = upper_front_by_upper_front_outer_z
@@ -1292,6 +1111,23 @@ pub mod five_link {
             let upper_front_by_upper_front_outer_y = upper_front_by_upper_front_outer_y
                 .minus_product(
                     upper_front_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
+                );
+            let lower_rear_by_upper_front_outer_z = lower_rear_by_upper_front_outer_z
+                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
+            let lower_rear_by_lower_front_outer_x = lower_rear_by_lower_front_outer_x
+                .minus_product(
+                    lower_rear_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                );
+            let lower_rear_by_upper_front_outer_x = lower_rear_by_upper_front_outer_x
+                .minus_product(
+                    lower_rear_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
+                );
+            let lower_rear_by_upper_front_outer_y = lower_rear_by_upper_front_outer_y
+                .minus_product(
+                    lower_rear_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
                 );
             let track_rod_by_upper_front_outer_z = track_rod_by_upper_front_outer_z
@@ -1313,8 +1149,11 @@ pub mod five_link {
                 );
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
                 * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
-                * knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x);
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
+                );
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
                 .minus_product(
                     knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
@@ -1325,73 +1164,26 @@ pub mod five_link {
                     knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_z = knuckle_lower_rear_outer_x_by_upper_front_outer_z
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                );
             let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
                 * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
             let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x
                 * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
             let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
                 * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = T::one()
-                / knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let track_rod_by_upper_rear_outer_z = track_rod_by_upper_rear_outer_z
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
-                .minus_product(
-                    track_rod_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                );
-            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
-                .minus_product(
-                    track_rod_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_z = knuckle_lower_rear_outer_x_by_upper_rear_outer_z
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
             let upper_front_by_upper_front_outer_y = T::one()
                 / upper_front_by_upper_front_outer_y;
+            let lower_rear_by_upper_front_outer_y = lower_rear_by_upper_front_outer_y
+                * upper_front_by_upper_front_outer_y;
+            let lower_rear_by_lower_front_outer_x = lower_rear_by_lower_front_outer_x
+                .minus_product(
+                    lower_rear_by_upper_front_outer_y,
+                    upper_front_by_lower_front_outer_x,
+                );
+            let lower_rear_by_upper_front_outer_x = lower_rear_by_upper_front_outer_x
+                .minus_product(
+                    lower_rear_by_upper_front_outer_y,
+                    upper_front_by_upper_front_outer_x,
+                );
             let track_rod_by_upper_front_outer_y = track_rod_by_upper_front_outer_y
                 * upper_front_by_upper_front_outer_y;
             let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
@@ -1416,187 +1208,130 @@ pub mod five_link {
                     knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
                     upper_front_by_upper_front_outer_x,
                 );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_y = knuckle_lower_rear_outer_x_by_upper_front_outer_y
-                * upper_front_by_upper_front_outer_y;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_y,
-                    upper_front_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_x,
-                );
             let upper_front_by_lower_front_outer_x = upper_front_by_lower_front_outer_x
                 * upper_front_by_upper_front_outer_y;
             let upper_front_by_upper_front_outer_x = upper_front_by_upper_front_outer_x
                 * upper_front_by_upper_front_outer_y;
-            let track_rod_by_upper_front_outer_x = T::one()
-                / track_rod_by_upper_front_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                * track_rod_by_upper_front_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
+            let lower_rear_by_upper_front_outer_x = T::one()
+                / lower_rear_by_upper_front_outer_x;
+            let track_rod_by_upper_front_outer_x = track_rod_by_upper_front_outer_x
+                * lower_rear_by_upper_front_outer_x;
+            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
                 .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    track_rod_by_lower_front_outer_x,
+                    track_rod_by_upper_front_outer_x,
+                    lower_rear_by_upper_rear_outer_y,
                 );
+            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
+                .minus_product(
+                    track_rod_by_upper_front_outer_x,
+                    lower_rear_by_lower_front_outer_x,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
+                * lower_rear_by_upper_front_outer_x;
             let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
                 .minus_product(
                     knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    track_rod_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_front_outer_x = knuckle_lower_rear_outer_x_by_upper_front_outer_x
-                * track_rod_by_upper_front_outer_x;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    track_rod_by_lower_front_outer_x,
-                );
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    track_rod_by_upper_rear_outer_y,
-                );
-            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
-                * track_rod_by_upper_front_outer_x;
-            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
-                * track_rod_by_upper_front_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = T::one()
-                / knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            let knuckle_lower_rear_outer_x_by_upper_rear_outer_y = knuckle_lower_rear_outer_x_by_upper_rear_outer_y
-                * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = knuckle_lower_rear_outer_x_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    lower_rear_by_upper_rear_outer_y,
                 );
             let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                * knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            let knuckle_lower_rear_outer_x_by_lower_front_outer_x = T::one()
-                / knuckle_lower_rear_outer_x_by_lower_front_outer_x;
+                .minus_product(
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                    lower_rear_by_lower_front_outer_x,
+                );
+            let lower_rear_by_upper_rear_outer_y = lower_rear_by_upper_rear_outer_y
+                * lower_rear_by_upper_front_outer_x;
+            let lower_rear_by_lower_front_outer_x = lower_rear_by_lower_front_outer_x
+                * lower_rear_by_upper_front_outer_x;
+            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = T::one()
+                / knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
+                * knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
+                .minus_product(
+                    track_rod_by_lower_front_outer_x,
+                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                );
+            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
+                * knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            let track_rod_by_upper_rear_outer_y = T::one()
+                / track_rod_by_upper_rear_outer_y;
             Factors {
                 growth_squared: sum_of_squares([
-                    lower_rear_by_lower_rear_outer_x,
                     lower_front_by_lower_front_outer_y,
                     upper_rear_by_upper_rear_outer_x,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
                     upper_front_by_upper_front_outer_y,
-                    track_rod_by_upper_front_outer_x,
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    lower_rear_by_upper_front_outer_x,
+                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    track_rod_by_upper_rear_outer_y,
                 ]),
-                determinant_sign: product([
-                    lower_rear_by_lower_rear_outer_x,
+                determinant_sign: -product([
                     lower_front_by_lower_front_outer_y,
                     upper_rear_by_upper_rear_outer_x,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
                     knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
                     upper_front_by_upper_front_outer_y,
-                    track_rod_by_upper_front_outer_x,
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    knuckle_lower_rear_outer_x_by_lower_front_outer_x,
+                    lower_rear_by_upper_front_outer_x,
+                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    track_rod_by_upper_rear_outer_y,
                 ]),
+                knuckle_frame,
+                knuckle_lower_rear_outer: self.knuckle_lower_rear_outer,
+                knuckle_track_rod_outer: self.knuckle_track_rod_outer,
                 lower_rear_by_lower_rear_outer_x,
-                lower_rear_by_lower_rear_outer_z,
                 lower_rear_by_lower_rear_outer_y,
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
+                lower_rear_by_lower_rear_outer_z,
+                track_rod_by_track_rod_outer_x,
+                track_rod_by_track_rod_outer_y,
+                track_rod_by_track_rod_outer_z,
                 lower_front_by_lower_front_outer_z,
+                lower_rear_by_lower_front_outer_z,
+                track_rod_by_lower_front_outer_z,
                 knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z,
                 knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z,
-                knuckle_lower_rear_outer_x_by_lower_front_outer_z,
-                knuckle_lower_rear_outer_y_by_lower_front_outer_z,
-                knuckle_lower_rear_outer_z_by_lower_front_outer_z,
-                knuckle_track_rod_outer_x_by_lower_front_outer_z,
-                knuckle_track_rod_outer_y_by_lower_front_outer_z,
-                knuckle_track_rod_outer_z_by_lower_front_outer_z,
                 lower_front_by_lower_front_outer_y,
                 lower_front_by_lower_front_outer_x,
+                lower_rear_by_lower_front_outer_y,
+                track_rod_by_lower_front_outer_y,
                 knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
                 knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
-                knuckle_lower_rear_outer_x_by_lower_front_outer_y,
-                knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                knuckle_track_rod_outer_y_by_lower_front_outer_y,
-                knuckle_track_rod_outer_z_by_lower_front_outer_y,
-                knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                knuckle_track_rod_outer_z_by_upper_rear_outer_y,
-                knuckle_track_rod_outer_z_by_upper_front_outer_x,
-                knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                knuckle_track_rod_outer_z_by_upper_front_outer_z,
-                knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                track_rod_by_track_rod_outer_z,
-                knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                track_rod_by_track_rod_outer_x,
-                knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                knuckle_track_rod_outer_y_by_upper_front_outer_y,
-                knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                track_rod_by_track_rod_outer_y,
-                knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                knuckle_lower_rear_outer_y_by_upper_front_outer_y,
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
                 upper_rear_by_upper_rear_outer_x,
                 upper_rear_by_upper_rear_outer_y,
                 upper_rear_by_upper_rear_outer_z,
+                lower_rear_by_upper_rear_outer_x,
                 track_rod_by_upper_rear_outer_x,
                 knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
                 knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                lower_rear_by_upper_rear_outer_z,
+                track_rod_by_upper_rear_outer_z,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
                 knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
                 knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
                 knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
                 knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
                 upper_front_by_upper_front_outer_z,
+                lower_rear_by_upper_front_outer_z,
                 track_rod_by_upper_front_outer_z,
                 knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                track_rod_by_upper_rear_outer_z,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
                 upper_front_by_upper_front_outer_y,
                 upper_front_by_lower_front_outer_x,
                 upper_front_by_upper_front_outer_x,
+                lower_rear_by_upper_front_outer_y,
                 track_rod_by_upper_front_outer_y,
                 knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
-                knuckle_lower_rear_outer_x_by_upper_front_outer_y,
+                lower_rear_by_upper_front_outer_x,
+                lower_rear_by_upper_rear_outer_y,
+                lower_rear_by_lower_front_outer_x,
                 track_rod_by_upper_front_outer_x,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
+                knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
                 track_rod_by_lower_front_outer_x,
                 track_rod_by_upper_rear_outer_y,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                knuckle_lower_rear_outer_x_by_lower_front_outer_x,
             }
         }
 
@@ -1626,7 +1361,7 @@ pub mod five_link {
             let knuckle_track_rod_outer = self
                 .knuckle_track_rod_outer
                 .curvature(&knuckle_frame_v, &knuckle_frame_w);
-            let mut rows = [T::zero(); 15];
+            let mut rows = [-T::zero(); 15];
             rows[equation::LOWER_FRONT] = self
                 .lower_front
                 .curvature(
@@ -1692,7 +1427,7 @@ pub mod five_link {
             _fixed_rate: &Fixed<T>,
             drive_rate: &Drives<T>,
         ) -> SVector<T, 15> {
-            let mut rows = [T::zero(); 15];
+            let mut rows = [-T::zero(); 15];
             rows[equation::THETA] = drive_rate.theta;
             SVector::from(rows)
         }
@@ -1705,7 +1440,7 @@ pub mod five_link {
             fixed_rate: &Fixed<T>,
         ) -> SVector<T, 15> {
             let free = Free::of(q);
-            let mut rows = [T::zero(); 15];
+            let mut rows = [-T::zero(); 15];
             rows[equation::LOWER_FRONT] = dot(
                 self
                     .lower_front
@@ -1888,110 +1623,68 @@ pub mod five_link {
 
     /// The Jacobian eliminated in a fixed order, `L D U`: multipliers below each pivot, what is
     /// left of its row, divided by the pivot, to the right, and in its own place the pivot's
-    /// inverse. Pivots that are 1 in every position are left out.
+    /// inverse. Pivots that are 1 in every position are left out, and of carried points the rows:
+    /// frame and constants stand for them.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Factors<T> {
         growth_squared: T,
         determinant_sign: T,
+        knuckle_frame: Frame<T>,
+        knuckle_lower_rear_outer: Carried<T>,
+        knuckle_track_rod_outer: Carried<T>,
         lower_rear_by_lower_rear_outer_x: T,
-        lower_rear_by_lower_rear_outer_z: T,
         lower_rear_by_lower_rear_outer_y: T,
-        knuckle_lower_rear_outer_x_by_lower_rear_outer_x: T,
+        lower_rear_by_lower_rear_outer_z: T,
+        track_rod_by_track_rod_outer_x: T,
+        track_rod_by_track_rod_outer_y: T,
+        track_rod_by_track_rod_outer_z: T,
         lower_front_by_lower_front_outer_z: T,
+        lower_rear_by_lower_front_outer_z: T,
+        track_rod_by_lower_front_outer_z: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z: T,
         knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z: T,
-        knuckle_lower_rear_outer_x_by_lower_front_outer_z: T,
-        knuckle_lower_rear_outer_y_by_lower_front_outer_z: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_z: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_z: T,
-        knuckle_track_rod_outer_y_by_lower_front_outer_z: T,
-        knuckle_track_rod_outer_z_by_lower_front_outer_z: T,
         lower_front_by_lower_front_outer_y: T,
         lower_front_by_lower_front_outer_x: T,
+        lower_rear_by_lower_front_outer_y: T,
+        track_rod_by_lower_front_outer_y: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y: T,
         knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y: T,
-        knuckle_lower_rear_outer_x_by_lower_front_outer_y: T,
-        knuckle_lower_rear_outer_y_by_lower_front_outer_y: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_y_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_z_by_lower_front_outer_y: T,
-        knuckle_track_rod_outer_z_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_z_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_z_by_upper_front_outer_y: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_z_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_z_by_upper_rear_outer_x: T,
-        track_rod_by_track_rod_outer_z: T,
-        knuckle_track_rod_outer_x_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_y: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_x_by_upper_rear_outer_x: T,
-        track_rod_by_track_rod_outer_x: T,
-        knuckle_track_rod_outer_y_by_lower_front_outer_x: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_y: T,
-        knuckle_track_rod_outer_y_by_upper_front_outer_x: T,
-        knuckle_track_rod_outer_y_by_upper_front_outer_y: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_z: T,
-        knuckle_track_rod_outer_y_by_upper_front_outer_z: T,
-        knuckle_track_rod_outer_y_by_upper_rear_outer_x: T,
-        track_rod_by_track_rod_outer_y: T,
-        knuckle_lower_rear_outer_y_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_y_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_y_by_upper_front_outer_y: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_y_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_y_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_x_by_lower_rear_outer_y: T,
         upper_rear_by_upper_rear_outer_x: T,
         upper_rear_by_upper_rear_outer_y: T,
         upper_rear_by_upper_rear_outer_z: T,
+        lower_rear_by_upper_rear_outer_x: T,
         track_rod_by_upper_rear_outer_x: T,
         knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
         knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_x: T,
-        knuckle_lower_rear_outer_z_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_y: T,
-        knuckle_lower_rear_outer_z_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_z_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_x_by_lower_rear_outer_z: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
+        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
+        lower_rear_by_upper_rear_outer_z: T,
+        track_rod_by_upper_rear_outer_z: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
         knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z: T,
         knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x: T,
         knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x: T,
         knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y: T,
         upper_front_by_upper_front_outer_z: T,
+        lower_rear_by_upper_front_outer_z: T,
         track_rod_by_upper_front_outer_z: T,
         knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z: T,
-        knuckle_lower_rear_outer_x_by_upper_front_outer_z: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
-        track_rod_by_upper_rear_outer_z: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_z: T,
         upper_front_by_upper_front_outer_y: T,
         upper_front_by_lower_front_outer_x: T,
         upper_front_by_upper_front_outer_x: T,
+        lower_rear_by_upper_front_outer_y: T,
         track_rod_by_upper_front_outer_y: T,
         knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y: T,
-        knuckle_lower_rear_outer_x_by_upper_front_outer_y: T,
+        lower_rear_by_upper_front_outer_x: T,
+        lower_rear_by_upper_rear_outer_y: T,
+        lower_rear_by_lower_front_outer_x: T,
         track_rod_by_upper_front_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
+        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
         track_rod_by_lower_front_outer_x: T,
         track_rod_by_upper_rear_outer_y: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: T,
-        knuckle_lower_rear_outer_x_by_upper_front_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        knuckle_lower_rear_outer_x_by_upper_rear_outer_y: T,
-        knuckle_lower_rear_outer_x_by_lower_front_outer_x: T,
     }
 
     impl<T: Scalar> JacobianFactors<T, 15> for Factors<T> {
@@ -1999,14 +1692,49 @@ pub mod five_link {
         fn solve(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); 15];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
-                    rows[equation::LOWER_REAR],
+                    self.lower_rear_by_lower_rear_outer_x,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                );
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
+                .minus_product(
+                    self.lower_rear_by_lower_rear_outer_y,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                );
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
+                .minus_product(
+                    self.lower_rear_by_lower_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_x,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_y,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_track_rod_outer_z,
+                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
                 );
             rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
                 .minus_product(
                     self.lower_front_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
+                .minus_product(
+                    self.lower_rear_by_lower_front_outer_z,
+                    rows[equation::THETA],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_lower_front_outer_z,
                     rows[equation::THETA],
                 );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
@@ -2021,35 +1749,15 @@ pub mod five_link {
                         .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z,
                     rows[equation::THETA],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_z,
-                    rows[equation::THETA],
+                    self.lower_rear_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_z,
-                    rows[equation::THETA],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_z,
-                    rows[equation::THETA],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_z,
-                    rows[equation::THETA],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_z,
-                    rows[equation::THETA],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_z,
-                    rows[equation::THETA],
+                    self.track_rod_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
                 );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 .minus_product(
@@ -2063,55 +1771,10 @@ pub mod five_link {
                         .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
                     rows[equation::LOWER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_y,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                    self.lower_rear_by_upper_rear_outer_x,
+                    rows[equation::UPPER_REAR],
                 );
             rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
@@ -2130,24 +1793,30 @@ pub mod five_link {
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
                     rows[equation::UPPER_REAR],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    rows[equation::UPPER_REAR],
+                    self.lower_rear_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                    rows[equation::UPPER_REAR],
+                    self.track_rod_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
             rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
                 .minus_product(
                     self.upper_front_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
+                .minus_product(
+                    self.lower_rear_by_upper_front_outer_z,
                     rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 );
             rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
@@ -2161,26 +1830,10 @@ pub mod five_link {
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
                     rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                    self.lower_rear_by_upper_front_outer_y,
+                    rows[equation::UPPER_FRONT],
                 );
             rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
@@ -2193,45 +1846,40 @@ pub mod five_link {
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
                     rows[equation::UPPER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_y,
-                    rows[equation::UPPER_FRONT],
+                    self.track_rod_by_upper_front_outer_x,
+                    rows[equation::LOWER_REAR],
                 );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
                     self
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    rows[equation::TRACK_ROD],
+                    rows[equation::LOWER_REAR],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y)
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::TRACK_ROD]
-                * self.track_rod_by_upper_front_outer_x)
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
                     self.track_rod_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = rows[equation::TRACK_ROD]
+                * self.track_rod_by_upper_rear_outer_y;
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x)
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::LOWER_REAR]
+                * self.lower_rear_by_upper_front_outer_x)
+                .minus_product(
+                    self.lower_rear_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
                 )
                 .minus_product(
-                    self.track_rod_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                    self.lower_rear_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Y] = (rows[equation::UPPER_FRONT]
                 * self.upper_front_by_upper_front_outer_y)
@@ -2242,18 +1890,6 @@ pub mod five_link {
                 .minus_product(
                     self.upper_front_by_upper_front_outer_x,
                     unknowns[unknown::UPPER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z)
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 * self
@@ -2273,30 +1909,17 @@ pub mod five_link {
                         .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
                     unknowns[unknown::UPPER_FRONT_OUTER_Y],
                 );
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z)
                 .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
                 )
                 .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_X] = (rows[equation::UPPER_REAR]
                 * self.upper_rear_by_upper_rear_outer_x)
@@ -2308,122 +1931,6 @@ pub mod five_link {
                     self.upper_rear_by_upper_rear_outer_z,
                     unknowns[unknown::UPPER_REAR_OUTER_Z],
                 );
-            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
-            unknowns[unknown::TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
-            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
-            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
             unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
                 * self.lower_front_by_lower_front_outer_y)
                 .minus_product(
@@ -2431,16 +1938,41 @@ pub mod five_link {
                     unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
-            unknowns[unknown::LOWER_REAR_OUTER_X] = (rows[equation::LOWER_REAR]
-                * self.lower_rear_by_lower_rear_outer_x)
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
+            let knuckle_frame = Frame::new(
+                Vector3::new(
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
+                    unknowns[unknown::LOWER_FRONT_OUTER_Z],
+                ),
+                Vector3::new(
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                ),
+                Vector3::new(
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                ),
+            );
+            let carried = self
+                .knuckle_lower_rear_outer
+                .velocity(&self.knuckle_frame, &knuckle_frame);
+            unknowns[unknown::LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+                + carried.x;
+            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
+                + carried.y;
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+                + carried.z;
+            let carried = self
+                .knuckle_track_rod_outer
+                .velocity(&self.knuckle_frame, &knuckle_frame);
+            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
+                + carried.x;
+            unknowns[unknown::TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
+                + carried.y;
+            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
+                + carried.z;
             SVector::from(unknowns)
         }
 
@@ -2450,30 +1982,26 @@ pub mod five_link {
             let mut unknowns = [T::zero(); 15];
             rows[equation::LOWER_FRONT] = -(self.lower_front_by_lower_front_outer_z
                 * rows[equation::THETA]);
+            rows[equation::LOWER_REAR] = -(self.lower_rear_by_lower_front_outer_z
+                * rows[equation::THETA]);
+            rows[equation::TRACK_ROD] = -(self.track_rod_by_lower_front_outer_z
+                * rows[equation::THETA]);
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = -(self
                 .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z
                 * rows[equation::THETA]);
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = -(self
                 .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z
                 * rows[equation::THETA]);
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = -(self
-                .knuckle_lower_rear_outer_x_by_lower_front_outer_z
-                * rows[equation::THETA]);
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = -(self
-                .knuckle_lower_rear_outer_y_by_lower_front_outer_z
-                * rows[equation::THETA]);
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = -(self
-                .knuckle_lower_rear_outer_z_by_lower_front_outer_z
-                * rows[equation::THETA]);
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = -(self
-                .knuckle_track_rod_outer_x_by_lower_front_outer_z
-                * rows[equation::THETA]);
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = -(self
-                .knuckle_track_rod_outer_y_by_lower_front_outer_z
-                * rows[equation::THETA]);
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = -(self
-                .knuckle_track_rod_outer_z_by_lower_front_outer_z
-                * rows[equation::THETA]);
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
+                .minus_product(
+                    self.lower_rear_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_lower_front_outer_y,
+                    rows[equation::LOWER_FRONT],
+                );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 .minus_product(
                     self
@@ -2486,88 +2014,41 @@ pub mod five_link {
                         .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
                     rows[equation::LOWER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::TRACK_ROD] = -(self.track_rod_by_track_rod_outer_z
-                * rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]);
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_y,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                );
-            rows[equation::UPPER_FRONT] = -(self.upper_front_by_upper_front_outer_z
-                * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]);
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -(self
-                .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
-                * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]);
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                    self.lower_rear_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
             rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
                     self.track_rod_by_upper_rear_outer_z,
                     rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -(self
+                .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
+                * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]);
+            rows[equation::UPPER_FRONT] = -(self.upper_front_by_upper_front_outer_z
+                * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]);
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
+                .minus_product(
+                    self.lower_rear_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+                .minus_product(
+                    self.track_rod_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
+                );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
+                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
+                    self.lower_rear_by_upper_front_outer_y,
+                    rows[equation::UPPER_FRONT],
                 );
             rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
@@ -2580,45 +2061,40 @@ pub mod five_link {
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
                     rows[equation::UPPER_FRONT],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_y,
-                    rows[equation::UPPER_FRONT],
+                    self.track_rod_by_upper_front_outer_x,
+                    rows[equation::LOWER_REAR],
                 );
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
                     self
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    rows[equation::TRACK_ROD],
+                    rows[equation::LOWER_REAR],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y)
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::TRACK_ROD]
-                * self.track_rod_by_upper_front_outer_x)
+            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
                 .minus_product(
                     self.track_rod_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = rows[equation::TRACK_ROD]
+                * self.track_rod_by_upper_rear_outer_y;
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x)
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                );
+            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::LOWER_REAR]
+                * self.lower_rear_by_upper_front_outer_x)
+                .minus_product(
+                    self.lower_rear_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
                 )
                 .minus_product(
-                    self.track_rod_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                    self.lower_rear_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Y] = (rows[equation::UPPER_FRONT]
                 * self.upper_front_by_upper_front_outer_y)
@@ -2629,18 +2105,6 @@ pub mod five_link {
                 .minus_product(
                     self.upper_front_by_upper_front_outer_x,
                     unknowns[unknown::UPPER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z)
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
                 );
             unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 * self
@@ -2660,30 +2124,17 @@ pub mod five_link {
                         .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
                     unknowns[unknown::UPPER_FRONT_OUTER_Y],
                 );
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z)
                 .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
                     unknowns[unknown::UPPER_REAR_OUTER_Y],
                 )
                 .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_X] = (-(self
                 .upper_rear_by_upper_rear_outer_y
@@ -2692,122 +2143,6 @@ pub mod five_link {
                     self.upper_rear_by_upper_rear_outer_z,
                     unknowns[unknown::UPPER_REAR_OUTER_Z],
                 );
-            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
-            unknowns[unknown::TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
-            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
-            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                )
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
             unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
                 * self.lower_front_by_lower_front_outer_y)
                 .minus_product(
@@ -2815,13 +2150,35 @@ pub mod five_link {
                     unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
-            unknowns[unknown::LOWER_REAR_OUTER_X] = (-(self
-                .lower_rear_by_lower_rear_outer_z
-                * unknowns[unknown::LOWER_REAR_OUTER_Z]))
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
+            let knuckle_frame = Frame::new(
+                Vector3::new(
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
+                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
+                    unknowns[unknown::LOWER_FRONT_OUTER_Z],
+                ),
+                Vector3::new(
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
+                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
+                ),
+                Vector3::new(
+                    unknowns[unknown::UPPER_REAR_OUTER_X],
+                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
+                ),
+            );
+            let carried = self
+                .knuckle_lower_rear_outer
+                .velocity(&self.knuckle_frame, &knuckle_frame);
+            unknowns[unknown::LOWER_REAR_OUTER_X] = carried.x;
+            unknowns[unknown::LOWER_REAR_OUTER_Y] = carried.y;
+            unknowns[unknown::LOWER_REAR_OUTER_Z] = carried.z;
+            let carried = self
+                .knuckle_track_rod_outer
+                .velocity(&self.knuckle_frame, &knuckle_frame);
+            unknowns[unknown::TRACK_ROD_OUTER_X] = carried.x;
+            unknowns[unknown::TRACK_ROD_OUTER_Y] = carried.y;
+            unknowns[unknown::TRACK_ROD_OUTER_Z] = carried.z;
             SVector::from(unknowns)
         }
 
@@ -2829,160 +2186,48 @@ pub mod five_link {
         fn solve_transposed(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut unknowns] = right.data.0;
             let mut rows = [T::zero(); 15];
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_X],
+            let [origin, second, third] = self
+                .knuckle_lower_rear_outer
+                .by_frame(
+                    Vector3::new(
+                        unknowns[unknown::LOWER_REAR_OUTER_X],
+                        unknowns[unknown::LOWER_REAR_OUTER_Y],
+                        unknowns[unknown::LOWER_REAR_OUTER_Z],
+                    ),
+                    &self.knuckle_frame,
                 );
-            unknowns[unknown::LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y]
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_X],
+            unknowns[unknown::LOWER_FRONT_OUTER_X] += origin.x;
+            unknowns[unknown::LOWER_FRONT_OUTER_Y] += origin.y;
+            unknowns[unknown::LOWER_FRONT_OUTER_Z] += origin.z;
+            unknowns[unknown::UPPER_FRONT_OUTER_X] += second.x;
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] += second.y;
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] += second.z;
+            unknowns[unknown::UPPER_REAR_OUTER_X] += third.x;
+            unknowns[unknown::UPPER_REAR_OUTER_Y] += third.y;
+            unknowns[unknown::UPPER_REAR_OUTER_Z] += third.z;
+            let [origin, second, third] = self
+                .knuckle_track_rod_outer
+                .by_frame(
+                    Vector3::new(
+                        unknowns[unknown::TRACK_ROD_OUTER_X],
+                        unknowns[unknown::TRACK_ROD_OUTER_Y],
+                        unknowns[unknown::TRACK_ROD_OUTER_Z],
+                    ),
+                    &self.knuckle_frame,
                 );
+            unknowns[unknown::LOWER_FRONT_OUTER_X] += origin.x;
+            unknowns[unknown::LOWER_FRONT_OUTER_Y] += origin.y;
+            unknowns[unknown::LOWER_FRONT_OUTER_Z] += origin.z;
+            unknowns[unknown::UPPER_FRONT_OUTER_X] += second.x;
+            unknowns[unknown::UPPER_FRONT_OUTER_Y] += second.y;
+            unknowns[unknown::UPPER_FRONT_OUTER_Z] += second.z;
+            unknowns[unknown::UPPER_REAR_OUTER_X] += third.x;
+            unknowns[unknown::UPPER_REAR_OUTER_Y] += third.y;
+            unknowns[unknown::UPPER_REAR_OUTER_Z] += third.z;
             unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
                     self.lower_front_by_lower_front_outer_x,
                     unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_upper_rear_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_front_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_upper_rear_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_X],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_y,
-                    unknowns[unknown::TRACK_ROD_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::TRACK_ROD_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::TRACK_ROD_OUTER_Y],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_front_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_upper_rear_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Y],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
                 .minus_product(
@@ -2994,35 +2239,17 @@ pub mod five_link {
                     self.upper_rear_by_upper_rear_outer_z,
                     unknowns[unknown::UPPER_REAR_OUTER_X],
                 );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
             unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
                 );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_x,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_y,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_front_outer_z,
-                    unknowns[unknown::LOWER_REAR_OUTER_Z],
+                    self
+                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
+                    unknowns[unknown::UPPER_REAR_OUTER_Z],
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
@@ -3044,18 +2271,6 @@ pub mod five_link {
                 );
             unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
                     self.upper_front_by_lower_front_outer_x,
                     unknowns[unknown::UPPER_FRONT_OUTER_Y],
                 );
@@ -3064,62 +2279,66 @@ pub mod five_link {
                     self.upper_front_by_upper_front_outer_x,
                     unknowns[unknown::UPPER_FRONT_OUTER_Y],
                 );
+            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                .minus_product(
+                    self.lower_rear_by_upper_rear_outer_y,
+                    unknowns[unknown::UPPER_FRONT_OUTER_X],
+                );
             unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
                 .minus_product(
-                    self.track_rod_by_lower_front_outer_x,
+                    self.lower_rear_by_lower_front_outer_x,
                     unknowns[unknown::UPPER_FRONT_OUTER_X],
                 );
             unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
                 .minus_product(
-                    self.track_rod_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
                     self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
+                    unknowns[unknown::LOWER_FRONT_OUTER_X],
                 );
-            rows[equation::LOWER_REAR] = unknowns[unknown::LOWER_REAR_OUTER_X]
-                * self.lower_rear_by_lower_rear_outer_x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = unknowns[unknown::LOWER_REAR_OUTER_X];
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y];
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = unknowns[unknown::TRACK_ROD_OUTER_Y];
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = unknowns[unknown::TRACK_ROD_OUTER_Z];
             rows[equation::THETA] = unknowns[unknown::LOWER_FRONT_OUTER_Z];
             rows[equation::LOWER_FRONT] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
                 * self.lower_front_by_lower_front_outer_y;
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = unknowns[unknown::TRACK_ROD_OUTER_Z];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = unknowns[unknown::TRACK_ROD_OUTER_Y];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y];
             rows[equation::UPPER_REAR] = unknowns[unknown::UPPER_REAR_OUTER_X]
                 * self.upper_rear_by_upper_rear_outer_x;
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z];
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_Z]
+                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
                 * self
                     .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
             rows[equation::UPPER_FRONT] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
                 * self.upper_front_by_upper_front_outer_y;
-            rows[equation::TRACK_ROD] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                * self.track_rod_by_upper_front_outer_x;
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                * self.knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y;
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                * self.knuckle_lower_rear_outer_x_by_lower_front_outer_x;
+            rows[equation::LOWER_REAR] = unknowns[unknown::UPPER_FRONT_OUTER_X]
+                * self.lower_rear_by_upper_front_outer_x;
+            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::LOWER_FRONT_OUTER_X]
+                * self.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x;
+            rows[equation::TRACK_ROD] = unknowns[unknown::UPPER_REAR_OUTER_Y]
+                * self.track_rod_by_upper_rear_outer_y;
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                    self.track_rod_by_lower_front_outer_x,
+                    rows[equation::TRACK_ROD],
                 );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
+                .minus_product(
+                    self.track_rod_by_upper_front_outer_x,
+                    rows[equation::TRACK_ROD],
+                );
+            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
                 .minus_product(
                     self
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
                     rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
+            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_x,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                    self.lower_rear_by_upper_front_outer_y,
+                    rows[equation::LOWER_REAR],
                 );
             rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
                 .minus_product(
@@ -3132,31 +2351,15 @@ pub mod five_link {
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
                     rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self.track_rod_by_upper_rear_outer_z,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 .minus_product(
                     self.upper_front_by_upper_front_outer_z,
                     rows[equation::UPPER_FRONT],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+                .minus_product(
+                    self.lower_rear_by_upper_front_outer_z,
+                    rows[equation::LOWER_REAR],
                 );
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
                 .minus_product(
@@ -3169,15 +2372,26 @@ pub mod five_link {
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
                     rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                    self.lower_rear_by_upper_rear_outer_z,
+                    rows[equation::LOWER_REAR],
                 );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                    self.track_rod_by_upper_rear_outer_z,
+                    rows[equation::TRACK_ROD],
+                );
+            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
+                .minus_product(
+                    self
+                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
+                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
+                );
+            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+                .minus_product(
+                    self.lower_rear_by_upper_rear_outer_x,
+                    rows[equation::LOWER_REAR],
                 );
             rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
                 .minus_product(
@@ -3196,34 +2410,14 @@ pub mod five_link {
                         .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
                     rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                    self.lower_rear_by_lower_front_outer_y,
+                    rows[equation::LOWER_REAR],
                 );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
+            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_y,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_x,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_z,
+                    self.track_rod_by_lower_front_outer_y,
                     rows[equation::TRACK_ROD],
                 );
             rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
@@ -3238,40 +2432,20 @@ pub mod five_link {
                         .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
                     rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_y,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_y,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_y,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                );
             rows[equation::THETA] = rows[equation::THETA]
                 .minus_product(
                     self.lower_front_by_lower_front_outer_z,
                     rows[equation::LOWER_FRONT],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self.lower_rear_by_lower_front_outer_z,
+                    rows[equation::LOWER_REAR],
+                );
+            rows[equation::THETA] = rows[equation::THETA]
+                .minus_product(
+                    self.track_rod_by_lower_front_outer_z,
+                    rows[equation::TRACK_ROD],
                 );
             rows[equation::THETA] = rows[equation::THETA]
                 .minus_product(
@@ -3285,40 +2459,35 @@ pub mod five_link {
                         .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z,
                     rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
                 );
-            rows[equation::THETA] = rows[equation::THETA]
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                    self.track_rod_by_track_rod_outer_z,
+                    rows[equation::TRACK_ROD],
                 );
-            rows[equation::THETA] = rows[equation::THETA]
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_y_by_lower_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
+                    self.track_rod_by_track_rod_outer_y,
+                    rows[equation::TRACK_ROD],
                 );
-            rows[equation::THETA] = rows[equation::THETA]
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
                 .minus_product(
-                    self.knuckle_lower_rear_outer_z_by_lower_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
+                    self.track_rod_by_track_rod_outer_x,
+                    rows[equation::TRACK_ROD],
                 );
-            rows[equation::THETA] = rows[equation::THETA]
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
                 .minus_product(
-                    self.knuckle_track_rod_outer_x_by_lower_front_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
+                    self.lower_rear_by_lower_rear_outer_z,
+                    rows[equation::LOWER_REAR],
                 );
-            rows[equation::THETA] = rows[equation::THETA]
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
                 .minus_product(
-                    self.knuckle_track_rod_outer_y_by_lower_front_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
+                    self.lower_rear_by_lower_rear_outer_y,
+                    rows[equation::LOWER_REAR],
                 );
-            rows[equation::THETA] = rows[equation::THETA]
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
                 .minus_product(
-                    self.knuckle_track_rod_outer_z_by_lower_front_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.knuckle_lower_rear_outer_x_by_lower_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
+                    self.lower_rear_by_lower_rear_outer_x,
+                    rows[equation::LOWER_REAR],
                 );
             SVector::from(rows)
         }
