@@ -110,6 +110,30 @@ pub enum Refusal {
 }
 
 impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER> {
+    /// What the residual of a linkage of the given size is compared with.
+    fn residual_tolerance(&self, size: T) -> T {
+        self.tolerance * T::EPSILON * size
+    }
+
+    /// The error of the prediction that is accepted however short the step.
+    fn smallest_bound(&self, size: T) -> T {
+        if SWEEPS == 0 {
+            self.residual_tolerance(size)
+        } else {
+            self.correction_of_size * size
+        }
+    }
+
+    /// The error that is accepted of a step that has `moved` so far.
+    fn bound(&self, size: T, moved: impl FnOnce() -> T) -> T {
+        let smallest = self.smallest_bound(size);
+        if SWEEPS == 0 {
+            smallest
+        } else {
+            smallest.max(self.correction_of_move * moved())
+        }
+    }
+
     /// Accepts a step of a linkage of the given size, or tells which test it failed. `before` is
     /// the sign of the determinant at the last motion, where known; `moved` the distance from its
     /// position, which is asked for where the error of the prediction is not small by itself.
@@ -125,13 +149,13 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         before: Option<bool>,
         moved: impl FnOnce() -> T,
     ) -> Result<Settled<T>, Refusal> {
-        let tolerance = self.tolerance * T::EPSILON * size;
+        let tolerance = self.residual_tolerance(size);
         let is_positive = measures.determinant_sign > T::zero();
         let is_root = tolerance >= T::zero() && measures.residual_squared <= tolerance * tolerance;
-        let of_size = self.correction_of_size * size;
         let error_squared = measures.error_squared;
+        let of_size = self.smallest_bound(size);
         let is_near = error_squared <= of_size * of_size
-            || error_squared.sqrt() <= self.correction_of_move * moved();
+            || SWEEPS > 0 && error_squared.sqrt() <= self.bound(size, moved);
         if !error_squared.is_finite() || !measures.rates_squared.is_finite() {
             Err(Refusal::NotFinite)
         } else if !is_near {
@@ -206,13 +230,12 @@ where
             Refusal::Diverging => SolveError::Diverging {
                 unknown: index_of_largest(&(self.prediction.position - next.position)),
                 step: measures.error_squared.sqrt(),
-                bound: (settings.correction_of_size * size)
-                    .max(settings.correction_of_move * self.moved(next)),
+                bound: settings.bound(size, || self.moved(next)),
             },
             Refusal::NotConverged => SolveError::NotConverged {
                 equation: index_of_largest(&residual(&next.position)),
                 residual: measures.residual_squared.sqrt(),
-                tolerance: settings.tolerance * T::EPSILON * size,
+                tolerance: settings.residual_tolerance(size),
                 iterations: SWEEPS,
             },
             Refusal::CrossedSingularity => SolveError::CrossedSingularity {

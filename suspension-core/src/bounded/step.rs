@@ -46,12 +46,7 @@ where
         from: &'a Motion<L::Scalar, N>,
         dt: L::Scalar,
     ) -> Self {
-        const {
-            assert!(
-                SWEEPS >= 1 && ORDER <= 2,
-                "one sweep or more, of order 0, 1 or 2"
-            )
-        };
+        const { assert!(ORDER <= 2, "of order 0, 1 or 2") };
         Self {
             linkage,
             chassis: PhantomData,
@@ -76,11 +71,11 @@ where
         factors: &F,
         outputs: Outputs,
     ) -> (Motion<L::Scalar, N>, Measures<L::Scalar>) {
-        let (error, left) = self.error(factors);
+        let (error, residual_squared) = self.error(factors);
         let position = difference(&self.prediction.position, &error);
         let (velocity, acceleration) = self.rates(factors, outputs, &position, &error);
         let measures = Measures {
-            residual_squared: sum_of_squares(left.data.0[0]) * L::Scalar::constant(0.25),
+            residual_squared,
             error_squared: sum_of_squares(error.data.0[0]),
             rates_squared: sum_of_squares(acceleration.data.0[0]),
             growth_squared: factors.growth_squared(),
@@ -102,19 +97,20 @@ where
     L: Linkage<N>,
     C: ChassisMotion<L::Fixed>,
 {
-    /// The error of the prediction, and twice the residual that is left without it.
+    /// The error of the prediction, and the square of the residual that is left without it.
     #[inline(always)]
-    fn error<F: Factors<L::Scalar, N>>(
-        &self,
-        factors: &F,
-    ) -> (SVector<L::Scalar, N>, SVector<L::Scalar, N>) {
+    fn error<F: Factors<L::Scalar, N>>(&self, factors: &F) -> (SVector<L::Scalar, N>, L::Scalar) {
         let half = L::Scalar::constant(0.5);
         let Prescribed { fixed, drives } = self.prescribed;
         let at = &self.prediction.position;
         let residual = self.linkage.residual(at, &fixed.value, &drives.value);
+        let mut error = factors.solve(&residual);
+        if SWEEPS == 0 {
+            // What is left, C(e, e) / 2, is far below the error that `judge` asks for.
+            return (error, L::Scalar::default());
+        }
         // F(q0 - e) = F(q0) - J e + C(e, e) / 2: of the first solution the last term is left, of
         // each later one what that term changed by.
-        let mut error = factors.solve(&residual);
         let mut curvature = self.curvature(&error, &error);
         let mut left = curvature;
         for _ in 1..SWEEPS {
@@ -123,7 +119,7 @@ where
             curvature = self.curvature(&error, &error);
             left = difference(&curvature, &before);
         }
-        (error, left)
+        (error, sum_of_squares(left.data.0[0]) * half * half)
     }
 
     /// Velocity and acceleration at `position`.
@@ -145,10 +141,8 @@ where
             return (velocity, acceleration);
         }
         let terms = inputs(&fixed.rate, &drives.rate);
-        let mut velocity = self.prediction.velocity(error);
-        for _ in 0..SWEEPS {
-            velocity = factors.solve(&sum(&terms, &self.curvature(error, &velocity)));
-        }
+        let first = self.prediction.velocity(error);
+        let velocity = self.rate(factors, &terms, error, first);
         if outputs == Outputs::Velocity {
             let acceleration = self.prediction.mean_acceleration(self.from, &velocity);
             return (velocity, acceleration);
@@ -156,11 +150,26 @@ where
         let rate = &fixed.rate;
         let quadratic = self.linkage.curvature(&velocity, rate, &velocity, rate);
         let terms = difference(&inputs(&fixed.second_rate, &drives.second_rate), &quadratic);
-        let mut acceleration = self.prediction.acceleration(error);
-        for _ in 0..SWEEPS {
-            acceleration = factors.solve(&sum(&terms, &self.curvature(error, &acceleration)));
-        }
+        let first = self.prediction.acceleration(error);
+        let acceleration = self.rate(factors, &terms, error, first);
         (velocity, acceleration)
+    }
+
+    /// What solves `J(q0 - e) rate = terms`, from a first value.
+    #[inline(always)]
+    fn rate<F: Factors<L::Scalar, N>>(
+        &self,
+        factors: &F,
+        terms: &SVector<L::Scalar, N>,
+        error: &SVector<L::Scalar, N>,
+        first: SVector<L::Scalar, N>,
+    ) -> SVector<L::Scalar, N> {
+        if SWEEPS == 0 {
+            return factors.solve(terms);
+        }
+        (0..SWEEPS).fold(first, |rate, _| {
+            factors.solve(&sum(terms, &self.curvature(error, &rate)))
+        })
     }
 
     /// `C(v, w)` of changes that leave the chassis where it is.
