@@ -3,19 +3,18 @@
 
 use core::arch::asm;
 
-use controller::Counter;
+use controller::Gauge;
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_rt::entry;
 
+use crate::nothing;
+
 const WIDTH: u32 = 0x00ff_ffff;
 
-/// The instructions of [`known_loop`].
-pub const KNOWN: u32 = 3001;
-
+/// Counts instructions beyond those of a call of [`nothing`].
 struct SysTick {
-    /// What it takes to call a function that does [`nothing`].
-    own: u32,
+    of_nothing: u32,
 }
 
 impl SysTick {
@@ -24,41 +23,45 @@ impl SysTick {
         timer.set_reload(WIDTH);
         timer.clear_current();
         timer.enable_counter();
-        let ((), own) = Self { own: 0 }.count(nothing);
-        Self { own }
+        let counter = Self { of_nothing: 0 };
+        // The first one reads a timer that is not yet reloaded.
+        let [_, of_nothing] = [(), ()].map(|()| counter.gauge(nothing).1);
+        Self { of_nothing }
     }
 }
 
-impl Counter for SysTick {
+impl Gauge for SysTick {
     #[inline(always)]
-    fn count<R>(&self, work: impl FnOnce() -> R) -> (R, u32) {
+    fn gauge<R>(&self, call: impl FnOnce() -> R) -> (R, u32) {
         let before = SYST::get_current();
-        let result = work();
+        let result = call();
         let after = SYST::get_current();
         let ticks = before.wrapping_sub(after) & WIDTH;
         // 25.6 ticks an instruction, rounded.
-        (result, (ticks * 10 + 128) / 256 - self.own)
+        (result, (ticks * 10 + 128) / 256 - self.of_nothing)
     }
-}
-
-#[inline(never)]
-fn nothing() {
-    // SAFETY: it is no instruction, but a reason to make the call.
-    unsafe { asm!("") }
 }
 
 #[inline(never)]
 pub fn known_loop() {
     // SAFETY: changes one register and the flags.
     unsafe {
-        asm!("mov {n}, #1000", "2:", "nop", "subs {n}, #1", "bne 2b", n = out(reg) _);
+        asm!("movw {n}, #1000", "2:", "nop", "subs {n}, #1", "bne 2b", n = out(reg) _);
     }
+}
+
+#[inline(always)]
+pub fn stack_pointer() -> usize {
+    let address;
+    // SAFETY: reads a register.
+    unsafe { asm!("mov {}, sp", out(reg) address) }
+    address
 }
 
 #[entry]
 fn main() -> ! {
     match cortex_m::Peripherals::take() {
         Some(peripherals) => crate::run(&SysTick::start(peripherals.SYST)),
-        None => unreachable!("taken once"),
+        None => semihosting::process::abort(),
     }
 }

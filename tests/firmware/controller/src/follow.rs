@@ -6,21 +6,18 @@ use crate::baked::Wheel;
 use crate::checksum::{Bits, Checksum};
 use crate::published::{self, Knuckle, STEPS, Stepped};
 
-/// Counts instructions.
-pub trait Counter {
-    /// What the work results in, and how many instructions it takes: those of a call, less those of
-    /// a call that does nothing.
-    fn count<R>(&self, work: impl FnOnce() -> R) -> (R, u32);
+/// Gauges what a call takes: instructions, or bytes of stack.
+pub trait Gauge {
+    /// What the call results in, and what it takes.
+    fn gauge<R>(&self, call: impl FnOnce() -> R) -> (R, u32);
 }
 
 /// What a mode did over the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report {
-    /// The name of the mode: linkage, number, method and rates.
-    pub mode: &'static str,
-    /// The fewest instructions of a step.
+    /// The least that a step took.
     pub least: u32,
-    /// The most instructions of a step.
+    /// The most that a step took.
     pub most: u32,
     /// Made of all numbers of the states after each step.
     pub checksum: u64,
@@ -29,9 +26,8 @@ pub struct Report {
 }
 
 impl Report {
-    fn new(mode: &'static str) -> Self {
+    fn new() -> Self {
         Self {
-            mode,
             least: u32::MAX,
             most: 0,
             checksum: 0,
@@ -39,62 +35,65 @@ impl Report {
         }
     }
 
-    fn add(&mut self, instructions: u32) {
-        self.least = self.least.min(instructions);
-        self.most = self.most.max(instructions);
+    fn add(&mut self, taken: u32) {
+        self.least = self.least.min(taken);
+        self.most = self.most.max(taken);
     }
 }
 
-/// Follows the motion with the steps of a solver; `None` where one fails.
+/// Follows the motion with the steps of a solver; or the number of the first step that
+/// fails.
 pub fn solved<T, L, R>(
-    counter: &impl Counter,
-    mode: &'static str,
+    gauge: &impl Gauge,
     step: fn(&L, &Inputs<Still, L::Drives>, &mut Motion<T, 15>) -> Stepped<R, T>,
     residual: impl Fn(R) -> T,
-) -> Option<Report>
+) -> Result<Report, u32>
 where
     T: Real + Bits + Into<f64>,
     L: Build<15, Scalar = T> + Knuckle,
 {
-    let (model, mut motion) = published::start::<T, L>()?;
+    let (model, mut motion) = published::start::<T, L>().ok_or(0_u32)?;
     let at = published::inputs::<T, L>;
     // From rest to the rates of the motion.
     let set_off = Bounded::<T>::default();
-    set_off.step(&model, &at(0), T::zero(), &mut motion).ok()?;
-    let mut report = Report::new(mode);
+    set_off
+        .step(&model, &at(0), T::zero(), &mut motion)
+        .map_err(|_| 0_u32)?;
+    let mut report = Report::new();
     let mut checksum = Checksum::new();
     for number in 1..=STEPS {
         let inputs = at(number);
-        let (stepped, instructions) = counter.count(|| step(&model, &inputs, &mut motion));
-        report.add(instructions);
-        report.residual = report.residual.max(residual(stepped.ok()?).into());
+        let (done, taken) = gauge.gauge(|| step(&model, &inputs, &mut motion));
+        report.add(taken);
+        let done = done.map_err(|_| number)?;
+        report.residual = report.residual.max(residual(done).into());
         checksum.add(&motion.position);
         checksum.add(&motion.velocity);
         checksum.add(&motion.acceleration);
     }
     report.checksum = checksum.value();
-    Some(report)
+    Ok(report)
 }
 
-/// Looks the motion up in a baked one; `None` outside its range.
+/// Looks the motion up in a baked one; or the number of the first step outside
+/// its range.
 pub fn baked<T: Real + Bits>(
-    counter: &impl Counter,
-    mode: &'static str,
+    gauge: &impl Gauge,
     wheel: &Wheel<T>,
     look_up: fn(&Wheel<T>, &[T; 3], &mut [[T; 6]; 3]) -> bool,
-) -> Option<Report> {
-    let mut report = Report::new(mode);
+) -> Result<Report, u32> {
+    let mut report = Report::new();
     let mut checksum = Checksum::new();
     for number in 0..=STEPS {
         let drive = published::theta(number).map(T::constant);
         let mut pose = [[T::zero(); 6]; 3];
-        let (is_inside, instructions) = counter.count(|| look_up(wheel, &drive, &mut pose));
+        let (is_inside, taken) = gauge.gauge(|| look_up(wheel, &drive, &mut pose));
         if !is_inside {
-            return None;
+            return Err(number);
         }
-        report.add(instructions);
+        report.add(taken);
         checksum.add(pose.as_flattened());
     }
     report.checksum = checksum.value();
-    Some(report)
+    Ok(report)
 }

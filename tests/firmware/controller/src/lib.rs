@@ -14,4 +14,4 @@ pub mod steps;
 #[allow(clippy::excessive_precision)]
 mod wheel_by_theta;
 
-pub use follow::{Counter, Report};
+pub use follow::{Gauge, Report};
