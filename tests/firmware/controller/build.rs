@@ -11,5 +11,8 @@ fn main() {
     println!("cargo:rerun-if-changed={board}/memory.x");
     println!("cargo:rustc-link-search={board}");
     println!("cargo:rustc-link-arg-bins=--nmagic");
+    if arch.starts_with("riscv") {
+        println!("cargo:rustc-link-arg-bins=-Tmemory.x");
+    }
     println!("cargo:rustc-link-arg-bins=-Tlink.x");
 }

@@ -14,7 +14,10 @@ pub static WHEEL_F64: Wheel<f64> = WHEEL_BY_THETA;
 
 /// In `f32`.
 pub static WHEEL_F32: Wheel<f32> = Curve {
-    range: [WHEEL_BY_THETA.range[0] as f32, WHEEL_BY_THETA.range[1] as f32],
+    range: [
+        WHEEL_BY_THETA.range[0] as f32,
+        WHEEL_BY_THETA.range[1] as f32,
+    ],
     segments_per_unit: WHEEL_BY_THETA.segments_per_unit as f32,
     segments: &rounded(),
 };
@@ -65,7 +68,9 @@ macro_rules! export {
             [drive, rate, second_rate]: &[$number; 3],
             pose: &mut [[$number; 6]; 3],
         ) -> bool {
-            let found = wheel.at(*drive).map(|place| place.acceleration(*rate, *second_rate));
+            let found = wheel
+                .at(*drive)
+                .map(|place| place.acceleration(*rate, *second_rate));
             found.map(|found| *pose = found).is_ok()
         }
     };

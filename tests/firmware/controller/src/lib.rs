@@ -11,7 +11,7 @@ mod follow;
 pub mod modes;
 mod published;
 pub mod steps;
-#[allow(clippy::excessive_precision)]
+#[allow(dead_code, reason = "as `suspension bake` writes it")]
 mod wheel_by_theta;
 
 pub use follow::{Gauge, Report};

@@ -21,7 +21,8 @@ impl Gauge for Paint {
                 start.add(word).write_volatile(COLOUR);
             }
             let result = call();
-            let untouched = (0..WORDS).take_while(|word| start.add(*word).read_volatile() == COLOUR);
+            let untouched =
+                (0..WORDS).take_while(|word| start.add(*word).read_volatile() == COLOUR);
             let touched = WORDS - untouched.count();
             (result, (touched * size_of::<usize>()) as u32)
         }

@@ -3,34 +3,19 @@
 
 use core::arch::asm;
 
-use controller::Gauge;
 use riscv_rt::entry;
 
-use crate::nothing;
-
-/// Counts instructions beyond those of a call of [`nothing`].
-struct Retired {
-    of_nothing: u32,
+#[inline(always)]
+pub fn now() -> u32 {
+    let count: usize;
+    // SAFETY: reads a counter.
+    unsafe { asm!("csrr {}, minstret", out(reg) count) }
+    count as u32
 }
 
-impl Retired {
-    #[inline(always)]
-    fn so_far() -> u32 {
-        let count: usize;
-        // SAFETY: reads a counter.
-        unsafe { asm!("csrr {}, minstret", out(reg) count) }
-        count as u32
-    }
-}
-
-impl Gauge for Retired {
-    #[inline(always)]
-    fn gauge<R>(&self, call: impl FnOnce() -> R) -> (R, u32) {
-        let before = Self::so_far();
-        let result = call();
-        let taken = Self::so_far().wrapping_sub(before);
-        (result, taken - self.of_nothing)
-    }
+#[inline(always)]
+pub fn instructions_between(before: u32, after: u32) -> u32 {
+    after.wrapping_sub(before)
 }
 
 #[inline(never)]
@@ -51,6 +36,5 @@ pub fn stack_pointer() -> usize {
 
 #[entry]
 fn main() -> ! {
-    let (_, of_nothing) = Retired { of_nothing: 0 }.gauge(nothing);
-    crate::run(&Retired { of_nothing })
+    crate::run()
 }

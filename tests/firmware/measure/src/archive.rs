@@ -47,7 +47,10 @@ impl Archive {
             .map(object::File::parse)
             .collect::<object::Result<_>>()?;
         let mut all = Self::default();
-        let places: Vec<_> = objects.iter().map(|object| all.add_sections(object)).collect();
+        let places: Vec<_> = objects
+            .iter()
+            .map(|object| all.add_sections(object))
+            .collect();
         for (object, places) in objects.iter().zip(&places) {
             all.add_references(object, places)?;
         }

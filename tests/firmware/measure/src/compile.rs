@@ -53,7 +53,8 @@ fn keep(target: &Target) -> Result<Built> {
     std::fs::create_dir_all(&to)?;
     let copy = |name: &str| {
         let kept = to.join(name);
-        std::fs::copy(from.join(name), &kept).with_context(|| format!("{name} of {}", target.name))?;
+        std::fs::copy(from.join(name), &kept)
+            .with_context(|| format!("{name} of {}", target.name))?;
         anyhow::Ok(kept)
     };
     Ok(Built {

@@ -30,9 +30,18 @@ impl<'a> Reach<'a> {
         self.sections.iter().map(|at| &self.archive.sections[*at])
     }
 
+    /// What is reached, the largest first.
+    pub fn by_size(&self) -> Vec<&'a Section> {
+        let mut sections: Vec<_> = self.sections().collect();
+        sections.sort_by_key(|section| std::cmp::Reverse(section.bytes));
+        sections
+    }
+
     /// The symbols, demangled.
     pub fn symbols(&self) -> impl Iterator<Item = &'a str> {
-        self.sections().flat_map(|section| &section.names).map(String::as_str)
+        self.sections()
+            .flat_map(|section| &section.names)
+            .map(String::as_str)
     }
 
     /// Code and constants.
@@ -75,7 +84,8 @@ impl Deepest<'_> {
             None => self.known.insert(at, None),
         };
         let frame = section.frame;
-        let mut depth = frame.with_context(|| format!("the stack of {:?} is not known", section.names))?;
+        let mut depth =
+            frame.with_context(|| format!("the stack of {:?} is not known", section.names))?;
         let mut below = 0;
         for called in &section.calls {
             below = below.max(self.of(*called)?);

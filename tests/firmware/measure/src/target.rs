@@ -27,7 +27,13 @@ pub const TARGETS: [Target; 3] = [
         flags: &[],
         has_doubles: false,
         has_rooms: true,
-        emulator: &[ARM, "-machine", "mps2-an386", "-icount", "shift=10,align=off,sleep=off"],
+        emulator: &[
+            ARM,
+            "-machine",
+            "mps2-an386",
+            "-icount",
+            "shift=10,align=off,sleep=off",
+        ],
     },
     Target {
         name: "m7",
@@ -35,7 +41,13 @@ pub const TARGETS: [Target; 3] = [
         flags: &["-Ctarget-cpu=cortex-m7"],
         has_doubles: true,
         has_rooms: false,
-        emulator: &[ARM, "-machine", "mps2-an500", "-icount", "shift=10,align=off,sleep=off"],
+        emulator: &[
+            ARM,
+            "-machine",
+            "mps2-an500",
+            "-icount",
+            "shift=10,align=off,sleep=off",
+        ],
     },
     Target {
         name: "rv64gc",
@@ -43,6 +55,14 @@ pub const TARGETS: [Target; 3] = [
         flags: &[],
         has_doubles: true,
         has_rooms: false,
-        emulator: &[RISC_V, "-machine", "virt", "-bios", "none", "-icount", "shift=0,align=off,sleep=off"],
+        emulator: &[
+            RISC_V,
+            "-machine",
+            "virt",
+            "-bios",
+            "none",
+            "-icount",
+            "shift=0,align=off,sleep=off",
+        ],
     },
 ];
