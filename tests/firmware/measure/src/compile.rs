@@ -1,0 +1,74 @@
+//! Builds the firmware and the archive of its calls.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+
+use crate::target::Target;
+
+/// The workspace of the firmware.
+pub fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// What was built for a target.
+pub struct Built {
+    /// The loop, to be run.
+    pub firmware: PathBuf,
+    /// The calls, to be looked into: not linked, so that every function has a section of its own.
+    pub archive: PathBuf,
+}
+
+pub fn compile(target: &Target) -> Result<Built> {
+    let config = |key: &str, value: &str| format!("target.{}.{key}={value}", target.triple);
+    let mut flags = vec!["-Zemit-stack-sizes"];
+    flags.extend(target.flags);
+    let mut command = Command::new("rustup");
+    command
+        .args(["run", "debian", "cargo", "build", "--quiet", "--release"])
+        .args(["--package", "controller", "--package", "entries"])
+        .args(["--target", target.triple])
+        .args(["--config", &config("rustflags", &format!("{flags:?}"))])
+        .args(["--config", &config("linker", &format!("{:?}", linker()?))])
+        .current_dir(workspace())
+        // For -Z.
+        .env("RUSTC_BOOTSTRAP", "1");
+    if target.has_doubles {
+        command.args(["--features", "controller/f64"]);
+    }
+    if target.has_rooms {
+        command.args(["--features", "entries/rooms"]);
+    }
+    let status = command.status().context("rustup")?;
+    ensure!(status.success(), "{}: the build fails", target.name);
+    keep(target)
+}
+
+/// Copies what was built: two targets may share an instruction set, and so their places.
+fn keep(target: &Target) -> Result<Built> {
+    let all = workspace().join("target");
+    let from = all.join(target.triple).join("release");
+    let to = all.join("measured").join(target.name);
+    std::fs::create_dir_all(&to)?;
+    let copy = |name: &str| {
+        let kept = to.join(name);
+        std::fs::copy(from.join(name), &kept)
+            .with_context(|| format!("{name} of {}", target.name))?;
+        anyhow::Ok(kept)
+    };
+    Ok(Built {
+        firmware: copy("controller")?,
+        archive: copy("libentries.a")?,
+    })
+}
+
+/// The linker that comes with the active toolchain.
+fn linker() -> Result<PathBuf> {
+    let print = |what: &str| -> Result<String> {
+        let output = Command::new("rustc").args(["--print", what]).output()?;
+        Ok(String::from_utf8(output.stdout)?.trim().to_owned())
+    };
+    let (sysroot, host) = (print("sysroot")?, print("host-tuple")?);
+    Ok(Path::new(&sysroot).join(format!("lib/rustlib/{host}/bin/rust-lld")))
+}
