@@ -10,7 +10,7 @@ use suspension_core::{DriveKind, Inputs, Motion, Named, Signal, Still};
 
 use crate::assemblies::{Assemblies, Census, Evidence};
 use crate::failure::Failure;
-use crate::input::drives::{in_words, replaced};
+use crate::input::drives::in_words;
 use crate::study::{Assembled, Suspension};
 
 /// Where assemblies are wanted.
@@ -133,7 +133,7 @@ fn with<L: Suspension<N>, const N: usize>(
         return Err(Failure::Input(format!("{file}: --at {value}: {bound}")));
     }
     Ok(Inputs::still(Signal {
-        value: replaced(&inputs.drives.value, drive, value),
+        value: inputs.drives.value.with(drive, value),
         ..Signal::default()
     }))
 }
