@@ -17,9 +17,9 @@ mod report;
 use nalgebra::{Const, DimMin, SVector};
 use suspension_core::{Inputs, Linkage, Listing, Still};
 
-pub use census::Census;
+pub use census::{Census, Tally};
 pub use generic::Evidence;
-pub use listed::{Assembly, Listed, Wish, list};
+pub use listed::{Assembly, Listed, OnListed, Wish, list};
 pub use report::{columns, rows, text};
 
 use family::{Family, complex};

@@ -16,7 +16,7 @@ use suspension_core::linkage::Listing;
 use suspension_core::{Build, HasKingpin, HasWheel, Linkage};
 use toml::Spanned;
 
-use crate::assemblies::{Listed, Wish};
+use crate::assemblies::{OnListed, Wish};
 use crate::bake::order::Order;
 use crate::bake::source::Sheet;
 use crate::chart::survey::{Effort, Survey};
@@ -97,13 +97,15 @@ pub trait Study {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`].
+    /// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`], and what
+    /// `on_listed` fails with.
     fn assemblies(
         &self,
         file: &str,
         wish: &Wish,
         interrupted: &AtomicBool,
-    ) -> Result<Vec<Listed>, Failure>;
+        on_listed: &mut OnListed<'_>,
+    ) -> Result<(), Failure>;
 
     /// Puts every method of the chart through the motion between two times.
     ///

@@ -45,10 +45,13 @@ fn check<T: Real, L: Build<15, Scalar = T>>(
     };
     let guess = L::unknowns(rough);
     let mut q = guess;
-    match assemble(&Newton::from_afar(), &model, &inputs(T::zero()), &mut q) {
+    let newton = Newton::from_afar();
+    match assemble(&newton, &model, &inputs(T::zero()), &mut q) {
         Ok(converged) => {
             prop_assert!(converged.residual <= converged.tolerance);
             is_root(&model, &inputs(T::zero()), &q)?;
+            let stretched = q * T::constant(1.001);
+            prop_assert!(!newton.is_root(&model, &inputs(T::zero()), &stretched));
         }
         Err(_) => {
             prop_assert_eq!(q, guess);
@@ -71,6 +74,7 @@ fn is_root<T: Real, L: Linkage<15, Scalar = T>>(
     inputs: &Inputs<suspension_core::Still, L::Drives>,
     q: &SVector<T, 15>,
 ) -> Result<(), TestCaseError> {
+    prop_assert!(Newton::near_by().is_root(model, inputs, q));
     let drives = model.coordinates(&inputs.drives).value;
     let residual = model.residual(q, model.fixed(), &drives);
     let bound = T::EPSILON * Newton::<T>::near_by().tolerance * model.size().max(q.amax());

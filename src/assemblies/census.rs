@@ -22,6 +22,15 @@ const REAL: f64 = 1e-6;
 pub struct Census<const N: usize> {
     /// The real ones, residuals tested.
     pub real: Vec<SVector<f64, N>>,
+    /// What became of all.
+    pub tally: Tally,
+}
+
+/// What became of the assemblies of a general mechanism, by number.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Tally {
+    /// How many are real.
+    pub real: usize,
     /// How many are complex.
     pub complex: usize,
     /// How many have imaginary parts that may be rounding, and no iteration confirms a real one:
@@ -35,11 +44,11 @@ pub struct Census<const N: usize> {
     pub evidence: Evidence,
 }
 
-impl<const N: usize> Census<N> {
+impl Tally {
     /// How many assemblies of a general mechanism were followed neither to one of this mechanism
     /// nor to infinity: several that coincide, paths lost near a singularity, or the unconfirmed ones.
     pub fn unaccounted(&self) -> usize {
-        let accounted = self.real.len() + self.complex + self.infinite;
+        let accounted = self.real + self.complex + self.infinite;
         self.generic.saturating_sub(accounted)
     }
 
@@ -89,14 +98,15 @@ where
         .iter()
         .filter_map(|root| confirmed::<L, N>(model, inputs, root, bound))
         .collect();
-    Census {
-        infinite: infinite.min(generic.roots.len().saturating_sub(roots.len())),
+    let tally = Tally {
+        real: real.len(),
         complex: complex.len(),
         unconfirmed: nearly_real.len() - real.len(),
-        real,
         generic: generic.roots.len(),
+        infinite: infinite.min(generic.roots.len().saturating_sub(roots.len())),
         evidence: generic.evidence,
-    }
+    };
+    Census { real, tally }
 }
 
 /// The real root within `bound` of a nearly real one.

@@ -69,7 +69,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
     ) -> Line<'_, G, N> {
         let ends = from.drives.values().zip(to.drives.values());
         let change = Member {
-            drives: named(ends.map(|(from, to)| to - from)),
+            drives: Named::from_values(ends.map(|(from, to)| to - from)),
             right: to.right - from.right,
         };
         let fixed_rate = G::Model::drive_anchors(Fixed::<G, N>::default(), &change.drives);
@@ -92,12 +92,7 @@ pub(crate) fn complex<L: Enumerable<N>, const N: usize>(
     inputs: &Inputs<Still, L::Drives>,
 ) -> Drives<L::Listing, N> {
     let coordinates = model.coordinates(&inputs.drives).value;
-    named(coordinates.values().map(Complex::from))
-}
-
-/// Numbers under the names of drives.
-fn named<D: Named<Complex<f64>>>(mut values: impl Iterator<Item = Complex<f64>>) -> D {
-    D::from_fn(|_| values.next().unwrap_or_default())
+    Named::from_values(coordinates.values().map(Complex::from))
 }
 
 /// Members `from + s change`, with `s` from 0 to 1.
@@ -116,7 +111,7 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
 
     fn drives(&self, s: f64) -> Drives<G, N> {
         let ends = self.from.drives.values().zip(self.change.drives.values());
-        named(ends.map(|(from, change)| from + change * s))
+        Named::from_values(ends.map(|(from, change)| from + change * s))
     }
 
     /// `F(q; u(s)) - c(s)`.

@@ -11,7 +11,7 @@ use crate::assemblies::random::Random;
 /// Random starts before the first loop.
 const STARTS: usize = 200;
 
-/// Loops without a new root after which the search ends.
+/// Loops without a new root after which the search ends where the trace test does not apply.
 const QUIET: usize = 4;
 
 /// Loops that are made at most.
@@ -100,12 +100,13 @@ where
         self.add(ends);
     }
 
-    /// Follows the roots along loops until they are all, or loops bring no new one.
+    /// Follows the roots along loops until there is good reason to believe that they are all. A root
+    /// that the trace test misses may need more loops than those that were quiet.
     fn go_round(&mut self) {
         while self.evidence.loops < MOST_LOOPS {
             if self.evidence.quiet > 0 {
                 self.evidence.trace = self.bend();
-                if self.evidence.quiet >= QUIET || self.evidence.trace.is_some_and(|b| b < LINEAR) {
+                if self.evidence.is_convincing() {
                     return;
                 }
             }

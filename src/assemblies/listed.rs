@@ -8,9 +8,9 @@ use suspension_core::lu::Lu;
 use suspension_core::wheel::Wheel;
 use suspension_core::{DriveKind, Inputs, Motion, Named, Signal, Still};
 
-use crate::assemblies::{Assemblies, Census, Evidence};
+use crate::assemblies::{Assemblies, Census, Tally};
 use crate::failure::Failure;
-use crate::input::drives::{in_words, replaced};
+use crate::input::drives::in_words;
 use crate::study::{Assembled, Suspension};
 
 /// Where assemblies are wanted.
@@ -31,20 +31,8 @@ pub struct Listed {
     pub drives_in_words: String,
     /// The real ones, nearest to the file's configuration first.
     pub assemblies: Vec<Assembly>,
-    /// How many are complex.
-    pub complex: usize,
-    /// How many a mechanism of general lengths has.
-    pub generic: usize,
-    /// How many of those go to infinity at these lengths.
-    pub infinite: usize,
-    /// How many of those lead nowhere that is known.
-    pub unaccounted: usize,
-    /// How many of these are real or complex, which rounding does not tell beside a fold.
-    pub unconfirmed: usize,
-    /// Whether there is good reason to believe that the list is complete.
-    pub is_complete: bool,
-    /// Why the generic ones are believed to be all.
-    pub evidence: Evidence,
+    /// These and the others, by number.
+    pub tally: Tally,
 }
 
 /// A real assembly.
@@ -66,17 +54,22 @@ pub struct Assembly {
     pub coordinates: Vec<f64>,
 }
 
-/// Lists all assemblies of the file's mechanism.
+/// Takes the assemblies at one value of the drives.
+pub type OnListed<'a> = dyn FnMut(&Listed) -> Result<(), Failure> + 'a;
+
+/// Lists all assemblies of the file's mechanism, value by value.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`].
+/// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`] between two values, and
+/// what `on_listed` fails with.
 pub fn list<L: Suspension<N>, const N: usize>(
     assembled: &Assembled<L, N>,
     file: &str,
     wish: &Wish,
     interrupted: &AtomicBool,
-) -> Result<Vec<Listed>, Failure>
+    on_listed: &mut OnListed<'_>,
+) -> Result<(), Failure>
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
@@ -91,13 +84,15 @@ where
         }
     };
     let mut search = Assemblies::new(&assembled.model, &assembled.start.position, &first);
-    let each = inputs.iter().map(|inputs| {
+    for (done, inputs) in inputs.iter().enumerate() {
         if interrupted.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted(format!("{file}: interrupted")));
+            return Err(Failure::Interrupted(format!(
+                "{file}: interrupted after {done} of the drive's values"
+            )));
         }
-        Ok(listed(assembled, inputs, search.at(inputs)))
-    });
-    each.collect()
+        on_listed(&listed(assembled, inputs, search.at(inputs)))?;
+    }
+    Ok(())
 }
 
 fn drive<L: Suspension<N>, const N: usize>(file: &str, wish: &Wish) -> Result<usize, Failure> {
@@ -133,7 +128,7 @@ fn with<L: Suspension<N>, const N: usize>(
         return Err(Failure::Input(format!("{file}: --at {value}: {bound}")));
     }
     Ok(Inputs::still(Signal {
-        value: replaced(&inputs.drives.value, drive, value),
+        value: inputs.drives.value.with(drive, value),
         ..Signal::default()
     }))
 }
@@ -153,13 +148,7 @@ fn listed<L: Suspension<N>, const N: usize>(
         drives: inputs.drives.value.values().collect(),
         drives_in_words: in_words::<L, N>(&inputs.drives.value, assembled.unit),
         assemblies,
-        complex: census.complex,
-        generic: census.generic,
-        infinite: census.infinite,
-        unaccounted: census.unaccounted(),
-        unconfirmed: census.unconfirmed,
-        is_complete: census.is_complete(),
-        evidence: census.evidence,
+        tally: census.tally,
     }
 }
 

@@ -104,38 +104,35 @@ fn cells(count: usize, assembly: &Assembly, unit: Unit) -> [String; 9] {
 
 /// How sure it is that the list is complete, and why.
 fn certainty(listed: &Listed) -> String {
-    let Listed {
-        complex,
-        generic,
-        infinite,
-        unaccounted,
-        unconfirmed,
-        evidence,
-        ..
-    } = listed;
-    let real = listed.assemblies.len();
-    let verdict = if listed.is_complete {
+    let tally = &listed.tally;
+    let verdict = if tally.is_complete() {
         "The list is complete by all that was tried"
     } else {
         "The list may not be complete"
     };
-    let unconfirmed = match unconfirmed {
+    let unconfirmed = match tally.unconfirmed {
         0 => String::new(),
         count => format!(" ({count} beside a fold, real or complex is not to be told)"),
     };
+    let evidence = &tally.evidence;
     let trace = match evidence.trace {
         Some(bend) => format!("the trace test leaves {} of a straight line", rounded(bend)),
         None => "the trace test does not apply, as no drive moves a free point".to_owned(),
     };
+    let loops = match evidence.loops {
+        1 => "one loop".to_owned(),
+        loops => format!("{loops} loops, the last {}", evidence.quiet),
+    };
     format!(
-        "{verdict}: {real} real and {complex} complex assemblies, {infinite} at infinity, \
-         {unaccounted} not accounted for{unconfirmed},\nof the {generic} that such a mechanism has with general \
-         lengths ({} random starts, {} without a\nnew one; {trace}).\n",
+        "{verdict}: {} real and {} complex assemblies, {} at infinity, \
+         {} not accounted for{unconfirmed},\nof the {} that such a mechanism has with general \
+         lengths ({} random starts, {loops} without a\nnew one; {trace}).\n",
+        tally.real,
+        tally.complex,
+        tally.infinite,
+        tally.unaccounted(),
+        tally.generic,
         evidence.starts,
-        match evidence.loops {
-            1 => "one loop".to_owned(),
-            loops => format!("{loops} loops, the last {}", evidence.quiet),
-        },
     )
 }
 

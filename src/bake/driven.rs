@@ -145,16 +145,5 @@ fn moving<D: Named<f64> + Default>(value: D, rate: D) -> Inputs<Still, D> {
 
 /// Two sets of drives, name by name.
 fn combined<D: Named<f64>>(a: &D, b: &D, with: impl Fn(f64, f64) -> f64) -> D {
-    let mut pairs = a.values().zip(b.values());
-    D::from_fn(|_| pairs.next().map_or(0.0, |(a, b)| with(a, b)))
-}
-
-/// A set of drives with one value replaced.
-pub(super) fn with<D: Named<f64>>(drives: &D, index: usize, value: f64) -> D {
-    let mut values = drives.values().enumerate();
-    D::from_fn(|_| match values.next() {
-        Some((at, _)) if at == index => value,
-        Some((_, kept)) => kept,
-        None => 0.0,
-    })
+    D::from_values(a.values().zip(b.values()).map(|(a, b)| with(a, b)))
 }

@@ -163,8 +163,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
 
     fn path(&self, drive: usize, range: [f64; 2]) -> Result<Path<'_, L, N>, OutOfReach> {
         let Assembled { model, start, .. } = self.assembled;
-        let mut first = (0..).map(|drive| self.first(drive));
-        let held = L::Drives::from_fn(|_| first.next().unwrap_or_default());
+        let held = L::Drives::from_values((0..).map(|drive| self.first(drive)));
         Path::new(model, start, held, drive, range, self.order.wish)
     }
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use suspension_core::{Build, HasWheel, Linkage, Motion, Named, SolveError, Stopped};
 
-use crate::bake::driven::{Derivatives, Driven, Output, Wish, with};
+use crate::bake::driven::{Derivatives, Driven, Output, Wish};
 use crate::number::number;
 
 /// The mechanism moved by one drive, the others held.
@@ -100,7 +100,7 @@ where
     }
 
     fn follow(&self, [from, to]: [f64; 2], motion: &mut Motion<f64, N>) -> Result<(), Stop> {
-        let ends = [from, to].map(|at| with(&self.held, self.drive, at));
+        let ends = [from, to].map(|at| self.held.with(self.drive, at));
         let followed = self.driven.follow([&ends[0], &ends[1]], motion);
         followed.map_err(|Stopped { reached, refused }| {
             let reached = from + (to - from) * reached;
@@ -138,8 +138,8 @@ where
             return Ok(Vec::new());
         };
         self.drive([from, at], &mut motion)?;
-        let value = with(&self.held, self.drive, at);
-        let unit = with(&L::Drives::default(), self.drive, 1.0);
+        let value = self.held.with(self.drive, at);
+        let unit = L::Drives::default().with(self.drive, 1.0);
         let read = self.driven.derivatives(&motion, value, unit);
         read.map_err(|cause| OutOfReach {
             reached: [from, at],

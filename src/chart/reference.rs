@@ -148,10 +148,8 @@ where
             }
         });
     }
-    let [value, rate, second_rate] = [0, 1, 2].map(|order| {
-        let mut values = coordinates.iter().map(|all| all[order]);
-        M::Drives::from_fn(|_| values.next().unwrap_or_default())
-    });
+    let [value, rate, second_rate] =
+        [0, 1, 2].map(|order| M::Drives::from_values(coordinates.iter().map(|all| all[order])));
     let at_rest = M::Fixed::default();
     Prescribed {
         fixed: Signal {

@@ -47,21 +47,27 @@ impl Arguments {
             drive: self.drive,
             at: self.at,
         };
-        let listed = study.assemblies(source.name(), &wish, interrupted)?;
-        if target != Some(Target::Stdout) {
-            let texts = listed.iter().map(|at| assemblies::text(at, study.unit()));
-            print(&texts.collect::<Vec<_>>().join("\n"))?;
+        let columns = assemblies::columns(&*study);
+        let table = target.as_ref().map(|csv| CsvFile::create(csv, &columns));
+        let mut table = table.transpose()?;
+        let done = study.assemblies(source.name(), &wish, interrupted, &mut |listed| {
+            if target != Some(Target::Stdout) {
+                print(&format!("{}\n", assemblies::text(listed, study.unit())))?;
+            }
+            let Some(table) = &mut table else {
+                return Ok(());
+            };
+            assemblies::rows(listed).try_for_each(|row| table.row(&row))
+        });
+        if matches!(done, Ok(()) | Err(Failure::Interrupted(_)))
+            && let Some(table) = table
+        {
+            table.finish()?;
+            if let Some(Target::File(path)) = &target {
+                crate::job::announce(std::slice::from_ref(path));
+            }
         }
-        let Some(target) = target else { return Ok(()) };
-        let mut table = CsvFile::create(&target, &assemblies::columns(&*study))?;
-        for row in listed.iter().flat_map(assemblies::rows) {
-            table.row(&row)?;
-        }
-        table.finish()?;
-        if let Target::File(path) = &target {
-            crate::job::announce(std::slice::from_ref(path));
-        }
-        Ok(())
+        done
     }
 }
 
@@ -80,7 +86,7 @@ the file's. The trace test confirms that none is missing: their sum is linear in
 complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
 
 Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 the file's
-mechanism has no configuration at its first instant, 130 interrupted.
+mechanism has no configuration at its first instant, 130 interrupted: what was found is kept.
 
 Example:
   suspension assemblies examples/five_link.toml --at 0.7 1.2 --csv assemblies.csv";

@@ -49,10 +49,6 @@ fn points<P: Named<Vector3<f64>>>(links: &FiveLinks<f64>) -> P {
     let knuckle = links.knuckle.map(|point| links.origin + point);
     // The wheel centre moves nothing.
     let wheel_centre = knuckle[2] + Vector3::y() * links.size();
-    let mut points = links
-        .chassis
-        .into_iter()
-        .chain(knuckle)
-        .chain([wheel_centre]);
-    P::from_fn(|_| points.next().unwrap_or_default())
+    let chassis = links.chassis.into_iter();
+    P::from_values(chassis.chain(knuckle).chain([wheel_centre]))
 }

@@ -169,16 +169,6 @@ fn descended<T: Number, L: Build<N, Scalar = T>, const N: usize>(
 ) -> Option<Motion<T, N>> {
     let prescribed = Prescribed::new(linkage, inputs);
     let q = end_of_descent(linkage, &prescribed, start);
-    is_root(linkage, &prescribed, &q).then(|| Motion::at_rest(q))
-}
-
-fn is_root<T: Real, L: Build<N, Scalar = T>, const N: usize>(
-    linkage: &L,
-    prescribed: &Prescribed<L::Fixed, L::Drives>,
-    q: &SVector<T, N>,
-) -> bool {
-    let Prescribed { fixed, drives } = prescribed;
-    let residual = linkage.residual(q, &fixed.value, &drives.value).amax();
-    let rounding = T::EPSILON * linkage.size().max(q.amax());
-    residual <= Newton::<T>::from_afar().tolerance * rounding
+    let is_root = Newton::from_afar().is_root(linkage, inputs, &q);
+    is_root.then(|| Motion::at_rest(q))
 }

@@ -77,15 +77,6 @@ impl DriveLaws {
     }
 }
 
-/// The drives with another value of one.
-pub fn replaced<D: Named<f64>>(drives: &D, index: usize, value: f64) -> D {
-    let mut values = drives.values().enumerate();
-    D::from_fn(|_| match values.next() {
-        Some((other, kept)) if other != index => kept,
-        _ => value,
-    })
-}
-
 /// Checks that driving angles lie where a link's angle from an axis can lie, from 0 to pi.
 ///
 /// # Errors

@@ -39,8 +39,8 @@ pub fn names<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
     columns
 }
 
-/// The station at a place, its points in the coordinates in which `origin` is stated. `drives` are the drives' values with the freed one, number `freed`,
-/// anywhere.
+/// The station at a place, its points in the coordinates in which `origin` is stated. `drives` are
+/// the drives' values, `freed` is the number of the free one.
 pub fn station<L: Suspension<N>, const N: usize>(
     curve: &Curve<'_, L, N>,
     place: &Place<f64, N>,

@@ -6,7 +6,7 @@ use nalgebra::{Const, DimMin};
 use suspension_core::{Advanced, LocalOrigin, Motion, Stopped, Tracker};
 use toml::Spanned;
 
-use crate::assemblies::{self, Listed, Wish};
+use crate::assemblies::{self, OnListed, Wish};
 use crate::bake::order::{Order, Ordered};
 use crate::bake::source::Sheet;
 use crate::chart;
@@ -113,8 +113,9 @@ where
         file: &str,
         wish: &Wish,
         interrupted: &AtomicBool,
-    ) -> Result<Vec<Listed>, Failure> {
-        assemblies::list(self, file, wish, interrupted)
+        on_listed: &mut OnListed<'_>,
+    ) -> Result<(), Failure> {
+        assemblies::list(self, file, wish, interrupted, on_listed)
     }
 
     fn chart(

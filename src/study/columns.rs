@@ -28,8 +28,8 @@ impl PointNames {
         let chassis = <L::Fixed as Named<Vector3<f64>>>::NAMES.len();
         let (free, markers) = names[chassis..].split_at(N / 3);
         // The roles are given as positions: let each point's position be its number.
-        let mut numbers = (0..names.len()).map(|number| number as f64);
-        let tags = L::Points::from_fn(|_| Vector3::repeat(numbers.next().unwrap_or_default()));
+        let numbers = (0..names.len()).map(|number| Vector3::repeat(number as f64));
+        let tags = L::Points::from_values(numbers);
         let name_of = |tag: Vector3<f64>| names[tag.x as usize];
         let [_, centre] = tags.wheel();
         Self {

@@ -1,9 +1,9 @@
 //! A motion that a measure of the linkage leads in place of one of the drives.
 
 use suspension_core::path::{Leader, Led, measured};
-use suspension_core::{Advanced, Inputs, Linkage, Signal, SolveError, Still, Stopped};
+use suspension_core::{Advanced, Inputs, Linkage, Named, Signal, SolveError, Still, Stopped};
 
-use crate::input::drives::{DriveLaws, Law, each_in_words, replaced};
+use crate::input::drives::{DriveLaws, Law, each_in_words};
 use crate::input::file::Unit;
 use crate::input::leading::StandIn;
 use crate::number::number;
@@ -62,9 +62,9 @@ impl<const N: usize> Lead<N> {
             second_rate,
         } = held.drives;
         Inputs::still(Signal {
-            value: replaced(&value, index, free.value),
-            rate: replaced(&rate, index, free.rate),
-            second_rate: replaced(&second_rate, index, free.second_rate),
+            value: value.with(index, free.value),
+            rate: rate.with(index, free.rate),
+            second_rate: second_rate.with(index, free.second_rate),
         })
     }
 

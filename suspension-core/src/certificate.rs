@@ -138,7 +138,7 @@ where
         let drives = self.coordinates(&inputs.drives.value);
         let chassis = inputs.chassis.signal(self.linkage.fixed()).value;
         let fixed = Enclosing::<L, N>::drive_anchors(
-            named(chassis.values().map(|point| point.map(Enclosed::exact))),
+            Named::from_values(chassis.values().map(|point| point.map(Enclosed::exact))),
             &drives,
         );
         let [position] = q.data.0;
@@ -157,13 +157,13 @@ where
     /// The coordinates that drives prescribe.
     #[inline(always)]
     fn coordinates(&self, drives: &L::Drives) -> <Enclosing<L, N> as Linkage<N>>::Drives {
-        let exact = named(drives.values().map(Enclosed::exact));
+        let exact = Named::from_values(drives.values().map(Enclosed::exact));
         let computed = self.enclosing.coordinates(&Signal {
             value: exact,
             ..Signal::default()
         });
         let each = computed.value.values().zip(drives.values());
-        named(each.zip(L::DRIVE_KINDS).map(|((coordinate, drive), kind)| {
+        Named::from_values(each.zip(L::DRIVE_KINDS).map(|((coordinate, drive), kind)| {
             let is_covered = drive.abs() <= T::constant(LARGEST_ANGLE);
             match kind {
                 DriveKind::Coordinate => coordinate,
@@ -174,10 +174,4 @@ where
             }
         }))
     }
-}
-
-/// The struct of values in the order of its names.
-#[inline(always)]
-fn named<V: Default, S: Named<V>>(mut values: impl Iterator<Item = V>) -> S {
-    S::from_fn(|_| values.next().unwrap_or_default())
 }

@@ -68,4 +68,5 @@ pub use newton::{Converged, Newton};
 pub use scalar::{Real, Scalar};
 pub use series::{InputSeries, Jet, Series, SeriesTracker};
 pub use signal::{ChassisMotion, Inputs, Signal, Still};
-pub use tracker::{Advanced, Stopped, Tracker};
+pub use substeps::{Advanced, Stopped};
+pub use tracker::Tracker;

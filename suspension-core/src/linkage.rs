@@ -17,13 +17,34 @@ pub trait Named<V>: Copy {
     /// The fields' values, in the order of [`NAMES`](Self::NAMES).
     fn values(&self) -> impl Iterator<Item = V>;
 
+    /// Fills the fields in the order of [`NAMES`](Self::NAMES), with defaults where values are
+    /// missing.
+    #[inline(always)]
+    fn from_values(values: impl IntoIterator<Item = V>) -> Self
+    where
+        V: Default,
+    {
+        let mut values = values.into_iter();
+        Self::from_fn(|_| values.next().unwrap_or_default())
+    }
+
     /// The same names with other values.
+    #[inline(always)]
     fn map(&self, value: impl Fn(V) -> V) -> Self
     where
         V: Default,
     {
-        let mut values = self.values();
-        Self::from_fn(|_| value(values.next().unwrap_or_default()))
+        Self::from_values(self.values().map(value))
+    }
+
+    /// The same values but for the one with this index.
+    #[inline(always)]
+    fn with(&self, index: usize, value: V) -> Self
+    where
+        V: Copy + Default,
+    {
+        let each = self.values().enumerate();
+        Self::from_values(each.map(|(at, kept)| if at == index { value } else { kept }))
     }
 }
 

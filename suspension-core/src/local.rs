@@ -56,11 +56,11 @@ impl<T: Real> LocalOrigin<T> {
     /// origin's coordinate where the drive is a coordinate of a point, otherwise zero.
     pub fn of_drives<L: Build<N, Scalar = T>, const N: usize>(&self, linkage: &L) -> L::Drives {
         let values = linkage.drives_at(&self.everywhere());
-        let mut each = values.values().zip(L::DRIVE_KINDS);
-        L::Drives::from_fn(|_| match each.next() {
-            Some((value, DriveKind::Coordinate)) => value,
-            _ => T::zero(),
-        })
+        let each = values.values().zip(L::DRIVE_KINDS);
+        L::Drives::from_values(each.map(|(value, kind)| match kind {
+            DriveKind::Coordinate => value,
+            DriveKind::Angle => T::zero(),
+        }))
     }
 
     /// What to add to each measure of local points: see [`of_drives`](Self::of_drives).
@@ -71,11 +71,11 @@ impl<T: Real> LocalOrigin<T> {
             second_rate: self.everywhere(),
         };
         let values = L::measures(&points).value;
-        let mut each = values.values().zip(L::MEASURE_KINDS);
-        L::Measures::from_fn(|_| match each.next() {
-            Some((value, MeasureKind::Length)) => value,
-            _ => T::zero(),
-        })
+        let each = values.values().zip(L::MEASURE_KINDS);
+        L::Measures::from_values(each.map(|(value, kind)| match kind {
+            MeasureKind::Length => value,
+            MeasureKind::Angle => T::zero(),
+        }))
     }
 
     /// All points in the local origin: what has no direction there, no length and no difference.

@@ -89,6 +89,22 @@ impl<T: Real> Newton<T> {
         self.solve_prescribed(linkage, &prescribed, q, None)
     }
 
+    /// Whether `q` is a root by the measure by which [`solve`](Self::solve) claims success.
+    pub fn is_root<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        inputs: &Inputs<C, L::Drives>,
+        q: &SVector<T, N>,
+    ) -> bool
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let Prescribed { fixed, drives } = Prescribed::new(linkage, inputs);
+        let residual = linkage.residual(q, &fixed.value, &drives.value);
+        magnitude(&residual).is_ok_and(|worst| worst <= self.tolerance_at(linkage, q))
+    }
+
     /// [`solve`](Self::solve) with prepared inputs and a bound for the first correction.
     pub(crate) fn solve_prescribed<L, const N: usize>(
         &self,
@@ -103,7 +119,6 @@ impl<T: Real> Newton<T> {
         let residual_at = |x: &SVector<T, N>| {
             linkage.residual(x, &prescribed.fixed.value, &prescribed.drives.value)
         };
-        let rounding_at = |x: &SVector<T, N>| self.rounding_at(linkage, x);
         let mut at = Iterate::new(*q, residual_at(q))?;
         let mut bound = first_bound;
         for iterations in 1..=self.max_iterations {
@@ -114,10 +129,10 @@ impl<T: Real> Newton<T> {
                 T::zero(),
                 |factors| {
                     let step = factors.solve(&at.residual);
-                    let size = within(&step, bound, rounding_at(&at.q))?;
+                    let size = within(&step, bound, self.rounding_at(linkage, &at.q))?;
                     let next = self.damped(&at, &step, residual_at)?;
                     let growth = factors.growth_squared().sqrt();
-                    if next.worst > self.tolerance * rounding_at(&next.q) {
+                    if next.worst > self.tolerance_at(linkage, &next.q) {
                         return Ok((size, growth, next));
                     }
                     // One more correction with the same factors takes off what the square of the
@@ -131,7 +146,7 @@ impl<T: Real> Newton<T> {
             )??;
             bound = self.contraction.map(|contraction| contraction * size);
             at = next;
-            let tolerance = self.tolerance * rounding_at(&at.q);
+            let tolerance = self.tolerance_at(linkage, &at.q);
             if at.worst <= tolerance {
                 *q = at.q;
                 return Ok(Converged {
@@ -145,9 +160,18 @@ impl<T: Real> Newton<T> {
         Err(SolveError::NotConverged {
             equation: index_of_largest(&at.residual),
             residual: at.worst,
-            tolerance: self.tolerance * rounding_at(&at.q),
+            tolerance: self.tolerance_at(linkage, &at.q),
             iterations: self.max_iterations,
         })
+    }
+
+    /// The largest residual that counts as a root at a position.
+    #[inline(always)]
+    pub(crate) fn tolerance_at<L, const N: usize>(&self, linkage: &L, q: &SVector<T, N>) -> T
+    where
+        L: Linkage<N, Scalar = T>,
+    {
+        self.tolerance * self.rounding_at(linkage, q)
     }
 
     /// What rounding leaves of a length at a position.

@@ -1,9 +1,46 @@
 //! A way in time in as few steps as are good: a refused step is halved, a good one doubled.
 
+use core::fmt;
+
 use crate::error::SolveError;
 use crate::newton::Converged;
 use crate::scalar::Real;
-use crate::tracker::{Advanced, Stopped};
+
+/// Steps that one advance may try unless it is told otherwise.
+pub(crate) const MAX_STEPS: usize = 200;
+
+/// Where and why an advance ended early. The motion is that of the last good step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stopped<T> {
+    /// The time of the last good motion.
+    pub reached: T,
+    /// The last step that was refused, and why; `None` where `max_steps` were used up by good
+    /// steps.
+    pub refused: Option<(T, SolveError<T>)>,
+}
+
+impl<T: fmt::Display + fmt::LowerExp> fmt::Display for Stopped<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "stopped at time {}: ", self.reached)?;
+        match &self.refused {
+            Some((_, cause)) => cause.fmt(f),
+            None => f.write_str("all steps that were allowed are used up"),
+        }
+    }
+}
+
+impl<T: fmt::Debug + fmt::Display + fmt::LowerExp> core::error::Error for Stopped<T> {}
+
+/// What an advance did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Advanced<T> {
+    /// Steps made.
+    pub steps: usize,
+    /// Factorisations of all Newton iterations.
+    pub iterations: usize,
+    /// The last step's residual and tolerance.
+    pub last: Converged<T>,
+}
 
 /// Goes from one time to another, either way, trying at most `max_steps` steps. `step` makes the
 /// step to a time, of a length, or leaves everything as it was.

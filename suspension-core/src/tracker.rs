@@ -3,8 +3,6 @@
 mod between;
 mod guard;
 
-use core::fmt;
-
 use nalgebra::SVector;
 
 use crate::entrywise::difference;
@@ -17,7 +15,7 @@ use crate::motion::{Motion, Prescribed, rates_at};
 use crate::newton::{Converged, Newton};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
-use crate::substeps::in_steps;
+use crate::substeps::{Advanced, MAX_STEPS, Stopped, in_steps};
 
 pub use between::{Between, Cubic};
 use guard::Crossing;
@@ -46,44 +44,11 @@ pub struct Tracker<T> {
     pub change_of_jacobian: T,
 }
 
-/// Where and why an advance ended early. The motion is that of the last good step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stopped<T> {
-    /// The time of the last good motion.
-    pub reached: T,
-    /// The last step that was refused, and why; `None` where `max_steps` were used up by good
-    /// steps.
-    pub refused: Option<(T, SolveError<T>)>,
-}
-
-impl<T: fmt::Display + fmt::LowerExp> fmt::Display for Stopped<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "stopped at time {}: ", self.reached)?;
-        match &self.refused {
-            Some((_, cause)) => cause.fmt(f),
-            None => f.write_str("all steps that were allowed are used up"),
-        }
-    }
-}
-
-impl<T: fmt::Debug + fmt::Display + fmt::LowerExp> core::error::Error for Stopped<T> {}
-
-/// What an advance did.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Advanced<T> {
-    /// Steps made.
-    pub steps: usize,
-    /// Factorisations of all Newton iterations.
-    pub iterations: usize,
-    /// The last step's residual and tolerance.
-    pub last: Converged<T>,
-}
-
 impl<T: Real> Default for Tracker<T> {
     fn default() -> Self {
         Self {
             newton: Newton::near_by(),
-            max_steps: 200,
+            max_steps: MAX_STEPS,
             correction_of_move: T::constant(CORRECTION_OF_MOVE),
             correction_of_size: T::constant(CORRECTION_OF_SIZE),
             change_of_jacobian: T::constant(guard::CHANGE_OF_JACOBIAN),

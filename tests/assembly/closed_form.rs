@@ -49,11 +49,15 @@ fn two_links_meet_in_two_points_or_none() {
     let mut search = Assemblies::new(&model, &near, &at(0.0));
     for height in [0.0, 1.0, 3.999, 4.001, 7.0] {
         let census = search.at(&at(height));
-        assert!(census.is_complete(), "{height}: {census:?}");
-        assert_eq!(census.generic, 2);
+        assert!(census.tally.is_complete(), "{height}: {census:?}");
+        assert_eq!(census.tally.generic, 2);
         let square: f64 = 16.0 - height * height;
         if square < 0.0 {
-            assert_eq!((census.real.len(), census.complex), (0, 2), "{height}");
+            assert_eq!(
+                (census.real.len(), census.tally.complex),
+                (0, 2),
+                "{height}"
+            );
             continue;
         }
         let mut along: Vec<f64> = census.real.iter().map(|q| q.y).collect();
@@ -77,9 +81,9 @@ fn roots_beside_a_fold_are_not_counted_as_complex() {
     let mut search = Assemblies::new(&model, &near, &at(0.0));
     let census = search.at(&at(4.0 + 4.7e-6 * 4.7e-6 / 8.0));
     println!("{census:?}");
-    assert_eq!((census.real.len(), census.complex), (0, 0));
-    assert!(census.unconfirmed > 0 && census.unaccounted() == 2);
-    assert!(!census.is_complete());
+    assert_eq!((census.real.len(), census.tally.complex), (0, 0));
+    assert!(census.tally.unconfirmed > 0 && census.tally.unaccounted() == 2);
+    assert!(!census.tally.is_complete());
 }
 
 /// A drive that moves a foot: no equation is linear in it, and the trace test says that it does not
@@ -103,8 +107,8 @@ fn a_tripod_has_two_assemblies_wherever_its_foot_is() {
     let mut search = Assemblies::new(&model, &near, &at(1.0));
     for foot in [0.0, 1.0, 2.0] {
         let census = search.at(&at(foot));
-        assert!(census.is_complete(), "{foot}: {census:?}");
-        assert_eq!(census.evidence.trace, None);
+        assert!(census.tally.is_complete(), "{foot}: {census:?}");
+        assert_eq!(census.tally.evidence.trace, None);
         // The feet lie in the plane z = 0, in which the two are mirror images.
         let [a, b] = census.real[..] else {
             panic!("{foot}: {census:?}")

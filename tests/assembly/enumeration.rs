@@ -77,8 +77,11 @@ fn both_closures_have_the_same_right_handed_assemblies() {
             of_body.real.len(),
             of_links.real.len()
         );
-        assert!(of_body.is_complete() && of_links.is_complete(), "t = {t}");
-        assert_eq!((of_body.generic, of_links.generic), (40, 160));
+        assert!(
+            of_body.tally.is_complete() && of_links.tally.is_complete(),
+            "t = {t}"
+        );
+        assert_eq!((of_body.tally.generic, of_links.tally.generic), (40, 160));
         let right = |q: &&Vector| {
             [9, 10]
                 .iter()

@@ -1,7 +1,7 @@
 //! Baked files: what they say, that they compile, and that all languages give the same digits.
 
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Output};
 
 use suspension_core::baked::Curve;
 
@@ -79,9 +79,36 @@ fn main() {{
 {asserts}}}
 "
     );
-    let path = folder.path().join("main.rs");
-    std::fs::write(&path, program).expect("written");
-    trybuild::TestCases::new().pass(path);
+    let ran = run_with_the_core(folder.path(), &program);
+    assert!(ran.status.success(), "{}", text(&ran.stderr));
+}
+
+/// Compiles a program that depends on the core alone, with the versions of this package, and runs
+/// it.
+fn run_with_the_core(folder: &Path, program: &str) -> Output {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifest = format!(
+        r#"[package]
+name = "reader"
+edition = "2024"
+[[bin]]
+name = "reader"
+path = "main.rs"
+[dependencies]
+suspension-core.path = {:?}
+[workspace]
+"#,
+        here.join("suspension-core")
+    );
+    std::fs::write(folder.join("Cargo.toml"), manifest).expect("written");
+    std::fs::write(folder.join("main.rs"), program).expect("written");
+    std::fs::copy(here.join("Cargo.lock"), folder.join("Cargo.lock")).expect("copied");
+    Command::new(env!("CARGO"))
+        .current_dir(folder)
+        .args(["run", "--quiet", "--offline", "--target-dir"])
+        .arg(Path::new(env!("CARGO_TARGET_TMPDIR")).join("reader"))
+        .output()
+        .expect("cargo runs")
 }
 
 #[test]

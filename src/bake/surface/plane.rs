@@ -1,9 +1,9 @@
 //! The exact motion as a function of two drives.
 
 use nalgebra::Vector3;
-use suspension_core::{Build, HasWheel, Motion, Stopped};
+use suspension_core::{Build, HasWheel, Motion, Named, Stopped};
 
-use crate::bake::driven::{Driven, with};
+use crate::bake::driven::Driven;
 use crate::bake::surface::{UnmetSurface, WantedSurface};
 
 /// The mechanism moved by two drives, the others held.
@@ -63,7 +63,7 @@ where
 
     fn drives(&self, of: L::Drives, [first, second]: [f64; 2]) -> L::Drives {
         let [first_drive, second_drive] = self.wanted.drives;
-        with(&with(&of, first_drive, first), second_drive, second)
+        of.with(first_drive, first).with(second_drive, second)
     }
 
     /// The mixed derivative is half of what the second derivative along the diagonal has beyond

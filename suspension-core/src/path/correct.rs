@@ -40,7 +40,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
             if there < here {
                 (at, worst, residual) = (better, there, left[1]);
             }
-            let tolerance = newton.tolerance * newton.rounding_at(self.linkage, &at.unknowns);
+            let tolerance = newton.tolerance_at(self.linkage, &at.unknowns);
             if worst <= tolerance {
                 let converged = Converged {
                     iterations,
@@ -55,7 +55,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
         Err(SolveError::NotConverged {
             equation: index_of_largest(&residual),
             residual: worst,
-            tolerance: newton.tolerance * newton.rounding_at(self.linkage, &at.unknowns),
+            tolerance: newton.tolerance_at(self.linkage, &at.unknowns),
             iterations: newton.max_iterations,
         })
     }

@@ -153,7 +153,7 @@ where
         Err(SolveError::NotConverged {
             equation: index_of_largest(&residual),
             residual: finite(&residual)?,
-            tolerance: newton.tolerance * newton.rounding_at(self.curve.linkage, &at.unknowns),
+            tolerance: newton.tolerance_at(self.curve.linkage, &at.unknowns),
             iterations: newton.max_iterations,
         })
     }

@@ -47,8 +47,8 @@ where
         } = inputs.drives;
         let drives = Signal {
             value,
-            rate: with(&rate, drive, T::zero()),
-            second_rate: with(&second_rate, drive, T::zero()),
+            rate: rate.with(drive, T::zero()),
+            second_rate: second_rate.with(drive, T::zero()),
         };
         let chassis = inputs.chassis;
         Self {
@@ -173,7 +173,7 @@ where
 
     /// The coordinates of all drives in a configuration.
     pub(crate) fn drives(&self, at: &Configuration<T, N>) -> L::Drives {
-        with(&self.prescribed.drives.value, self.drive, at.drive)
+        self.prescribed.drives.value.with(self.drive, at.drive)
     }
 
     /// Rates of the chassis points: what `chassis` has, and of the free drive the rate `drive`.
@@ -188,7 +188,7 @@ where
     pub(crate) fn drive_share(&self, rate: T) -> L::Fixed {
         L::drive_anchors(
             L::Fixed::default(),
-            &with(&L::Drives::default(), self.drive, rate),
+            &L::Drives::default().with(self.drive, rate),
         )
     }
 
@@ -204,7 +204,7 @@ where
         parameter: usize,
     ) -> Result<Linear<T, N>, SolveError<T>> {
         let fixed = self.fixed(at);
-        let unit = with(&L::Drives::default(), self.drive, T::one());
+        let unit = L::Drives::default().with(self.drive, T::one());
         let minus_of_drive =
             self.linkage
                 .drive_rate(&at.unknowns, &fixed, &self.drive_share(T::one()), &unit);
@@ -221,14 +221,4 @@ where
             &SVector::from(minus_of_parameter),
         )
     }
-}
-
-/// The same values but for the one with this index.
-fn with<T: Real, D: Named<T>>(values: &D, index: usize, value: T) -> D {
-    let mut values = values.values().enumerate();
-    D::from_fn(|_| match values.next() {
-        Some((at, _)) if at == index => value,
-        Some((_, other)) => other,
-        None => T::zero(),
-    })
 }

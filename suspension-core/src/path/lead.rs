@@ -19,8 +19,8 @@ use crate::path::led::Led;
 use crate::path::quantity::number;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
-use crate::substeps::in_steps;
-use crate::tracker::{Advanced, CORRECTION_OF_MOVE, CORRECTION_OF_SIZE, Stopped};
+use crate::substeps::{Advanced, MAX_STEPS, Stopped, in_steps};
+use crate::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
 
 /// The measure of the listing with this index, as a quantity that leads: chosen at run time among
 /// [`Linkage::Measures`]. `None` where there is none.
@@ -66,7 +66,7 @@ impl<T: Real> Default for Leader<T> {
     fn default() -> Self {
         Self {
             newton: Newton::near_by(),
-            max_steps: 200,
+            max_steps: MAX_STEPS,
             correction_of_move: T::constant(CORRECTION_OF_MOVE),
             correction_of_size: T::constant(CORRECTION_OF_SIZE),
         }

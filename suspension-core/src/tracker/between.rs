@@ -2,11 +2,12 @@
 
 use nalgebra::Vector3;
 
-use super::{Advanced, Stopped, Tracker};
+use super::Tracker;
 use crate::linkage::{Linkage, Named};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::signal::{ChassisMotion, Inputs, Signal, Still};
+use crate::substeps::{Advanced, Stopped};
 
 /// How chassis points `F` move between two instants.
 pub trait Between<T, F>: ChassisMotion<F> {
@@ -71,14 +72,12 @@ impl<T: Scalar> Cubic<T> {
             + core::ops::Mul<T, Output = V>,
     {
         let weighed = |[change, first, last]: [T; 3], at: S| {
-            let mut at = at.values();
             let ends = from.value.values().zip(to.value.values());
-            let mut rates = from.rate.values().zip(to.rate.values());
-            let mut terms = ends.map(|(start, end)| {
-                let (first_rate, last_rate) = rates.next().unwrap_or_default();
-                (end - start) * change + first_rate * first + last_rate * last
-            });
-            S::from_fn(|_| at.next().unwrap_or_default() + terms.next().unwrap_or_default())
+            let rates = from.rate.values().zip(to.rate.values());
+            let each = at.values().zip(ends).zip(rates);
+            S::from_values(each.map(|((at, (start, end)), (first_rate, last_rate))| {
+                at + (end - start) * change + first_rate * first + last_rate * last
+            }))
         };
         let nothing = S::from_fn(|_| V::default());
         Signal {

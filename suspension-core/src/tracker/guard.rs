@@ -102,11 +102,8 @@ impl<T: Real> Tracker<T> {
 /// How far the chassis points have moved in the time `dt` that has passed, by their rates.
 fn moved<T: Real, F: Named<Vector3<T>>>(fixed: &Signal<F>, dt: T) -> F {
     let half = dt * T::constant(0.5);
-    let mut rates = fixed.rate.values().zip(fixed.second_rate.values());
-    F::from_fn(|_| {
-        let (rate, second_rate) = rates.next().unwrap_or_default();
-        (rate - second_rate * half) * dt
-    })
+    let rates = fixed.rate.values().zip(fixed.second_rate.values());
+    F::from_values(rates.map(|(rate, second_rate)| (rate - second_rate * half) * dt))
 }
 
 fn mean<T: Real, F: Named<Vector3<T>>>(points: &F) -> Vector3<T> {

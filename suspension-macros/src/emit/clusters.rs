@@ -36,15 +36,16 @@ pub(super) fn designed(system: &System) -> [TokenStream; 2] {
         quote!(let #name = parts::frame(#third, Frame::new(#(design.#points),*))?;)
     });
     let names = frame_names(system);
-    let linked = clustered(system).map(|clustered| {
-        let Clustered {
-            constant,
-            point,
-            cluster,
-        } = &clustered;
-        let (frame, at, point) = (frame_name(&cluster.name), &point.name, text(point));
-        quote!(#constant: parts::linked(#point, design.#at, &#frame)?)
-    });
+    let linked = clustered(system).map(
+        |Clustered {
+             constant,
+             point,
+             cluster,
+         }| {
+            let (frame, at, point) = (frame_name(&cluster.name), &point.name, text(point));
+            quote!(#constant: parts::linked(#point, design.#at, &#frame)?)
+        },
+    );
     [quote!(#(#frames)*), quote!(#(#names,)* #(#linked,)*)]
 }
 
@@ -57,20 +58,21 @@ pub(super) fn of_lengths(system: &System) -> [TokenStream; 2] {
         quote!(let #name = parts::frame_of_lengths(#third, [#(#edges),*])?;)
     });
     let names = frame_names(system);
-    let linked = clustered(system).map(|clustered| {
-        let Clustered {
-            constant,
-            point,
-            cluster,
-        } = &clustered;
-        let frame = frame_name(&cluster.name);
-        let reaches = cluster
-            .frame
-            .iter()
-            .map(|corner| length(system, [point, corner]));
-        let point = text(point);
-        quote!(#constant: parts::linked_at(#point, &self.#constant, &#frame, [#(#reaches),*])?)
-    });
+    let linked = clustered(system).map(
+        |Clustered {
+             constant,
+             point,
+             cluster,
+         }| {
+            let frame = frame_name(&cluster.name);
+            let reaches = cluster
+                .frame
+                .iter()
+                .map(|corner| length(system, [point, corner]));
+            let point = text(point);
+            quote!(#constant: parts::linked_at(#point, &self.#constant, &#frame, [#(#reaches),*])?)
+        },
+    );
     [quote!(#(#frames)*), quote!(#(#names,)* #(#linked,)*)]
 }
 
@@ -118,11 +120,16 @@ pub(super) fn mirrored(system: &System) -> TokenStream {
         Binding::new(frame_name(&cluster.name), quote!(Frame::new(#(#points),*)))
     });
     let values: Vec<TokenStream> = clustered(system)
-        .map(|clustered| {
-            let (constant, frame) = (&clustered.constant, frame_name(&clustered.cluster.name));
-            let point = clustered.point.of(free, fixed);
-            quote!(self.#constant.mirrored(#point, &#frame))
-        })
+        .map(
+            |Clustered {
+                 constant,
+                 point,
+                 cluster,
+             }| {
+                let (point, frame) = (point.of(free, fixed), frame_name(&cluster.name));
+                quote!(self.#constant.mirrored(#point, &#frame))
+            },
+        )
         .collect();
     let result = if values.is_empty() {
         quote!(::core::iter::empty())
