@@ -20,8 +20,9 @@
 //! that the prediction lacks: with a prediction of order `p` it grows as `dt^(p + 1)`.
 
 use crate::error::SolveError;
-use crate::factored::{is_healthy, smallest_pivot, with_pivoting};
-use crate::linkage::{Factors, Linkage};
+use crate::factored::smallest_pivot;
+use crate::linkage::Linkage;
+use crate::lu::Lu;
 use crate::motion::{Motion, Prescribed};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
@@ -126,23 +127,48 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
+        match self.attempt(outputs, linkage, inputs, dt, motion) {
+            Ok(settled) => Ok(settled),
+            Err(_) => self.step_anew(outputs, linkage, inputs, dt, motion),
+        }
+    }
+
+    /// [`step_to`](Self::step_to) in the macro's order of pivots or not at all: what a hard real-time
+    /// loop calls. A refusal takes no longer than a step, and brings neither partial pivoting nor the
+    /// search for reasons into the program; where it is to be explained, there is time for `step_to`.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; the motion is then unchanged. An error of the prediction is
+    /// [`Diverging`](Refusal::Diverging) by its size alone, however far the step goes.
+    #[inline(always)]
+    pub fn attempt<L, C, const N: usize>(
+        &self,
+        outputs: Outputs,
+        linkage: &L,
+        inputs: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Settled<T>, Refusal>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
         let prescribed = Prescribed::new(linkage, inputs);
         let step = Step::<L, C, N, SWEEPS, ORDER>::new(linkage, &prescribed, motion, dt);
         let (next, measures) = step.in_fixed_order(outputs);
         let before = motion.positive_determinant;
-        // Distances and reasons are for the cold way: what this one keeps to itself stays in
-        // registers.
-        match self.judge(linkage.size(), &measures, before, T::zero) {
-            Ok(settled) if measures.is_healthy() => {
-                *motion = measures.signed(next);
-                Ok(settled)
-            }
-            _ => self.step_anew(outputs, linkage, inputs, dt, motion),
+        // What the step keeps to itself stays in registers: it is not asked how far it goes.
+        let settled = self.judge(linkage.size(), &measures, before, T::zero)?;
+        if !measures.is_healthy() {
+            return Err(Refusal::Unhealthy);
         }
+        *motion = measures.signed(next);
+        Ok(settled)
     }
 
-    /// The step from the start again: with partial pivoting where that is needed, with the distance
-    /// that it goes, or with the reason why it is refused.
+    /// The step from the start again, with partial pivoting: with the distance that it goes, or with
+    /// the reason why it is refused. In little code and stack: there is no hurry any more.
     #[cold]
     #[inline(never)]
     fn step_anew<L, C, const N: usize>(
@@ -160,14 +186,9 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         let prescribed = Prescribed::new(linkage, inputs);
         let step = Step::<L, C, N, SWEEPS, ORDER>::new(linkage, &prescribed, motion, dt);
         let (at, fixed) = (&step.prediction.position, &prescribed.fixed.value);
-        let factors = linkage.factor(at, fixed);
-        // Numbers that are none have no pivots either, but that is not what is wrong with them.
-        let (next, measures) = if is_healthy(factors.growth_squared()) || !step.starts_finite() {
-            step.settle(&factors, outputs)
-        } else {
-            let lu = with_pivoting(linkage, at, fixed, smallest_pivot())?;
-            step.settle(&lu, outputs)
-        };
+        let mut lu = Lu::of(linkage.jacobian(at, fixed));
+        lu.eliminate_jacobian(smallest_pivot())?;
+        let (next, measures) = step.settle::<_, true>(&lu, outputs);
         let before = motion.positive_determinant;
         match self.judge(linkage.size(), &measures, before, || step.moved(&next)) {
             Ok(settled) => {

@@ -71,23 +71,9 @@ where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    let jacobian = linkage.jacobian(q, fixed);
-    for column in &jacobian.data.0 {
-        if let Some(equation) = column.iter().position(|entry| !entry.is_finite()) {
-            return Err(SolveError::NotFinite { equation });
-        }
-    }
-    let lu = Lu::factor(&jacobian)?;
-    let (unknown, pivot) = lu.smallest_pivot();
-    if pivot > threshold {
-        Ok(lu)
-    } else {
-        Err(SolveError::Singular {
-            unknown,
-            pivot,
-            threshold,
-        })
-    }
+    let mut lu = Lu::of(linkage.jacobian(q, fixed));
+    lu.eliminate_jacobian(threshold)?;
+    Ok(lu)
 }
 
 /// The factors of a Jacobian, to keep.

@@ -28,15 +28,32 @@ impl<T: Real, const N: usize> Lu<T, N> {
     /// [`SolveError::Singular`] where the largest candidate for a pivot is at most
     /// `N * EPSILON` times the largest entry of the matrix. A NaN is passed on to what is solved.
     pub fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, SolveError<T>> {
-        let mut lu = Self {
+        let mut lu = Self::of(*matrix);
+        lu.eliminate()?;
+        Ok(lu)
+    }
+
+    /// A matrix that is not factored yet.
+    #[inline(always)]
+    pub(crate) fn of(matrix: SMatrix<T, N, N>) -> Self {
+        Self {
             columns: matrix.data.0,
             swaps: [0; N],
-            smallest: (0, matrix.amax()),
+            smallest: (0, T::zero()),
             positive: true,
-        };
-        let threshold = matrix.amax() * T::EPSILON * T::constant(N as f64);
+        }
+    }
+
+    /// Factors the matrix where it stands: on a small stack there is no room for two. Errors as
+    /// those of [`factor`](Self::factor).
+    #[inline(never)]
+    pub(crate) fn eliminate(&mut self) -> Result<(), SolveError<T>> {
+        let entries = self.columns.as_flattened().iter();
+        let largest = entries.fold(T::zero(), |largest, entry| largest.max(entry.abs()));
+        let threshold = largest * T::EPSILON * T::constant(N as f64);
+        self.smallest.1 = largest;
         for k in 0..N {
-            let (row, pivot) = lu.largest_candidate(k);
+            let (row, pivot) = self.largest_candidate(k);
             if pivot <= threshold {
                 return Err(SolveError::Singular {
                     unknown: k,
@@ -44,13 +61,37 @@ impl<T: Real, const N: usize> Lu<T, N> {
                     threshold,
                 });
             }
-            if pivot < lu.smallest.1 {
-                lu.smallest = (k, pivot);
+            if pivot < self.smallest.1 {
+                self.smallest = (k, pivot);
             }
-            lu.swap_rows(k, row);
-            lu.eliminate(k);
+            self.swap_rows(k, row);
+            self.eliminate_below(k);
         }
-        Ok(lu)
+        Ok(())
+    }
+
+    /// Factors a Jacobian where it stands; its pivots must exceed `threshold`.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Singular`], and [`SolveError::NotFinite`] where an entry is not finite.
+    pub(crate) fn eliminate_jacobian(&mut self, threshold: T) -> Result<(), SolveError<T>> {
+        for column in &self.columns {
+            if let Some(equation) = column.iter().position(|entry| !entry.is_finite()) {
+                return Err(SolveError::NotFinite { equation });
+            }
+        }
+        self.eliminate()?;
+        let (unknown, pivot) = self.smallest;
+        if pivot > threshold {
+            Ok(())
+        } else {
+            Err(SolveError::Singular {
+                unknown,
+                pivot,
+                threshold,
+            })
+        }
     }
 
     /// Column and size of the smallest pivot.
@@ -82,7 +123,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
     }
 
     /// Subtracts multiples of row `k` from the rows below it.
-    fn eliminate(&mut self, k: usize) {
+    fn eliminate_below(&mut self, k: usize) {
         let mut columns = self.columns.iter_mut().skip(k);
         let Some(pivot_column) = columns.next() else {
             return;
@@ -98,6 +139,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
     }
 
     /// Solves `A x = b`.
+    #[inline(never)]
     pub fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
         let [mut x] = b.data.0;
         for (k, row) in self.swaps.iter().enumerate() {

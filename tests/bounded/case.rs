@@ -58,7 +58,7 @@ impl<L: Linkage<15, Scalar = f64>> Case<L> {
             let settled = bounded
                 .step_to(outputs, &self.model, &(self.inputs)(t), dt, &mut motion)
                 .unwrap_or_else(|error| panic!("at {t} s: {error}"));
-            assert!(settled.residual <= settled.tolerance, "{settled:?}");
+            assert!(settled.residual() <= settled.tolerance(), "{settled:?}");
             widen(&mut worst, differences(&motion, &self.solution(t, &motion)));
         }
         worst

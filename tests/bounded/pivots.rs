@@ -40,7 +40,7 @@ fn unhealthy(model: &Model<f64>, design: &Points<f64>) -> usize {
         let settled = bounded
             .step(model, &inputs, dt, motion)
             .unwrap_or_else(|error| panic!("at {t} s: {error}"));
-        assert!(settled.growth < 1e3 && settled.residual <= settled.tolerance);
+        assert!(settled.growth() < 1e3 && settled.residual() <= settled.tolerance());
         let [position, velocity, acceleration] = differences(motion, &expected);
         assert!(position < 1e-13 && velocity < 1e-11 && acceleration < 1e-9);
         assert_eq!(motion.positive_determinant, expected.positive_determinant);

@@ -69,7 +69,7 @@ fn compare<L: Build<15, Scalar = f64>>(
         let tracked = tracker.step(&model, &inputs, STEP, &mut motion);
         match (stepped, tracked) {
             (Ok(settled), Ok(_)) => {
-                prop_assert!(settled.residual <= settled.tolerance);
+                prop_assert!(settled.residual() <= settled.tolerance());
                 let jacobian = model.jacobian(&motion.position, model.fixed());
                 let inverse = jacobian.try_inverse().expect("regular").norm();
                 let found = differences(&bounded, &motion);

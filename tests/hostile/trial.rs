@@ -291,7 +291,7 @@ where
         self.reached.count(&step);
         match step {
             Ok(settled) => {
-                assert!(settled.residual <= settled.tolerance);
+                assert!(settled.residual() <= settled.tolerance());
                 // The residual that it is judged by is what the sweeps left. Rounding of the
                 // position adds to that what the derivatives make of it.
                 let left = tolerance * T::EPSILON * self.model.size();

@@ -35,7 +35,7 @@ where
                 .step(&fleet.models[lane], &inputs, dt, expected)
                 .unwrap_or_else(|error| panic!("lane {lane}, step {step} alone: {error}"));
             let result = result.unwrap_or_else(|error| panic!("lane {lane}, step {step}: {error}"));
-            assert_eq!(result.tolerance, settled.tolerance);
+            assert_eq!(result.tolerance(), settled.tolerance());
             let found = lanes.motion(lane);
             assert_eq!(found.positive_determinant, expected.positive_determinant);
             if instructions == Instructions::Plain {

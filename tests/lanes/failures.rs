@@ -90,7 +90,7 @@ fn an_unhealthy_lane_is_solved_with_pivoting() {
         let drives = mixed.drives(0.0);
         for result in lanes.step(Outputs::Acceleration, &drives, 0.0) {
             let settled = result.expect("regular");
-            assert!(settled.growth < 1e3 && settled.residual <= settled.tolerance);
+            assert!(settled.growth() < 1e3 && settled.residual() <= settled.tolerance());
         }
         let results = others.step(Outputs::Acceleration, &sound.drives(0.0), 0.0);
         assert!(results.iter().all(Result::is_ok));

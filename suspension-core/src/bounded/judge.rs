@@ -8,7 +8,7 @@ use crate::factored::is_healthy;
 use crate::handedness::{is_right, most_mirrored};
 use crate::linkage::Linkage;
 use crate::magnitude::index_of_largest;
-use crate::motion::{Motion, Prescribed};
+use crate::motion::Motion;
 use crate::scalar::Real;
 use crate::signal::ChassisMotion;
 
@@ -107,6 +107,8 @@ pub enum Refusal {
     CrossedSingularity,
     /// A point that links alone hold is mirrored.
     Mirrored,
+    /// The pivots of the macro's order are too small: with partial pivoting there may be a step.
+    Unhealthy,
 }
 
 impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER> {
@@ -184,14 +186,6 @@ where
     L: Linkage<N, Scalar = T>,
     C: ChassisMotion<L::Fixed>,
 {
-    /// Whether all residuals at the predicted position are numbers.
-    pub(super) fn starts_finite(&self) -> bool {
-        let Prescribed { fixed, drives } = self.prescribed;
-        let at = &self.prediction.position;
-        let residual = self.linkage.residual(at, &fixed.value, &drives.value);
-        residual.iter().all(|x| x.is_finite())
-    }
-
     /// How far the step goes.
     #[cold]
     #[inline(never)]
@@ -210,15 +204,11 @@ where
         measures: &Measures<T>,
     ) -> SolveError<T> {
         let fixed = &self.prescribed.fixed.value;
-        let residual = |q: &SVector<T, N>| {
-            let drives = &self.prescribed.drives.value;
-            self.linkage.residual(q, fixed, drives)
-        };
         let size = self.linkage.size();
         match refusal {
             Refusal::NotFinite => {
                 let infinite = |vector: &SVector<T, N>| vector.iter().position(|x| !x.is_finite());
-                let equation = infinite(&residual(&self.prediction.position));
+                let equation = infinite(&self.residual_called(&self.prediction.position));
                 let unknown = [&next.position, &next.velocity, &next.acceleration]
                     .into_iter()
                     .find_map(infinite)
@@ -233,12 +223,14 @@ where
                 bound: settings.bound(size, || self.moved(next)),
             },
             Refusal::NotConverged => SolveError::NotConverged {
-                equation: index_of_largest(&residual(&next.position)),
+                equation: index_of_largest(&self.residual_called(&next.position)),
                 residual: measures.residual_squared.sqrt(),
                 tolerance: settings.residual_tolerance(size),
                 iterations: SWEEPS,
             },
-            Refusal::CrossedSingularity => SolveError::CrossedSingularity {
+            // Small pivots are an attempt's refusal: with partial pivoting nothing is left of them but a
+            // singularity near by.
+            Refusal::CrossedSingularity | Refusal::Unhealthy => SolveError::CrossedSingularity {
                 unknown: index_of_largest(&(next.position - self.from.position)),
             },
             Refusal::Mirrored => SolveError::Mirrored {

@@ -61,19 +61,20 @@ where
     pub fn in_fixed_order(&self, outputs: Outputs) -> (Motion<L::Scalar, N>, Measures<L::Scalar>) {
         let at = &self.prediction.position;
         let factors = self.linkage.factor(at, &self.prescribed.fixed.value);
-        self.settle(&factors, outputs)
+        self.settle::<_, false>(&factors, outputs)
     }
 
-    /// The motion with any factors of the Jacobian at the prediction.
+    /// The motion with any factors of the Jacobian at the prediction. The equations are written out
+    /// wherever they are evaluated, which is fast; or `CALLED`, which is short.
     #[inline(always)]
-    pub(super) fn settle<F: Factors<L::Scalar, N>>(
+    pub(super) fn settle<F: Factors<L::Scalar, N>, const CALLED: bool>(
         &self,
         factors: &F,
         outputs: Outputs,
     ) -> (Motion<L::Scalar, N>, Measures<L::Scalar>) {
-        let (error, residual_squared) = self.error(factors);
+        let (error, residual_squared) = self.error::<_, CALLED>(factors);
         let position = difference(&self.prediction.position, &error);
-        let (velocity, acceleration) = self.rates(factors, outputs, &position, &error);
+        let (velocity, acceleration) = self.rates::<_, CALLED>(factors, outputs, &position, &error);
         let measures = Measures {
             residual_squared,
             error_squared: sum_of_squares(error.data.0[0]),
@@ -99,11 +100,17 @@ where
 {
     /// The error of the prediction, and the square of the residual that is left without it.
     #[inline(always)]
-    fn error<F: Factors<L::Scalar, N>>(&self, factors: &F) -> (SVector<L::Scalar, N>, L::Scalar) {
+    fn error<F: Factors<L::Scalar, N>, const CALLED: bool>(
+        &self,
+        factors: &F,
+    ) -> (SVector<L::Scalar, N>, L::Scalar) {
         let half = L::Scalar::constant(0.5);
-        let Prescribed { fixed, drives } = self.prescribed;
         let at = &self.prediction.position;
-        let residual = self.linkage.residual(at, &fixed.value, &drives.value);
+        let residual = if CALLED {
+            self.residual_called(at)
+        } else {
+            self.residual(at)
+        };
         let mut error = factors.solve(&residual);
         if SWEEPS == 0 {
             // What is left, C(e, e) / 2, is far below the error that `judge` asks for.
@@ -111,12 +118,12 @@ where
         }
         // F(q0 - e) = F(q0) - J e + C(e, e) / 2: of the first solution the last term is left, of
         // each later one what that term changed by.
-        let mut curvature = self.curvature(&error, &error);
+        let mut curvature = self.change_of_jacobian::<CALLED>(&error, &error);
         let mut left = curvature;
         for _ in 1..SWEEPS {
             error = factors.solve(&plus_multiple(&residual, &curvature, half));
             let before = curvature;
-            curvature = self.curvature(&error, &error);
+            curvature = self.change_of_jacobian::<CALLED>(&error, &error);
             left = difference(&curvature, &before);
         }
         (error, sum_of_squares(left.data.0[0]) * half * half)
@@ -124,7 +131,7 @@ where
 
     /// Velocity and acceleration at `position`.
     #[inline(always)]
-    fn rates<F: Factors<L::Scalar, N>>(
+    fn rates<F: Factors<L::Scalar, N>, const CALLED: bool>(
         &self,
         factors: &F,
         outputs: Outputs,
@@ -142,22 +149,22 @@ where
         }
         let terms = inputs(&fixed.rate, &drives.rate);
         let first = self.prediction.velocity(error);
-        let velocity = self.rate(factors, &terms, error, first);
+        let velocity = self.rate::<_, CALLED>(factors, &terms, error, first);
         if outputs == Outputs::Velocity {
             let acceleration = self.prediction.mean_acceleration(self.from, &velocity);
             return (velocity, acceleration);
         }
         let rate = &fixed.rate;
-        let quadratic = self.linkage.curvature(&velocity, rate, &velocity, rate);
+        let quadratic = self.curvature::<CALLED>(&velocity, rate, &velocity, rate);
         let terms = difference(&inputs(&fixed.second_rate, &drives.second_rate), &quadratic);
         let first = self.prediction.acceleration(error);
-        let acceleration = self.rate(factors, &terms, error, first);
+        let acceleration = self.rate::<_, CALLED>(factors, &terms, error, first);
         (velocity, acceleration)
     }
 
     /// What solves `J(q0 - e) rate = terms`, from a first value.
     #[inline(always)]
-    fn rate<F: Factors<L::Scalar, N>>(
+    fn rate<F: Factors<L::Scalar, N>, const CALLED: bool>(
         &self,
         factors: &F,
         terms: &SVector<L::Scalar, N>,
@@ -167,19 +174,61 @@ where
         if SWEEPS == 0 {
             return factors.solve(terms);
         }
-        (0..SWEEPS).fold(first, |rate, _| {
-            factors.solve(&sum(terms, &self.curvature(error, &rate)))
-        })
+        let mut rate = first;
+        for _ in 0..SWEEPS {
+            let change = self.change_of_jacobian::<CALLED>(error, &rate);
+            rate = factors.solve(&sum(terms, &change));
+        }
+        rate
     }
 
     /// `C(v, w)` of changes that leave the chassis where it is.
     #[inline(always)]
-    fn curvature(
+    fn change_of_jacobian<const CALLED: bool>(
         &self,
         v: &SVector<L::Scalar, N>,
         w: &SVector<L::Scalar, N>,
     ) -> SVector<L::Scalar, N> {
         let at_rest = L::Fixed::default();
-        self.linkage.curvature(v, &at_rest, w, &at_rest)
+        self.curvature::<CALLED>(v, &at_rest, w, &at_rest)
+    }
+
+    #[inline(always)]
+    fn curvature<const CALLED: bool>(
+        &self,
+        v: &SVector<L::Scalar, N>,
+        v_fixed: &L::Fixed,
+        w: &SVector<L::Scalar, N>,
+        w_fixed: &L::Fixed,
+    ) -> SVector<L::Scalar, N> {
+        if CALLED {
+            self.curvature_called(v, v_fixed, w, w_fixed)
+        } else {
+            self.linkage.curvature(v, v_fixed, w, w_fixed)
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn curvature_called(
+        &self,
+        v: &SVector<L::Scalar, N>,
+        v_fixed: &L::Fixed,
+        w: &SVector<L::Scalar, N>,
+        w_fixed: &L::Fixed,
+    ) -> SVector<L::Scalar, N> {
+        self.linkage.curvature(v, v_fixed, w, w_fixed)
+    }
+
+    #[inline(always)]
+    fn residual(&self, at: &SVector<L::Scalar, N>) -> SVector<L::Scalar, N> {
+        let Prescribed { fixed, drives } = self.prescribed;
+        self.linkage.residual(at, &fixed.value, &drives.value)
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(super) fn residual_called(&self, at: &SVector<L::Scalar, N>) -> SVector<L::Scalar, N> {
+        self.residual(at)
     }
 }

@@ -4,7 +4,7 @@ use suspension_core::{Bounded, Build, Inputs, Motion, Real, Still};
 
 use crate::baked::Wheel;
 use crate::checksum::{Bits, Checksum};
-use crate::published::{self, Knuckle, STEPS, Stepped};
+use crate::published::{self, Knuckle, STEPS};
 
 /// Gauges what a call takes: instructions, or bytes of stack.
 pub trait Gauge {
@@ -43,9 +43,9 @@ impl Report {
 
 /// Follows the motion with the steps of a solver; or the number of the first step that
 /// fails.
-pub fn solved<T, L, R>(
+pub fn solved<T, L, R, E>(
     gauge: &impl Gauge,
-    step: fn(&L, &Inputs<Still, L::Drives>, &mut Motion<T, 15>) -> Stepped<R, T>,
+    step: fn(&L, &Inputs<Still, L::Drives>, &mut Motion<T, 15>) -> Result<R, E>,
     residual: impl Fn(R) -> T,
 ) -> Result<Report, u32>
 where

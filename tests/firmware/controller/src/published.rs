@@ -93,6 +93,3 @@ where
         second_rate,
     })
 }
-
-/// How a step of a motion ends.
-pub type Stepped<R, T> = Result<R, SolveError<T>>;
