@@ -62,7 +62,8 @@ fn compare<G: Tested>(
         let inverse = jacobian
             .try_inverse()
             .map_or(f64::INFINITY, |inverse| inverse.norm());
-        if let Err(error) = way.step(&single.model, &turning(theta, rate), dt, &mut motion) {
+        let stepped = way.step(&single.model, &turning(theta, rate), dt, &mut motion);
+        if stepped.is_err() {
             assert_eq!(motion, before);
             counts.refused += 1;
             counts.firmest = counts.firmest.min(inverse);
