@@ -162,14 +162,14 @@ where
         ends,
         effort.steps[0],
     );
-    let exact = L::Listing::gather([model], |[x]: [f64; 1]| DoubleDouble::from(x));
+    let exact = L::Listing::rounded::<DoubleDouble>(model);
     let reference =
         Reference::new(model, &exact, &assembled.start, &course).map_err(|(t, error)| {
             let cause = cause::<L, N>(&error, assembled.unit);
             Failure::Solver(format!("no motion at t = {} s: {cause}", number(t)))
         })?;
     let [position, ..] = &reference.instants()[0];
-    let single = L::Listing::gather([model], |[x]: [f64; 1]| x as f32);
+    let single = L::Listing::rounded::<f32>(model);
     let tables = baked::tables(assembled, &course);
     let mut methods = Methods { rows: Vec::new() };
     methods.add_scalar(model, model, position);

@@ -182,7 +182,7 @@ impl Followed<'_> {
             model,
         };
         subject.try_all(survey);
-        let single = L::Listing::gather([model], |[x]: [f64; 1]| x as f32);
+        let single = L::Listing::rounded::<f32>(model);
         subject.with_model(&single).try_all(survey);
         // How bodies are closed is of no account here.
         if closure != NINE_DISTANCES {

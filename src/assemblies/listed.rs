@@ -79,7 +79,8 @@ where
         values => {
             let drive = drive::<L, N>(file, wish)?;
             let each = values.iter();
-            each.map(|value| with::<L, N>(file, &first, drive, *value))
+            let offset = assembled.drive_offset(drive);
+            each.map(|value| with::<L, N>(file, &first, drive, *value, offset))
                 .collect::<Result<_, _>>()?
         }
     };
@@ -111,12 +112,13 @@ fn drive<L: Suspension<N>, const N: usize>(file: &str, wish: &Wish) -> Result<us
     }
 }
 
-/// The inputs with another value of one drive.
+/// The inputs with another value of one drive, `offset` less in local coordinates.
 fn with<L: Suspension<N>, const N: usize>(
     file: &str,
     inputs: &Inputs<Still, L::Drives>,
     drive: usize,
     value: f64,
+    offset: f64,
 ) -> Result<Inputs<Still, L::Drives>, Failure> {
     let angle = L::DRIVE_KINDS.get(drive) == Some(&DriveKind::Angle);
     if !value.is_finite() || angle && !(0.0..=PI).contains(&value) {
@@ -128,7 +130,7 @@ fn with<L: Suspension<N>, const N: usize>(
         return Err(Failure::Input(format!("{file}: --at {value}: {bound}")));
     }
     Ok(Inputs::still(Signal {
-        value: inputs.drives.value.with(drive, value),
+        value: inputs.drives.value.with(drive, value - offset),
         ..Signal::default()
     }))
 }
@@ -144,9 +146,10 @@ fn listed<L: Suspension<N>, const N: usize>(
         .map(|q| assembly(assembled, inputs, q))
         .collect();
     assemblies.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    let drives = assembled.given(&inputs.drives.value);
     Listed {
-        drives: inputs.drives.value.values().collect(),
-        drives_in_words: in_words::<L, N>(&inputs.drives.value, assembled.unit),
+        drives: drives.values().collect(),
+        drives_in_words: in_words::<L, N>(&drives, assembled.unit),
         assemblies,
         tally: census.tally,
     }

@@ -38,8 +38,10 @@ pub struct Baked {
 }
 
 impl Baked {
-    /// The same with positions in coordinates that have the origin of these at `origin`.
-    pub fn moved(mut self, origin: [f64; 3]) -> Self {
+    /// The same with positions in coordinates that have the origin of these at `origin`, and with
+    /// the drive's `range` in them.
+    pub fn moved(mut self, origin: [f64; 3], range: [f64; 2]) -> Self {
+        self.wanted.range = range;
         for segment in &mut self.segments {
             for (output, coefficients) in self.outputs.iter().zip(segment) {
                 if *output != Output::SpinAxis {

@@ -51,8 +51,10 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         let names = <L::Drives as Named<f64>>::NAMES;
         let drive = self.drive()?;
         let metre = unit.metre();
+        let range = self.range(drive)?;
+        let offset = self.assembled.drive_offset(drive);
         let wanted = Wanted {
-            range: self.range(drive)?,
+            range: range.map(|end| end - offset),
             tolerance: self.order.tolerance * metre,
             metre,
             continuity: self.order.continuity,
@@ -62,12 +64,12 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         }
         let others = (0..names.len()).filter(|other| *other != drive);
         let held = others
-            .map(|other| self.in_words(other, self.first(other)))
+            .map(|other| self.in_words(other, self.given(other, self.first(other))))
             .collect::<Vec<_>>();
         Ok(Sheet {
             baked: self
                 .bake(drive, &wanted)?
-                .moved(self.assembled.origin.position().into()),
+                .moved(self.assembled.origin.position().into(), range),
             file: self.file.to_owned(),
             linkage: linkage.to_owned(),
             drive: names[drive].to_owned(),
@@ -91,7 +93,8 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
     }
 
     fn range(&self, drive: usize) -> Result<[f64; 2], Failure> {
-        let through = self.instants.iter().map(|t| self.value(drive, t));
+        let times = self.instants.iter();
+        let through = times.map(|t| self.given(drive, self.value(drive, t)));
         let (low, high) = through.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
             (low.min(value), high.max(value))
         });
@@ -122,7 +125,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
                     format!(
                         "{MOST_SEGMENTS} segments do not meet {} m about {}",
                         rounded(self.order.tolerance, 3),
-                        self.in_words(drive, at)
+                        self.in_words(drive, self.given(drive, at))
                     ),
                     wanted.range,
                 ),
@@ -136,7 +139,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
                 ..*wanted
             },
         );
-        let [from, to] = wanted.range.map(number);
+        let [from, to] = wanted.range.map(|end| number(self.given(drive, end)));
         let advice = possible.map_or_else(
             || "no part of the range can be baked".to_owned(),
             |[from, to]| format!("possible is --from {} --to {}", number(from), number(to)),
@@ -148,14 +151,15 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         )))
     }
 
-    /// The part of a range that can be baked, in a few digits.
+    /// The part of a range that can be baked, in a few digits and the file's coordinates.
     fn possible(&self, drive: usize, wanted: &Wanted) -> Option<[f64; 2]> {
         /// Of a range: how close to a turning point the mechanism is solved.
         const CLOSE: f64 = 1e-6;
         let [from, to] = wanted.range;
         let range = [from + CLOSE * (to - from), to - CLOSE * (to - from)];
         let path = self.path(drive, range).ok()?;
-        let [from, to] = widest(&Wanted { range, ..*wanted }, &path).ok()??;
+        let widest = widest(&Wanted { range, ..*wanted }, &path).ok()??;
+        let [from, to] = widest.map(|end| self.given(drive, end));
         let steps_a_unit = 10_f64.powf(3.0 - (to - from).log10().floor());
         let (from, to) = (from * steps_a_unit, to * steps_a_unit);
         Some([from.ceil(), to.floor()].map(|end| end / steps_a_unit))
@@ -168,7 +172,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
     }
 
     fn out_of_reach(&self, drive: usize, error: &OutOfReach) -> String {
-        let [from, to] = error.reached.map(number);
+        let [from, to] = error.reached.map(|end| number(self.given(drive, end)));
         let why = error
             .cause
             .map(|error| format!(" ({})", cause::<L, N>(&error, self.assembled.unit)));
@@ -179,7 +183,12 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         )
     }
 
-    /// A drive's value at the first instant.
+    /// A drive's value in the file's coordinates, from a local one.
+    fn given(&self, drive: usize, local: f64) -> f64 {
+        local + self.assembled.drive_offset(drive)
+    }
+
+    /// A drive's local value at the first instant.
     fn first(&self, drive: usize) -> f64 {
         self.value(drive, self.instants.ends()[0])
     }

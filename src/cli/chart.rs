@@ -63,7 +63,8 @@ impl Arguments {
 pub(super) const NOTES: &str = "\
 Each method goes through the motion in steps of 0.1, 1, 5 and 20 ms, from the file's first instant
 to its last (the published motion: to 1.9 s). Its error is the worst of any coordinate of a free
-point, against a solution in double-double numbers at the same values of the drives. Its time is
+point, against a solution in double-double numbers at the same values of the drives. All solve
+about an origin among the points; models in f32 are computed in f64 and rounded once. Its time is
 the median over many rounds of the time of single steps spread over the motion, of one suspension.
 
 The table, one row a method, number type, lanes, time step and what is computed: position;

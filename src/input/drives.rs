@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use suspension_core::{DriveKind, Inputs, Linkage, Named, Signal, Still};
+use suspension_core::{Build, DriveKind, Inputs, Linkage, LocalOrigin, Named, Signal, Still};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -75,6 +75,17 @@ impl DriveLaws {
             second_rate,
         })
     }
+}
+
+/// The drives' values in the coordinates in which `origin` is stated, from local ones.
+pub fn given<L: Build<N, Scalar = f64>, const N: usize>(
+    origin: &LocalOrigin<f64>,
+    model: &L,
+    local: &L::Drives,
+) -> L::Drives {
+    let offsets = origin.of_drives(model);
+    let mut each = local.values().zip(offsets.values());
+    L::Drives::from_fn(|_| each.next().map_or(0.0, |(local, offset)| local + offset))
 }
 
 /// Checks that driving angles lie where a link's angle from an axis can lie, from 0 to pi.

@@ -58,6 +58,21 @@ impl MotionFile {
         }
         file
     }
+
+    /// The same file with the drives' values less by what `offset` has for their names.
+    pub fn driven_from<'a>(mut self, offset: impl Iterator<Item = (&'a str, f64)>) -> Self {
+        for (name, offset) in offset {
+            let design = self.design.as_mut();
+            if let Some(value) = design.and_then(|values| values.get_mut().get_mut(name)) {
+                *value.get_mut() -= offset;
+            }
+            let law = self.drives.get_mut().get_mut(name);
+            if let Some(constant) = law.and_then(|law| law.get_mut().first_mut()) {
+                *constant -= offset;
+            }
+        }
+        self
+    }
 }
 
 /// A unit of length.

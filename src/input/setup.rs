@@ -2,16 +2,18 @@
 
 mod led;
 mod start;
+#[cfg(test)]
+mod tests;
 
 use nalgebra::{Const, DimMin, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::Wheel;
-use suspension_core::{GeometryError, Linkage, LocalOrigin, Named, Newton, assemble};
+use suspension_core::{GeometryError, Linkage, LocalOrigin, Named, Newton, assemble, parts};
 use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::input::check;
-use crate::input::drives::{DriveLaws, check_angles, in_words};
+use crate::input::drives::{self, DriveLaws, check_angles, in_words};
 use crate::input::file::{MotionFile, Offset, Position};
 use crate::input::instants::Instants;
 use crate::input::leading::{StandIn, stand_in};
@@ -88,15 +90,23 @@ where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
     let stand_in = check_names::<L, N>(task)?;
-    let origin = LocalOrigin::among(&guess::<L, N>(task));
+    let given = guess::<L, N>(task);
+    parts::finite(&given).map_err(|error| refuse_geometry(task, &error))?;
+    let origin = LocalOrigin::among(&given);
     let file = task.file.seen_from(origin.position().into());
+    let guess = guess::<L, N>(&Task {
+        file: &file,
+        ..*task
+    });
+    let model = model::<L, N>(task, &guess)?;
+    let offsets = origin.of_drives(&model);
+    let names = <L::Drives as Named<f64>>::NAMES.iter().copied();
+    let file = file.driven_from(names.zip(offsets.values()));
     let task = &Task {
         file: &file,
         ..*task
     };
-    let guess = guess::<L, N>(task);
-    let model = model::<L, N>(task, &guess)?;
-    let design = at_design::<L, N>(task, model, &guess)?;
+    let design = at_design::<L, N>(task, model, origin, &guess)?;
     let drives = drive_laws::<L, N>(task, &design.drives);
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     check_angles::<L, _, N>(task.source, &first, &task.file.drives)?;
@@ -107,7 +117,7 @@ where
             None,
         ),
         Some(stand_in) => {
-            let lead = led::to_first_instant(task, &design, &drives, stand_in, &origin)?;
+            let lead = led::to_first_instant(task, &design, &drives, stand_in)?;
             let there = lead.inputs(&design.model, &drives.inputs(task.first), &lead.start);
             let drives = drive_laws::<L, N>(task, &there.drives.value);
             (lead.start.motion(), drives, Some(lead))
@@ -198,6 +208,7 @@ fn refuse_geometry(task: &Task<'_>, error: &GeometryError) -> Failure {
 
 /// The configuration in which markers are attached.
 struct Design<L: Linkage<N>, const N: usize> {
+    origin: LocalOrigin<f64>,
     model: L,
     q: SVector<f64, N>,
     drives: L::Drives,
@@ -206,6 +217,7 @@ struct Design<L: Linkage<N>, const N: usize> {
 fn at_design<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     model: L,
+    origin: LocalOrigin<f64>,
     guess: &L::Points,
 ) -> Result<Design<L, N>, Failure> {
     let Task { source, file, .. } = task;
@@ -222,7 +234,7 @@ fn at_design<L: Suspension<N>, const N: usize>(
     let mut q = L::unknowns(guess);
     if file.lengths.is_some() || file.design.is_some() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
-            let at = in_words::<L, N>(&design, file.unit);
+            let at = in_words::<L, N>(&drives::given(&origin, &model, &design), file.unit);
             unassembled(task, &at, &cause::<L, N>(&error, file.unit))
         })?;
     }
@@ -233,6 +245,7 @@ fn at_design<L: Suspension<N>, const N: usize>(
         .map_err(|error| refuse_geometry(task, &error))?;
     match Wheel::of(&points) {
         Some(_) => Ok(Design {
+            origin,
             model,
             q,
             drives: design,

@@ -82,7 +82,8 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
         interrupted: &AtomicBool,
     ) -> Result<DriveRange, Failure> {
         let inputs: Inputs<Still, L::Drives> = self.drives.inputs(t);
-        let start = inputs.drives.value.values().nth(index).unwrap_or(f64::NAN);
+        let given = self.given(&inputs.drives.value);
+        let start = given.values().nth(index).unwrap_or(f64::NAN);
         let [down, up] = [false, true].map(|up| self.run(&inputs, index, up, interrupted));
         let (down, up) = (down?, up?);
         let ends = [&down, &up].map(Run::end);
@@ -128,11 +129,16 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
         let mut path = settings
             .path(curve, &self.start.position, increasing)
             .map_err(|error| Failure::Solver(format!("the curve has no start: {}", lost(error))))?;
-        let mut drives: Vec<f64> = inputs.drives.value.values().collect();
+        let mut drives: Vec<f64> = self.given(&inputs.drives.value).values().collect();
+        let offset = self.drive_offset(index);
         let mut at = |curve: &Curve<'_, L, N>, place: &Place<f64, N>, turns| {
-            drives[index] = place.value;
+            drives[index] = place.value + offset;
             let freed = [index as f64 + 1.0];
-            station(curve, place, &self.origin, turns, [&freed, &drives])
+            let station = station(curve, place, &self.origin, turns, [&freed, &drives]);
+            Station {
+                value: drives[index],
+                ..station
+            }
         };
         let mut run = Run {
             stations: vec![at(path.curve(), path.here(), false)],

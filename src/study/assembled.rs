@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::{Const, DimMin};
-use suspension_core::{Advanced, LocalOrigin, Motion, Stopped, Tracker};
+use suspension_core::{Advanced, LocalOrigin, Motion, Named, Stopped, Tracker};
 use toml::Spanned;
 
 use crate::assemblies::{self, OnListed, Wish};
@@ -13,7 +13,7 @@ use crate::chart;
 use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
 use crate::failures;
-use crate::input::drives::DriveLaws;
+use crate::input::drives::{DriveLaws, given};
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
 use crate::range::course::DriveRange;
@@ -31,7 +31,7 @@ pub struct Assembled<L, const N: usize> {
     pub linkage: &'static str,
     /// The unit of its lengths.
     pub unit: Unit,
-    /// Where the file's coordinates have the origin of all below: zero, save far from the points.
+    /// Where the file's coordinates have the origin of all below.
     pub origin: LocalOrigin<f64>,
     /// The geometry.
     pub model: L,
@@ -43,6 +43,19 @@ pub struct Assembled<L, const N: usize> {
     pub drives: DriveLaws,
     /// The measure that leads in place of a drive.
     pub lead: Option<Lead<N>>,
+}
+
+impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
+    /// The drives' values in the file's coordinates.
+    pub(crate) fn given(&self, local: &L::Drives) -> L::Drives {
+        given(&self.origin, &self.model, local)
+    }
+
+    /// What a drive has more in the file's coordinates.
+    pub(crate) fn drive_offset(&self, drive: usize) -> f64 {
+        let offsets = self.origin.of_drives(&self.model);
+        offsets.values().nth(drive).unwrap_or_default()
+    }
 }
 
 impl<L: Suspension<N>, const N: usize> Study for Assembled<L, N>
@@ -145,6 +158,7 @@ where
 
     fn meeting(&self, drive: usize, ends: [f64; 2], instants: &Instants) -> Option<(f64, usize)> {
         let driven = self.lead.is_none();
+        let ends = ends.map(|end| end - self.drive_offset(drive));
         driven.then(|| meeting::<L, N>(&self.drives, drive, ends, instants))?
     }
 

@@ -96,7 +96,7 @@ pub fn row<L: Suspension<N>, const N: usize>(
     let points = motion.points(&assembled.model, inputs);
     let origin = assembled.origin.position();
     let mut row = vec![t];
-    row.extend(inputs.drives.value.values());
+    row.extend(assembled.given(&inputs.drives.value).values());
     let coordinates = motion.position.iter().enumerate();
     row.extend(coordinates.map(|(index, x)| x + origin[index % 3]));
     row.extend(&motion.velocity);

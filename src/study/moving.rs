@@ -57,7 +57,7 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
 
     /// Where and why the motion stopped on the way to the instant `asked`.
     pub(crate) fn stop(&self, asked: f64, stopped: &Stopped<f64>, moving: &Moving<'_, N>) -> Stop {
-        let at = |t: f64| self.drives.inputs::<L::Drives>(t).drives.value;
+        let at = |t: f64| self.given(&self.drives.inputs::<L::Drives>(t).drives.value);
         let drives = |t: f64| match moving {
             Moving::Driven(_) => in_words::<L, N>(&at(t), self.unit),
             Moving::Led(lead, _) => lead.in_words::<L>(&at(t), t, self.unit),

@@ -115,6 +115,12 @@ pub trait Listing<const N: usize>: Copy {
         models: [&Self::Model<S>; K],
         gather: impl Fn([S; K]) -> T,
     ) -> Self::Model<T>;
+
+    /// A model in numbers of fewer digits: each of its constants is computed in `f64` and rounded
+    /// once. See [`local`](crate::local).
+    fn rounded<T: Scalar>(model: &Self::Model<f64>) -> Self::Model<T> {
+        Self::gather([model], |[number]| T::constant(number))
+    }
 }
 
 /// A linkage of `N` equations in `N` unknowns: the free points' coordinates `q`.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use suspension::chart::rows::Row;
 
-use super::program::{folder, run, text};
+use super::program::{example, folder, run, text};
 
 fn table(path: &Path) -> Vec<Row> {
     let mut reader = csv::Reader::from_path(path).expect("a table");
@@ -96,6 +96,31 @@ fn every_method_has_all_its_rows_and_is_in_the_page() {
     let elsewhere =
         page.matches("http").count() - page.matches("http://www.w3.org/2000/svg").count();
     assert_eq!(elsewhere, 0, "the page needs no other file");
+}
+
+/// About an origin among the points, though the file has its own more than a metre away.
+#[test]
+fn single_precision_is_as_exact_as_the_guarantee_says() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("five_link.toml")).expect("written");
+    let output = run(
+        folder.path(),
+        &["chart", "a.toml", "--quick", "--rounds", "1"],
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let rows = table(&folder.path().join("out/chart.csv"));
+    for method in ["generated", "bounded_1", "bounded_2", "baked_1e-8"] {
+        // In longer steps bounded ones have errors of their own.
+        let of_method = rows
+            .iter()
+            .filter(|row| row.scalar == "f32" && row.method == method && row.step_s < 0.01);
+        let errors: Vec<_> = of_method.flat_map(|row| row.error_position_m).collect();
+        assert!(!errors.is_empty(), "{method}");
+        assert!(
+            errors.iter().all(|error| *error <= 3e-7),
+            "{method}: {errors:?}"
+        );
+    }
 }
 
 const RIVALS: &str = "\

@@ -2,6 +2,7 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::Named;
+use suspension_core::linkages::five_link;
 use suspension_core::{
     Build, Inputs, LocalOrigin, Motion, Newton, Real, Signal, Tracker, assemble,
 };
@@ -59,7 +60,7 @@ fn check<L: Build<N, Scalar = f64>, const N: usize>(design: &L::Points) {
 
 #[test]
 fn moves_as_at_home() {
-    check::<suspension_core::linkages::five_link::Model<f64>, 15>(&five_link_rough());
+    check::<five_link::Model<f64>, 15>(&five_link_rough());
     check::<four_bar::Model<f64>, 6>(&four_bar_design());
     check::<rocker::Model<f64>, 6>(&rocker_design());
 }
@@ -103,14 +104,45 @@ fn drives_and_measures_are_carried() {
 }
 
 #[test]
-fn near_the_origin_nothing_is_shifted() {
+fn the_origin_lies_among_the_points_and_is_a_number_of_few_digits() {
     let rough = five_link_rough::<f64>();
-    assert_eq!(LocalOrigin::among(&rough).position(), Vector3::zeros());
-    let mut bad = rough;
-    bad.track_rod_outer.z = f64::NAN;
-    assert_eq!(LocalOrigin::among(&bad).position(), Vector3::zeros());
-    let all_in_one = rough.map(|_| Vector3::repeat(3.0));
+    let extent = |points: &five_link::Points<f64>| {
+        let largest = points.values().map(|point| point.amax());
+        largest.fold(0.0, f64::max)
+    };
+    for scale in [1e-3, 1.0, 25.4, 1e3] {
+        for away in [0.0, 4.0, -1_048_576.0] {
+            let points = rough.map(|point| (point + Vector3::repeat(away)) * scale);
+            let origin = LocalOrigin::among(&points);
+            let local = origin.to_local(&points);
+            assert!(extent(&local) < 0.45 * scale, "{away} {scale}: {local:?}");
+            let [single, double] = [
+                origin.in_numbers::<f32>().position().map(f64::from),
+                origin.position(),
+            ];
+            assert_eq!(single, double);
+            let [there_and_back, points] =
+                [origin.from_local(&local), points].map(|points| Vec::from_iter(points.values()));
+            for (back, point) in there_and_back.into_iter().zip(points) {
+                assert!((back - point).amax() <= f64::EPSILON * (extent(&local) + point.amax()));
+            }
+        }
+    }
+    let home = rough.map(|point| point - LocalOrigin::among(&rough).position());
+    assert_eq!(LocalOrigin::among(&home).position(), Vector3::zeros());
+}
+
+#[test]
+fn points_without_a_middle_stay_where_they_are() {
+    let mut bad = five_link_rough::<f64>();
+    let all_in_one = bad.map(|_| Vector3::repeat(3.0));
+    for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        bad.track_rod_outer.z = number;
+        assert_eq!(LocalOrigin::among(&bad).position(), Vector3::zeros());
+    }
     assert_eq!(LocalOrigin::among(&all_in_one).position(), Vector3::zeros());
+    let huge = all_in_one.map(|point| point * f64::MAX);
+    assert_eq!(LocalOrigin::among(&huge).position(), Vector3::zeros());
 }
 
 fn four_bar_design() -> four_bar::Points<f64> {

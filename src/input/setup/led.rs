@@ -1,12 +1,12 @@
 //! To the first instant of a motion that a measure leads.
 
+use suspension_core::Named;
 use suspension_core::path::{Curve, Led};
-use suspension_core::{LocalOrigin, Named};
 
 use super::start::{FROM_DESIGN_TO_FIRST, out_of_reach, way};
 use super::{Design, Task};
 use crate::failure::Failure;
-use crate::input::drives::{DriveLaws, Law};
+use crate::input::drives::{DriveLaws, Law, given};
 use crate::input::leading::StandIn;
 use crate::input::polynomial::Polynomial;
 use crate::study::led::Lead;
@@ -19,13 +19,12 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
     design: &Design<L, N>,
     drives: &DriveLaws,
     stand_in: StandIn,
-    origin: &LocalOrigin<f64>,
 ) -> Result<Lead<N>, Failure> {
     let way = way(task, design, drives);
     let mut led = at_rest(task, design, &way, stand_in.drive)?;
     let points = led.points(&design.model, &way.inputs::<L::Drives>(0.0));
     let measured = |all: L::Measures| all.values().nth(stand_in.measure).unwrap_or_default();
-    let offset = measured(origin.of_measures::<L, N>());
+    let offset = measured(design.origin.of_measures::<L, N>());
     let law = law(task, &stand_in, offset);
     let ends = [
         measured(L::measures(&points).value),
@@ -45,8 +44,10 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
         }),
         Err(stopped) => {
             let unit = task.file.unit;
-            let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]]
-                .map(|t| lead.in_words::<L>(&way.inputs::<L::Drives>(t).drives.value, t, unit));
+            let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]].map(|t| {
+                let drives = way.inputs::<L::Drives>(t).drives.value;
+                lead.in_words::<L>(&given(&design.origin, &design.model, &drives), t, unit)
+            });
             let cause = stopped
                 .refused
                 .map(|(_, error)| lead.cause::<L>(&error, unit));

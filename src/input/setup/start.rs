@@ -4,7 +4,7 @@ use suspension_core::{Motion, Named};
 
 use super::{Design, Task};
 use crate::failure::Failure;
-use crate::input::drives::{DriveLaws, in_words};
+use crate::input::drives::{DriveLaws, given, in_words};
 use crate::input::polynomial::Polynomial;
 use crate::number::number;
 use crate::study::{Suspension, cause, follow};
@@ -34,8 +34,10 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
         Ok(_) => Ok(motion),
         Err(stopped) => {
             let unit = task.file.unit;
-            let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]]
-                .map(|t| in_words::<L, N>(&way.inputs::<L::Drives>(t).drives.value, unit));
+            let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]].map(|t| {
+                let drives = way.inputs::<L::Drives>(t).drives.value;
+                in_words::<L, N>(&given(&design.origin, &design.model, &drives), unit)
+            });
             let cause = stopped
                 .refused
                 .map(|(_, error)| cause::<L, N>(&error, unit));

@@ -1,0 +1,197 @@
+//! Drives that are coordinates: the catalogue has none, so here is a linkage of its own.
+
+use std::ops::ControlFlow;
+
+use suspension_core::linkage;
+
+use super::{Source, Task, prepare};
+use crate::assemblies;
+use crate::bake::{Continuity, Order, Wish};
+use crate::input::check;
+use crate::input::file::MotionFile;
+use crate::input::instants::Instants;
+use crate::study::Study;
+
+linkage! {
+    mod double_wishbone {
+        fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
+        free: lower_ball at [0.005, 0.70, 0.17], upper_ball at [-0.015, 0.66, 0.44],
+              tie_ball at [0.12, 0.68, 0.21];
+        link lower_fore: lower_front -> lower_ball;
+        link lower_aft: lower_rear -> lower_ball;
+        link upper_fore: upper_front -> upper_ball;
+        link upper_aft: upper_rear -> upper_ball;
+        link tie_rod: rack -> tie_ball;
+        body upright: lower_ball, upper_ball, tie_ball;
+        drive bump: lower_ball.z;
+        drive steer: rack.y;
+        point axle_inner: upright;
+        point axle_outer: upright;
+        wheel: axle_inner -> axle_outer;
+        kingpin: lower_ball -> upper_ball;
+    }
+}
+
+const DESIGN: [(&str, [f64; 3]); 10] = [
+    ("lower_front", [0.20, 0.35, 0.16]),
+    ("lower_rear", [-0.20, 0.35, 0.16]),
+    ("upper_front", [0.15, 0.42, 0.42]),
+    ("upper_rear", [-0.15, 0.42, 0.42]),
+    ("rack", [0.11, 0.34, 0.20]),
+    ("lower_ball", [0.005, 0.70, 0.17]),
+    ("upper_ball", [-0.015, 0.66, 0.44]),
+    ("tie_ball", [0.12, 0.68, 0.21]),
+    ("axle_inner", [0.0, 0.65, 0.30]),
+    ("axle_outer", [0.0, 0.75, 0.30]),
+];
+
+/// Far enough for coordinates to lose four digits, a whole number so that nothing else is lost.
+const AWAY: [f64; 3] = [4096.0, -2048.0, 1024.0];
+
+/// What is left of a comparison over that distance.
+const TOLERANCE: f64 = 1e-9;
+
+/// The mechanism as a file has it, all coordinates with `away` more.
+fn study(away: [f64; 3]) -> (Box<dyn Study>, Instants) {
+    let [_, y, z] = away;
+    let points = DESIGN.map(|(name, at)| {
+        let at: Vec<f64> = at.iter().zip(away).map(|(x, away)| x + away).collect();
+        format!("{name} = {at:?}\n")
+    });
+    let [bump, steer] = [0.18 + z, 0.34 + y];
+    let text = format!(
+        "linkage = \"double_wishbone\"\nunit = \"m\"\n[points]\n{}\n[time]\ninstants = [0.0, 0.5, \
+         1.0]\n[drives]\nbump = [{bump:?}, 0.05]\nsteer = [{steer:?}]\n",
+        points.concat()
+    );
+    let source = Source::new("a.toml", text);
+    let file = MotionFile::parse(&source).expect("a motion file");
+    let instants = check::instants(&source, &file.time).expect("instants");
+    let study = prepare::<double_wishbone::Model<f64>, 9>(&Task {
+        source: &source,
+        file: &file,
+        linkage: "double_wishbone",
+        first: 0.0,
+    });
+    (study.expect("a mechanism"), instants)
+}
+
+/// By how much a column is more in coordinates with [`AWAY`] more.
+fn shift(column: &str) -> f64 {
+    let [x, y, z] = AWAY;
+    match column {
+        "bump_m" => z,
+        "steer_m" => y,
+        _ if column.starts_with("omega_") || column.starts_with("alpha_") => 0.0,
+        _ if column.ends_with("_x") => x,
+        _ if column.ends_with("_y") => y,
+        _ if column.ends_with("_z") => z,
+        _ => 0.0,
+    }
+}
+
+fn assert_shifted(columns: &[String], home: &[f64], away: &[f64]) {
+    assert_eq!([home.len(), away.len()], [columns.len(); 2]);
+    for ((column, home), away) in columns.iter().zip(home).zip(away) {
+        let off = away - shift(column) - home;
+        let is_count = column == "iterations";
+        assert!(is_count || off.abs() < TOLERANCE, "{column}: {home} {away}");
+    }
+}
+
+fn rows(study: &dyn Study, instants: &Instants) -> Vec<Vec<f64>> {
+    let mut rows = Vec::new();
+    let swept = study.sweep(instants, &mut |row| {
+        rows.push(row.to_vec());
+        Ok(ControlFlow::Continue(()))
+    });
+    swept.expect("kept");
+    rows
+}
+
+#[test]
+fn a_motion_far_from_the_origin() {
+    let [(home, instants), (away, _)] = [[0.0; 3], AWAY].map(study);
+    let [here, there] = [&home, &away].map(|study| rows(&**study, &instants));
+    assert_eq!([here.len(), there.len()], [3; 2]);
+    for (here, there) in here.iter().zip(&there) {
+        assert_shifted(&home.columns(), here, there);
+    }
+    let columns = home.columns();
+    let bump = columns.iter().position(|column| column == "bump_m");
+    let bump = bump.expect("a drive");
+    assert_eq!(here[0][bump], 0.18);
+}
+
+#[test]
+fn ranges_far_from_the_origin() {
+    let [(home, instants), (away, _)] = [[0.0; 3], AWAY].map(study);
+    let [here, there] = [&home, &away].map(|study| {
+        let ranges = study.ranges(&instants, &false.into());
+        ranges.expect("curves")
+    });
+    for (here, there) in here.iter().zip(&there) {
+        let shift = shift(&format!("{}_m", here.name));
+        assert!((there.start - shift - here.start).abs() < TOLERANCE);
+        for (end, moved) in here.ends.iter().zip(&there.ends) {
+            assert!((moved.value - shift - end.value).abs() < TOLERANCE);
+        }
+        let stations = [&here.usable, &there.usable].map(|stations| &stations[1]);
+        let [first, moved] = stations.map(|station| station.row[1 + here.index + 1]);
+        assert!((moved - shift - first).abs() < 1e-6, "{first} {moved}");
+    }
+    let met = [(&home, 0.0), (&away, AWAY[2])].map(|(study, shift)| {
+        let ends = [0.15, 0.25].map(|end| end + shift);
+        let met = study.meeting(0, ends, &instants);
+        met.expect("bump goes on growing")
+    });
+    assert_eq!(met.map(|(_, end)| end), [1, 1]);
+    for (t, _) in met {
+        assert!((t - 1.4).abs() < TOLERANCE, "{t}");
+    }
+}
+
+#[test]
+fn baked_far_from_the_origin() {
+    let [here, there] = [[0.0; 3], AWAY].map(|away| {
+        let (study, instants) = study(away);
+        let order = Order {
+            drive: Some("bump".to_owned()),
+            range: [None, Some(0.25 + away[2])],
+            tolerance: 1e-6,
+            continuity: Continuity::Velocity,
+            wish: Wish::Wheel,
+        };
+        study.bake("a.toml", &instants, &order).expect("a curve")
+    });
+    assert_eq!(here.baked.wanted.range, [0.18, 0.25]);
+    assert_eq!(
+        there.baked.wanted.range,
+        [0.18, 0.25].map(|end| end + AWAY[2])
+    );
+    assert_eq!(there.held, "steer = -2047.66 m");
+    let constants = [here, there].map(|sheet| sheet.baked.segments[0][0][0]);
+    for (axis, away) in AWAY.iter().enumerate() {
+        assert!((constants[1][axis] - away - constants[0][axis]).abs() < TOLERANCE);
+    }
+}
+
+#[test]
+fn assemblies_far_from_the_origin() {
+    let [here, there] = [[0.0; 3], AWAY].map(|away| {
+        let wish = assemblies::Wish {
+            drive: Some("bump".to_owned()),
+            at: vec![0.2 + away[2]],
+        };
+        let (study, _) = study(away);
+        let listed = study.assemblies("a.toml", &wish, &false.into());
+        listed.expect("assemblies").remove(0)
+    });
+    assert_eq!(here.drives_in_words, "bump = 0.2 m, steer = 0.34 m");
+    assert_eq!(there.drives_in_words, "bump = 1024.2 m, steer = -2047.66 m");
+    assert_eq!(here.assemblies.len(), there.assemblies.len());
+    let [first, moved] = [here, there].map(|listed| listed.assemblies[0].coordinates.clone());
+    for (index, (first, moved)) in first.iter().zip(&moved).enumerate() {
+        assert!((moved - AWAY[index % 3] - first).abs() < TOLERANCE);
+    }
+}
