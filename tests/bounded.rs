@@ -5,6 +5,7 @@ mod support;
 mod bounded {
     mod accuracy;
     mod assemblies;
+    mod attempt;
     mod case;
     mod pivots;
     mod random;

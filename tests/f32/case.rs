@@ -109,11 +109,19 @@ pub(crate) fn single<G: Tested>(design: &G::Points<f64>, built: Built) -> Option
 pub(crate) enum Way {
     Newton,
     Tracker,
+    /// Bounded, by its sweeps.
+    Bounded0,
     Bounded1,
     Bounded2,
 }
 
-pub(crate) const WAYS: [Way; 4] = [Way::Newton, Way::Tracker, Way::Bounded1, Way::Bounded2];
+pub(crate) const WAYS: [Way; 5] = [
+    Way::Newton,
+    Way::Tracker,
+    Way::Bounded0,
+    Way::Bounded1,
+    Way::Bounded2,
+];
 
 impl Way {
     /// One step; the motion stays where it is if it is refused.
@@ -132,6 +140,9 @@ impl Way {
                 *motion = Tangent::new(model, inputs, &q)?.motion()?;
             }
             Self::Tracker => drop(Tracker::default().step(model, inputs, dt, motion)?),
+            Self::Bounded0 => {
+                Bounded::<T, 0>::default().step(model, inputs, dt, motion)?;
+            }
             Self::Bounded1 => {
                 Bounded::<T, 1>::default().step(model, inputs, dt, motion)?;
             }

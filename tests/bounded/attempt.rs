@@ -1,0 +1,108 @@
+//! Attempts, which know neither partial pivoting nor reasons, and steps without sweeps.
+
+use nalgebra::Vector3;
+use suspension_core::bounded::Refusal;
+use suspension_core::linkages::attia2003;
+use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Outputs, Signal, SolveError};
+
+use super::case::{Case, attia, five_link};
+use crate::support;
+
+const STEP: f64 = 1e-3;
+const OUTPUTS: Outputs = Outputs::Acceleration;
+
+fn step_for_step<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
+    let bounded = Bounded::<f64>::default();
+    let (mut stepped, mut attempted) = (case.start, case.start);
+    for millisecond in 1..=1900 {
+        let inputs = (case.inputs)(f64::from(millisecond) * STEP);
+        let settled = bounded
+            .step(&case.model, &inputs, STEP, &mut stepped)
+            .expect("a regular motion");
+        let result = bounded.attempt(OUTPUTS, &case.model, &inputs, STEP, &mut attempted);
+        assert_eq!((result, attempted), (Ok(settled), stepped));
+    }
+}
+
+#[test]
+fn an_attempt_that_is_accepted_is_the_step() {
+    step_for_step(&attia());
+    step_for_step(&five_link());
+}
+
+#[test]
+fn a_refused_attempt_leaves_the_motion() {
+    let case = five_link();
+    let far = (case.inputs)(20.0 * STEP);
+    let mut unknown = (case.inputs)(STEP);
+    unknown.drives.value.theta = f64::NAN;
+    let mut crossed = case.start;
+    crossed.positive_determinant = crossed.positive_determinant.map(|sign| !sign);
+    let near = (case.inputs)(STEP);
+    let cases = [
+        (&far, 20.0 * STEP, case.start, Refusal::NotConverged),
+        (&unknown, STEP, case.start, Refusal::NotFinite),
+        (&near, STEP, crossed, Refusal::CrossedSingularity),
+    ];
+    for (inputs, dt, start, expected) in cases {
+        let mut motion = start;
+        let result =
+            Bounded::<f64>::default().attempt(OUTPUTS, &case.model, inputs, dt, &mut motion);
+        assert_eq!((result, motion), (Err(expected), start));
+    }
+}
+
+/// Link 6-1 is square to an axis along which its derivative is a pivot.
+#[test]
+fn small_pivots_are_refused_where_a_step_takes_others() {
+    let rough = support::attia_rough::<f64>();
+    let square_to = [Vector3::new(0.0, 0.3, 0.33), Vector3::new(0.3, 0.0, 0.33)];
+    let refused = square_to.into_iter().filter(|link| {
+        let design = attia2003::Points {
+            p6: rough.p1 + link,
+            ..rough
+        };
+        let model = attia2003::Model::new(&design).expect("a geometry");
+        let inputs = Inputs::still(Signal {
+            value: model.drives_at(&design),
+            ..Signal::default()
+        });
+        let start = Motion::at_rest(attia2003::Model::unknowns(&design));
+        let bounded = Bounded::<f64>::default();
+        let mut motion = start;
+        let result = bounded.attempt(OUTPUTS, &model, &inputs, 0.0, &mut motion);
+        bounded
+            .step(&model, &inputs, 0.0, &mut start.clone())
+            .expect("a step with partial pivoting");
+        // Beside a pivot of zero other numbers may be none.
+        match result {
+            Err(Refusal::Unhealthy | Refusal::NotFinite) => motion == start,
+            _ => false,
+        }
+    });
+    assert_eq!(refused.count(), 1);
+}
+
+/// Without sweeps the prediction itself must be within the tolerance: in `f64` it never is.
+#[test]
+fn without_sweeps_what_is_left_out_must_be_rounding() {
+    let case = attia::<f32>();
+    let bounded = Bounded::<f32, 0>::default();
+    let mut motion = case.start;
+    let long = (case.inputs)(20e-3);
+    let result = bounded.step(&case.model, &long, 20e-3, &mut motion);
+    let Err(SolveError::Diverging { step, bound, .. }) = result else {
+        panic!("{result:?}");
+    };
+    assert!(step > bound && bound == 64.0 * f32::EPSILON * case.model.size());
+    assert_eq!(motion, case.start);
+    let case = attia::<f64>();
+    let mut motion = case.start;
+    let result =
+        Bounded::<f64, 0>::default().step(&case.model, &(case.inputs)(STEP), STEP, &mut motion);
+    assert!(
+        matches!(result, Err(SolveError::Diverging { .. })),
+        "{result:?}"
+    );
+    assert_eq!(motion, case.start);
+}
