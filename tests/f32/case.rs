@@ -105,7 +105,7 @@ pub(crate) fn single<G: Tested>(design: &G::Points<f64>, built: Built) -> Option
 }
 
 /// A way from instant to instant.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Way {
     Newton,
     Tracker,
@@ -124,6 +124,14 @@ pub(crate) const WAYS: [Way; 5] = [
 ];
 
 impl Way {
+    /// The way that it is compared with in `f64`, where a step without sweeps is always refused.
+    pub(crate) fn exact(self) -> Self {
+        match self {
+            Self::Bounded0 => Self::Bounded1,
+            way => way,
+        }
+    }
+
     /// One step; the motion stays where it is if it is refused.
     pub(crate) fn step<T: Real, L: Linkage<15, Scalar = T>>(
         self,

@@ -53,6 +53,7 @@ fn compare<G: Tested>(
         let theta = theta + rate * STEP * step as f64;
         let before = motion;
         if way
+            .exact()
             .step(&model, &turning(theta, rate), dt, &mut exact)
             .is_err()
         {
@@ -87,7 +88,7 @@ fn check<G: Tested>(rng: &mut fastrand::Rng) {
         let mut all = [Counts {
             firmest: f64::INFINITY,
             ..Counts::default()
-        }; 4];
+        }; WAYS.len()];
         for _ in 0..GEOMETRIES {
             let mut near = || 0.06 * (rng.f64() - 0.5);
             let mut points = home.values();
@@ -101,6 +102,11 @@ fn check<G: Tested>(rng: &mut fastrand::Rng) {
             }
         }
         for (way, counts) in WAYS.into_iter().zip(all) {
+            if way == Way::Bounded0 && away > 0.0 {
+                // Rounding of coordinates so large is beyond its tolerance.
+                assert!(counts.refused > 0 && counts.worst <= 1.0);
+                continue;
+            }
             println!("{} {built:?}, {away} m away, {way:?}: {counts:?}", G::NAME);
             assert!(counts.worst <= 1.0);
             assert!(counts.accepted > 2000 && counts.refused * 1000 <= counts.accepted);
