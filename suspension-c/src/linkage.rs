@@ -1,0 +1,85 @@
+//! What every listing is exported with.
+
+/// Defines a static of closed names.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! names {
+    ($table:ident { $($what:ident: $names:expr,)* }) => {
+        static $table: Names = Names {
+            $($what: {
+                const LENGTH: usize = $crate::private::terminated_length($names);
+                const TEXT: &[u8] = &$crate::private::terminated::<LENGTH>($names);
+                $crate::private::Table(TEXT)
+            },)*
+        };
+    };
+}
+
+/// The structs of a listing, and their description.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! structures_of_a_linkage {
+    ($prefix:literal) => {
+        $crate::structures_of_a_linkage! { $prefix;
+            /// The geometry: what never changes while the mechanism moves. Opaque; may be copied.
+            Model = Opaque(Linkage, "_model");
+            /// The state: unknowns with velocities and accelerations. Opaque; may be copied.
+            Motion = Opaque(solver::Motion<Number, UNKNOWNS>, "_motion");
+            /// Every point: chassis points, free points, markers. x, y, z of each, in the axes and the
+            /// unit of length of the hardpoints; or velocities or accelerations alike.
+            Points = Vectors(POINTS);
+            /// Positions, velocities and accelerations of every point.
+            PointRates = Rates(Points);
+            /// The chassis points.
+            Chassis = Vectors(FIXED);
+            /// The chassis points with velocities and accelerations.
+            ChassisRates = Rates(Chassis);
+            /// What is prescribed: coordinates in the unit of the points, angles in rad.
+            Drives = Numbers(DRIVES);
+            /// The drives with their first and second time derivatives.
+            Inputs = Rates(Drives);
+            /// What the listing measures: lengths and coordinates in the unit of the points, angles in rad.
+            Measures = Numbers(MEASURES);
+            /// The measures with their first and second time derivatives.
+            MeasureRates = Rates(Measures);
+            /// Constant lengths of links and bodies, in the unit of the points.
+            Lengths = Numbers(LENGTHS);
+        }
+    };
+    ($prefix:literal; $($(#[doc = $doc:literal])* $name:ident = $kind:ident($($of:tt)*);)*) => {
+        $($(#[doc = $doc])* pub type $name = $crate::structure!(@type $prefix, $kind $($of)*);)*
+
+        const STRUCTURES: &[$crate::private::Structure] = &[$(
+            $crate::private::Structure {
+                name: stringify!($name),
+                docs: &[$($doc),*],
+                shape: $crate::structure!(@shape $name, $kind $($of)*),
+            }
+        ),*];
+    };
+}
+
+/// The type and the description of a struct.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! structure {
+    (@type $prefix:literal, Opaque $of:ty, $name:literal) => {
+        Object<$of, { $crate::private::tag(concat!($prefix, $name)) }>
+    };
+    (@type $prefix:literal, Vectors $names:ident) => { Values<[Number; 3], { room($names) }> };
+    (@type $prefix:literal, Numbers $names:ident) => { Values<Number, { room($names) }> };
+    (@type $prefix:literal, Rates $of:ident) => { Rates<$of> };
+    (@shape $name:ident, Opaque $($of:tt)*) => {
+        $crate::private::Shape::Opaque {
+            size: size_of::<$name>(),
+            align: align_of::<$name>(),
+        }
+    };
+    (@shape $name:ident, Vectors $names:ident) => {
+        $crate::private::Shape::Named { names: $names, vectors: true }
+    };
+    (@shape $name:ident, Numbers $names:ident) => {
+        $crate::private::Shape::Named { names: $names, vectors: false }
+    };
+    (@shape $name:ident, Rates $of:ident) => { $crate::private::Shape::Rates(stringify!($of)) };
+}
