@@ -5,7 +5,7 @@
  * In float, or in double where DOUBLE is defined. The last column is a checksum of the bits of all that
  * was computed so far: suspension-c/examples/motion.rs, which is the same in Rust, prints the same.
  */
-#include <inttypes.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -131,10 +131,11 @@ static void read_wheel(const FIVE_LINK(model) *model, const FIVE_LINK(inputs) *i
     add_to_checksum(&rotation, sizeof rotation);
     add_to_checksum(&kingpin, sizeof kingpin);
     if (is_row)
-        printf("%5.2f %9.5f %9.5f %8.4f %8.4f %8.4f %8.4f  %016" PRIx64 "\n", t,
+        printf("%5.2f %9.5f %9.5f %8.4f %8.4f %8.4f %8.4f  %08lx%08lx\n", t,
                 (double)measures.value.height, (double)measures.rate.height,
                 (double)wheel.camber * degrees, (double)wheel.toe * degrees,
-                (double)kingpin.angle * degrees, (double)kingpin.caster * degrees, checksum);
+                (double)kingpin.angle * degrees, (double)kingpin.caster * degrees,
+                (unsigned long)(checksum >> 32), (unsigned long)(checksum & 0xffffffffu));
 }
 
 int main(void)
