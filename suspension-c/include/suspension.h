@@ -1,6 +1,6 @@
 /*
-* Suspension kinematics for C. This file has what all linkages share; include the one of a linkage,
- * such as suspension_five_link_f32.h. Written by the tests of suspension-c: do not edit.
+ * Suspension kinematics for C. This file has what all linkages share; include the one of a linkage,
+ * such as suspension_five_link_f32.h. Written from the functions' source: do not edit.
  *
  * Memory    The caller owns every object: on the stack, static, or wherever. Nothing is allocated, and
  *           nothing has to be freed. Objects may be copied by assignment or memcpy.

@@ -76,6 +76,7 @@ pub mod private {
     };
 }
 
+pub use describe::{Function, Interface, Shape, Structure};
 pub use pointer::{In, InOut, Out};
 pub use status::{Status, status_text};
 

@@ -7,7 +7,7 @@ use core::mem::MaybeUninit;
 use crate::status::Status;
 
 /// `const T *` of a call: null, misaligned, or to a `T` that nobody writes during the call.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 #[repr(transparent)]
 pub struct In<'a, T>(*const T, PhantomData<&'a T>);
 
@@ -59,6 +59,25 @@ fn check<T>(pointer: *const T) -> Result<(), Status> {
     }
 }
 
+fn check_object<V, const TAG: u32>(pointer: *const Object<V, TAG>) -> Result<(), Status> {
+    check(pointer)?;
+    // SAFETY: neither null nor misaligned. No reference is made to an object that may be another.
+    let tag = unsafe { (&raw const (*pointer).tag).read() };
+    if tag == TAG {
+        Ok(())
+    } else {
+        Err(Status::Object)
+    }
+}
+
+impl<T> Clone for In<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for In<'_, T> {}
+
 impl<'a, T> In<'a, T> {
     /// A pointer as C passes it.
     ///
@@ -83,13 +102,10 @@ impl<'a, V, const TAG: u32> In<'a, Object<V, TAG>> {
     #[doc(hidden)]
     #[inline(always)]
     pub fn object(self) -> Result<&'a V, Status> {
-        let object = self.get()?;
-        if object.tag != TAG {
-            return Err(Status::Object);
-        }
-        // SAFETY: the mark is written together with the value, and only there; bytes are C's to copy,
-        // not to change.
-        Ok(unsafe { object.value.assume_init_ref() })
+        check_object(self.0)?;
+        // SAFETY: neither null nor misaligned, and the mark is written together with the value, and only
+        // there; bytes are C's to copy, not to change, and nobody writes them for 'a.
+        Ok(unsafe { (*self.0).value.assume_init_ref() })
     }
 }
 
@@ -114,15 +130,9 @@ impl<'a, V, const TAG: u32> InOut<'a, Object<V, TAG>> {
     #[doc(hidden)]
     #[inline(always)]
     pub fn object(self) -> Result<&'a mut V, Status> {
-        check(self.0)?;
-        // SAFETY: neither null nor misaligned, so by what `from_raw` and the header ask for it points
-        // to bytes of an object which are this call's alone for 'a.
-        let object = unsafe { &mut *self.0 };
-        if object.tag != TAG {
-            return Err(Status::Object);
-        }
-        // SAFETY: as in `In::object`.
-        Ok(unsafe { object.value.assume_init_mut() })
+        check_object(self.0)?;
+        // SAFETY: as in `In::object`, and the object is the call's alone for 'a.
+        Ok(unsafe { (*self.0).value.assume_init_mut() })
     }
 }
 

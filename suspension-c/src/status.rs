@@ -20,12 +20,11 @@ macro_rules! statuses {
 
             /// A sentence for people.
             pub const fn text(self) -> &'static CStr {
-                let text = match self {
-                    $(Self::$name => concat!($text, "\0"),)*
-                };
-                match CStr::from_bytes_with_nul(text.as_bytes()) {
-                    Ok(text) => text,
-                    Err(_) => c"",
+                match self {
+                    $(Self::$name => {
+                        const TEXT: &CStr = terminated(concat!($text, "\0"));
+                        TEXT
+                    })*
                 }
             }
 
@@ -37,6 +36,14 @@ macro_rules! statuses {
             }
         }
     };
+}
+
+/// Texts without a zero inside.
+const fn terminated(text: &str) -> &CStr {
+    match CStr::from_bytes_with_nul(text.as_bytes()) {
+        Ok(text) => text,
+        Err(_) => c"",
+    }
 }
 
 statuses! {

@@ -120,7 +120,7 @@ const KEPT: [&str; 68] = [
 ];
 
 /// The name of a struct.
-pub(super) struct TypeName<'a> {
+struct TypeName<'a> {
     interface: &'a Interface,
     name: &'a str,
 }
@@ -138,7 +138,8 @@ impl Display for TypeName<'_> {
 }
 
 impl Interface {
-    pub(super) fn type_name<'a>(&'a self, name: &'a str) -> TypeName<'a> {
+    /// What C calls a struct.
+    pub fn type_name<'a>(&'a self, name: &'a str) -> impl Display {
         TypeName {
             interface: self,
             name,
