@@ -53,7 +53,6 @@ pub mod shared;
 mod status;
 mod values;
 
-#[cfg(feature = "catalogue")]
 pub mod catalogue;
 
 /// What [`export!`] names in the crate that calls it.
