@@ -41,13 +41,18 @@ fn in_rust() -> [f32; 2] {
     };
     let model = Model::new(&design).expect("a four-bar");
     let inputs = |turn| {
-        let mut drives = Signal::default();
-        drives.value = Drives {
-            turn,
-            ..model.drives_at(&design)
+        let moving = Drives {
+            turn: 1.0,
+            ..Drives::default()
         };
-        drives.rate.turn = 1.0;
-        Inputs::still(drives)
+        Inputs::still(Signal {
+            value: Drives {
+                turn,
+                ..model.drives_at(&design)
+            },
+            rate: moving,
+            second_rate: Drives::default(),
+        })
     };
     let mut unknowns = Model::unknowns(&design);
     assemble(&Newton::from_afar(), &model, &inputs(0.5), &mut unknowns).expect("an assembly");
