@@ -29,9 +29,9 @@ macro_rules! functions {
     };
 }
 
-/// Makes a module of C functions for a [`linkage!`](suspension_core::linkage) listing.
+/// Makes a module of C functions for a [`linkage!`](suspension_core::linkage!) listing.
 ///
-/// ```ignore
+/// ```text
 /// suspension_c::export!(pub mod four_bar_f32 = four_bar, f32, "my_four_bar_f32");
 /// suspension_c::export!(pub mod wishbone_f64 = wishbone, f64, "my_wishbone_f64", wheel, kingpin);
 /// ```

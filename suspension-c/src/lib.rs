@@ -1,6 +1,6 @@
 //! The solver for C: plain functions over objects that the caller owns.
 //!
-//! [`export!`] makes C functions of a [`linkage!`](suspension_core::linkage) listing in one number
+//! [`export!`] makes C functions of a [`linkage!`](suspension_core::linkage!) listing in one number
 //! type, and a description of them that prints itself as a C header. Both come from the same lines,
 //! so that they cannot differ; [`catalogue`] does it for the linkages of the catalogue.
 //!
@@ -17,8 +17,10 @@
 //! }
 //! suspension_c::export!(pub mod rod_f32 = rod, f32, "my_rod_f32");
 //!
-//! let header = rod_f32::INTERFACE.to_string();
-//! assert!(header.contains("susp_status my_rod_f32_step("));
+//! fn main() {
+//!     let header = rod_f32::INTERFACE.to_string();
+//!     assert!(header.contains("susp_status my_rod_f32_step("));
+//! }
 //! ```
 //!
 //! There is no state but in the caller's objects, so that threads need no lock as long as each
