@@ -54,7 +54,7 @@ macro_rules! export {
             use $listing as listing;
             use $crate::private::{
                 Build as _, In, InOut, Linkage as _, Named, Names, Object, Out, PhantomData, Rates, Status,
-                Text, Values, Vector3, answer, fill, kingpin_of, named, named_points, outputs_of, respond,
+                Text, Trouble, Values, Vector3, answer, fill, kingpin_of, named, named_points, outputs_of, respond,
                 room, rotation_of, shared, signal, solver, values, values_of_points, wheel_of,
             };
 
@@ -84,24 +84,7 @@ macro_rules! export {
                 Settled, Wheel,
             };
 
-            fn points_of(points: &Points) -> listing::Points<Number> {
-                named_points(points)
-            }
-
-            fn still(inputs: &Inputs) -> solver::Inputs<solver::Still, listing::Drives<Number>> {
-                solver::Inputs::still(signal(inputs, named))
-            }
-
-            fn moving(
-                chassis: &ChassisRates,
-                inputs: &Inputs,
-            ) -> solver::Inputs<solver::Signal<listing::Fixed<Number>>, listing::Drives<Number>> {
-                solver::Inputs {
-                    chassis: signal(chassis, named_points),
-                    drives: signal(inputs, named),
-                }
-            }
-
+            $crate::helpers_of_a_linkage!();
             $crate::functions_of_a_linkage!($prefix);
 
             $(

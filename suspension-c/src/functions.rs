@@ -81,13 +81,7 @@ macro_rules! functions_of_a_linkage {
         /// One step to tolerance, of `dt` seconds, to the configuration of `inputs`: position, velocity
         /// and acceleration. `converged` may be NULL.
         fn step(model: In<Model>, inputs: In<Inputs>, dt: Number, motion: InOut<Motion>, converged: Out<Converged>, failure: Out<Failure>) -> Status {
-            respond(failure, &NAMES, || {
-                let (model, inputs) = (model.object()?, inputs.get()?);
-                let (motion, converged) = (motion.object()?, converged.optional()?);
-                let inputs = still(inputs);
-                fill(converged, solver::Tracker::default().step(model, &inputs, dt, motion)?);
-                Ok(())
-            })
+            respond(failure, &NAMES, || tracked(model, still(inputs.get()?), dt, motion, converged))
         }
 
         /// A step of `dt` seconds, not zero, between two inputs that may lie far apart: to tolerance, in
@@ -111,13 +105,7 @@ macro_rules! functions_of_a_linkage {
         /// rest is one with `dt` = 0.
         fn bounded_step(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
-                let (model, inputs) = (model.object()?, inputs.get()?);
-                let (motion, settled) = (motion.object()?, settled.optional()?);
-                let outputs = outputs_of(outputs)?;
-                let inputs = still(inputs);
-                let bounded = solver::Bounded::<Number, 1>::default();
-                fill(settled, bounded.step_to(outputs, model, &inputs, dt, motion)?);
-                Ok(())
+                bounded::<_, 1>(model, still(inputs.get()?), outputs, dt, motion, settled)
             })
         }
 
@@ -125,27 +113,14 @@ macro_rules! functions_of_a_linkage {
         /// that do not solve for the acceleration.
         fn bounded_step_twice(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
-                let (model, inputs) = (model.object()?, inputs.get()?);
-                let (motion, settled) = (motion.object()?, settled.optional()?);
-                let outputs = outputs_of(outputs)?;
-                let inputs = still(inputs);
-                let bounded = solver::Bounded::<Number, 2>::default();
-                fill(settled, bounded.step_to(outputs, model, &inputs, dt, motion)?);
-                Ok(())
+                bounded::<_, 2>(model, still(inputs.get()?), outputs, dt, motion, settled)
             })
         }
 
         /// Positions, velocities and accelerations of all points of a motion, which must be the one that
         /// a step with these inputs left.
         fn read_points(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, points: Out<PointRates>) -> Status {
-            answer(|| {
-                let (model, inputs) = (model.object()?, inputs.get()?);
-                let (motion, points) = (motion.object()?, points.get()?);
-                let inputs = still(inputs);
-                let found = motion.points(model, &inputs);
-                points.write(Rates::from_signal(&found, values_of_points));
-                Ok(())
-            })
+            answer(|| located(model, still(inputs.get()?), motion, points))
         }
 
         /// What the listing measures, with rates. A rate is NaN where a measured length is zero, or a
@@ -201,36 +176,22 @@ macro_rules! functions_of_a_linkage {
         /// `step` with chassis points that move. Drives prescribe coordinates in the axes of these.
         fn moving_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, dt: Number, motion: InOut<Motion>, converged: Out<Converged>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
-                let (model, chassis, inputs) = (model.object()?, chassis.get()?, inputs.get()?);
-                let (motion, converged) = (motion.object()?, converged.optional()?);
-                let inputs = moving(chassis, inputs);
-                fill(converged, solver::Tracker::default().step(model, &inputs, dt, motion)?);
-                Ok(())
+                let inputs = moving(chassis.get()?, inputs.get()?);
+                tracked(model, inputs, dt, motion, converged)
             })
         }
 
         /// `bounded_step` with chassis points that move.
         fn moving_bounded_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
-                let (model, chassis, inputs) = (model.object()?, chassis.get()?, inputs.get()?);
-                let (motion, settled) = (motion.object()?, settled.optional()?);
-                let outputs = outputs_of(outputs)?;
-                let inputs = moving(chassis, inputs);
-                let bounded = solver::Bounded::<Number, 1>::default();
-                fill(settled, bounded.step_to(outputs, model, &inputs, dt, motion)?);
-                Ok(())
+                let inputs = moving(chassis.get()?, inputs.get()?);
+                bounded::<_, 1>(model, inputs, outputs, dt, motion, settled)
             })
         }
 
         /// `read_points` with chassis points that move.
         fn moving_read_points(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, motion: In<Motion>, points: Out<PointRates>) -> Status {
-            answer(|| {
-                let (model, chassis, inputs) = (model.object()?, chassis.get()?, inputs.get()?);
-                let (motion, points) = (motion.object()?, points.get()?);
-                let found = motion.points(model, &moving(chassis, inputs));
-                points.write(Rates::from_signal(&found, values_of_points));
-                Ok(())
-            })
+            answer(|| located(model, moving(chassis.get()?, inputs.get()?), motion, points))
         }
 
         /// The name of a point by its number in `points`, from 0; NULL beyond the last.

@@ -66,7 +66,7 @@ pub mod private {
 
     pub use crate::convert::{fill, kingpin_of, rotation_of, wheel_of};
     pub use crate::describe::{Function, Interface, Names, Shape, Structure};
-    pub use crate::failure::{answer, respond};
+    pub use crate::failure::{Trouble, answer, respond};
     pub use crate::names::{Table, Text, terminated, terminated_length};
     pub use crate::pointer::{In, InOut, Object, Out, tag};
     pub use crate::shared;

@@ -83,3 +83,79 @@ macro_rules! structure {
     };
     (@shape $name:ident, Rates $of:ident) => { $crate::private::Shape::Rates(stringify!($of)) };
 }
+
+/// What functions of a listing have in common.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! helpers_of_a_linkage {
+    () => {
+        fn points_of(points: &Points) -> listing::Points<Number> {
+            named_points(points)
+        }
+
+        fn still(inputs: &Inputs) -> solver::Inputs<solver::Still, listing::Drives<Number>> {
+            solver::Inputs::still(signal(inputs, named))
+        }
+
+        fn moving(
+            chassis: &ChassisRates,
+            inputs: &Inputs,
+        ) -> solver::Inputs<solver::Signal<listing::Fixed<Number>>, listing::Drives<Number>> {
+            solver::Inputs {
+                chassis: signal(chassis, named_points),
+                drives: signal(inputs, named),
+            }
+        }
+
+        #[inline(always)]
+        fn tracked<C: solver::ChassisMotion<listing::Fixed<Number>>>(
+            model: In<'_, Model>,
+            inputs: solver::Inputs<C, listing::Drives<Number>>,
+            dt: Number,
+            motion: InOut<'_, Motion>,
+            converged: Out<'_, Converged>,
+        ) -> Result<(), Trouble<Number>> {
+            let (model, motion) = (model.object()?, motion.object()?);
+            let converged = converged.optional()?;
+            fill(
+                converged,
+                solver::Tracker::default().step(model, &inputs, dt, motion)?,
+            );
+            Ok(())
+        }
+
+        #[inline(always)]
+        fn bounded<C: solver::ChassisMotion<listing::Fixed<Number>>, const SWEEPS: usize>(
+            model: In<'_, Model>,
+            inputs: solver::Inputs<C, listing::Drives<Number>>,
+            outputs: Outputs,
+            dt: Number,
+            motion: InOut<'_, Motion>,
+            settled: Out<'_, Settled>,
+        ) -> Result<(), Trouble<Number>> {
+            let (model, motion) = (model.object()?, motion.object()?);
+            let (outputs, settled) = (outputs_of(outputs)?, settled.optional()?);
+            let bounded = solver::Bounded::<Number, SWEEPS>::default();
+            fill(
+                settled,
+                bounded.step_to(outputs, model, &inputs, dt, motion)?,
+            );
+            Ok(())
+        }
+
+        #[inline(always)]
+        fn located<C: solver::ChassisMotion<listing::Fixed<Number>>>(
+            model: In<'_, Model>,
+            inputs: solver::Inputs<C, listing::Drives<Number>>,
+            motion: In<'_, Motion>,
+            points: Out<'_, PointRates>,
+        ) -> Result<(), Status> {
+            let (model, motion, points) = (model.object()?, motion.object()?, points.get()?);
+            points.write(Rates::from_signal(
+                &motion.points(model, &inputs),
+                values_of_points,
+            ));
+            Ok(())
+        }
+    };
+}
