@@ -30,6 +30,50 @@ fn is_used_from_c() {
     assert_eq!(printed, format!("double {angle:.6} rad, {rate:.6} rad/s\n"));
 }
 
+suspension_core::linkage! {
+    /// A rod in a plane, of which nothing is measured.
+    mod rod {
+        fixed: a;
+        free:  p;
+        link rod: a -> p;
+        drive y: p.y;
+        drive z: p.z;
+    }
+}
+suspension_c::export!(mod rod_f64 = rod, f64, "my_rod_f64");
+
+/// C has no empty structs.
+#[test]
+fn without_measures_has_a_member_that_means_nothing() {
+    if !native::has("cc", "without_measures_has_a_member_that_means_nothing") {
+        return;
+    }
+    let header = rod_f64::INTERFACE.to_string();
+    assert!(
+        header.contains(
+            "#define MY_ROD_F64_MEASURES_COUNT 0\ntypedef struct {\n    double nothing;\n}"
+        )
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("my_rod_f64.h");
+    std::fs::write(&path, header).expect("a header");
+    native::run(
+        Command::new("cc")
+            .args([
+                "-xc",
+                "-std=c99",
+                "-fsyntax-only",
+                "-pedantic",
+                "-Wall",
+                "-Wextra",
+                "-Werror",
+            ])
+            .arg("-I")
+            .arg(native::root().join("suspension-c/include"))
+            .arg(path),
+    );
+}
+
 /// What the program does.
 fn in_rust() -> [f32; 2] {
     let at = Vector3::<f32>::new;
