@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-use suspension_core::baked::Curve;
+use suspension_core::baked::{Curve, Split};
 
 use super::program::{example, folder, run, text};
 
@@ -36,33 +36,42 @@ fn table(text: &str) -> (toml::Table, Vec<[[f64; 6]; 6]>) {
 }
 
 /// Places, with the position, velocity and acceleration that the core reads there.
-fn expected(folder: &Path, arguments: &[&str]) -> Vec<(f64, [[f64; 6]; 3])> {
+fn expected<T: Split>(folder: &Path, arguments: &[&str]) -> Vec<(T, [[T; 6]; 3])> {
     let (table, segments) = table(&baked(folder, &[arguments, &["--as", "toml"]].concat()));
-    let range = numbers(&table["range"]).try_into().expect("two ends");
+    let range: [f64; 2] = numbers(&table["range"]).try_into().expect("two ends");
+    let per_unit = table["segments_per_unit"].as_float().expect("a number");
+    let number = T::constant;
+    let segments: Vec<_> = segments
+        .iter()
+        .map(|terms| terms.map(|row| row.map(number)))
+        .collect();
     let curve = Curve {
-        range,
-        segments_per_unit: table["segments_per_unit"].as_float().expect("a number"),
+        range: range.map(number),
+        segments_per_unit: number(per_unit),
         segments: &segments,
     };
     let [from, to] = range;
     (0..=100)
-        .map(|part| (from + (to - from) * f64::from(part) / 100.0).min(to))
-        .map(|at| (at, curve.at(at).expect("inside").acceleration(1.5, -0.7)))
+        .map(|part| number((from + (to - from) * f64::from(part) / 100.0).min(to)))
+        .map(|at| {
+            let place = curve.at(at).expect("inside");
+            (at, place.acceleration(number(1.5), number(-0.7)))
+        })
         .collect()
 }
 
 /// Of the bits of a number, as a hexadecimal literal.
-fn bits(numbers: &[[f64; 6]; 3]) -> String {
+fn bits<T>(numbers: &[[T; 6]; 3], bits: fn(&T) -> u64) -> String {
     let each = numbers.as_flattened().iter();
-    each.map(|x| format!("{:#x}, ", x.to_bits())).collect()
+    each.map(|x| format!("{:#x}, ", bits(x))).collect()
 }
 
 #[test]
 fn the_rust_file_compiles_and_reads_the_same_digits() {
     let folder = folder();
     let mut asserts = String::new();
-    for (at, values) in expected(folder.path(), &RANGE) {
-        let bits = bits(&values);
+    for (at, values) in expected::<f64>(folder.path(), &RANGE) {
+        let bits = bits(&values, |x| x.to_bits());
         asserts += &format!("    check({at:?}, [{bits}]);\n");
     }
     let file = baked(folder.path(), &RANGE);
@@ -113,22 +122,29 @@ suspension-core.path = {:?}
 
 #[test]
 fn the_c_header_compiles_without_warnings_and_reads_the_same_digits() {
+    the_c_header_reads::<f64>("double", |x| x.to_bits());
+    the_c_header_reads::<f32>("float", |x| x.to_bits().into());
+}
+
+fn the_c_header_reads<T: Split + std::fmt::LowerExp>(number: &str, to_bits: fn(&T) -> u64) {
     let folder = folder();
     let mut rows = String::new();
     for (at, values) in expected(folder.path(), &RANGE) {
-        rows += &format!("    {{{at:?}, {{{}}}}},\n", bits(&values));
+        rows += &format!("    {{{at:e}, {{{}}}}},\n", bits(&values, to_bits));
     }
+    let width = 8 * size_of::<T>();
     let header = baked(folder.path(), &[&RANGE[..], &["--as", "c"]].concat());
     std::fs::write(folder.path().join("wheel.h"), header).expect("written");
     let program = format!(
-        r#"#include "wheel.h"
+        r#"#define WHEEL_BY_THETA_NUMBER {number}
+#include "wheel.h"
 #include <stdint.h>
 #include <string.h>
-static const struct {{ double at; uint64_t bits[18]; }} rows[] = {{
+static const struct {{ {number} at; uint{width}_t bits[18]; }} rows[] = {{
 {rows}}};
 int main(void)
 {{
-    double found[18];
+    {number} found[18];
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {{
         if (wheel_by_theta(rows[i].at, 1.5, -0.7, found, found + 6, found + 12) != 0)
             return 1;
@@ -143,7 +159,15 @@ int main(void)
     );
     std::fs::write(folder.path().join("main.c"), program).expect("written");
     let flags = [
-        "-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "main.c", "-o", "main",
+        "-std=c99",
+        "-O2",
+        "-Wall",
+        "-Wextra",
+        "-Wdouble-promotion",
+        "-Werror",
+        "main.c",
+        "-o",
+        "main",
     ];
     let compiled = Command::new("cc")
         .current_dir(folder.path())
@@ -152,7 +176,7 @@ int main(void)
         .expect("a C compiler: Rust links with one");
     assert!(compiled.status.success(), "{}", text(&compiled.stderr));
     let ran = Command::new(folder.path().join("main")).status();
-    assert_eq!(ran.expect("a program").code(), Some(0));
+    assert_eq!(ran.expect("a program").code(), Some(0), "{number}");
 }
 
 #[test]

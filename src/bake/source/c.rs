@@ -26,18 +26,24 @@ pub(super) fn text(sheet: &Sheet) -> String {
         " *
  * Outputs: {outputs}.
  * For the same digits as in Rust compile without contraction (-std=c99 or -ffp-contract=off).
+ * In float where {upper}_NUMBER is defined as such: rounding adds some 1e-7 of the largest output.
  */
 #ifndef {upper}_H
 #define {upper}_H
 
 #include <stddef.h>
 
+#ifndef {upper}_NUMBER
+#define {upper}_NUMBER double
+#endif
+typedef {upper}_NUMBER {name}_number;
+
 enum {{ {upper}_OUTPUTS = {width}, {upper}_SEGMENTS = {count} }};
 
-static const double {name}_range[2] = {{{from:?}, {to:?}}};
+static const {name}_number {name}_range[2] = {{{from:?}, {to:?}}};
 
 /* By segment, power and output, constants first; the variable of a segment runs from 0 to 1. */
-static const double {name}_segments[{count}][{TERMS}][{width}] = {{
+static const {name}_number {name}_segments[{count}][{TERMS}][{width}] = {{
 {segments}}};
 
 /*
@@ -46,20 +52,21 @@ static const double {name}_segments[{count}][{TERMS}][{width}] = {{
  * NULL it is not computed. Returns 0; or 1 where the drive is outside the range, and then writes
  * nothing.
  */
-static inline int {name}(double drive, double rate, double second_rate,
-        double position[{width}], double velocity[{width}], double acceleration[{width}])
+static inline int {name}({name}_number drive, {name}_number rate, {name}_number second_rate,
+        {name}_number position[{width}], {name}_number velocity[{width}],
+        {name}_number acceleration[{width}])
 {{
     if (!(drive >= {name}_range[0] && drive <= {name}_range[1]))
         return 1;
-    const double per_unit = {per_unit:?};
-    const double along = (drive - {name}_range[0]) * per_unit;
+    const {name}_number per_unit = {per_unit:?};
+    const {name}_number along = (drive - {name}_range[0]) * per_unit;
     const int whole = (int)along < {count} ? (int)along : {last};
-    const double variable = along - whole;
-    const double (*terms)[{width}] = {name}_segments[whole];
+    const {name}_number variable = along - whole;
+    const {name}_number (*terms)[{width}] = {name}_segments[whole];
     rate *= per_unit;
     second_rate *= per_unit;
     for (int i = 0; i < {width}; i++) {{
-        double value = terms[{degree}][i], first = value, half_second = value;
+        {name}_number value = terms[{degree}][i], first = value, half_second = value;
         for (int power = {degree} - 1; power >= 0; power--) {{
             value = value * variable + terms[power][i];
             if (power >= 1)

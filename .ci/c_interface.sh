@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# The C interface on a Cortex-M4F in QEMU: the program in C prints the text that its twin in Rust prints
+# on this machine, checksums of all bits included (on this machine `cargo test` compares them). And what
+# all its functions reach has no writable memory, no panic, no formatting, no allocation.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+forbidden='panic|core::fmt|rust_begin_unwind|__rust_alloc|alloc::|unwrap_failed|expect_failed'
+packages=(gcc gcc-arm-none-eabi libnewlib-arm-none-eabi make qemu-system-arm)
+
+as_root() {
+    if [[ $EUID -eq 0 ]]; then "$@"; else sudo "$@"; fi
+}
+
+if ! dpkg --status "${packages[@]}" >/dev/null 2>&1; then
+    as_root apt-get update -qq
+    as_root env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
+fi
+
+cd "$root"
+by_rust=$(cargo run --quiet --locked --package suspension-c --example motion -- f32)
+export RUSTC_BOOTSTRAP=1
+by_c=$(make --no-print-directory --silent --directory examples/c run-m4f \
+    CARGO_BARE="cargo +debian" CARGO_BARE_FLAGS=-Zbuild-std=core)
+
+if ! diff <(echo "$by_rust") <(echo "$by_c"); then
+    echo "Rust on this machine (<) and C on the Cortex-M4F (>) differ"
+    exit 1
+fi
+rows=$(wc --lines <<<"$by_c")
+((rows == 22))
+echo "C on a Cortex-M4F computes the same bits as Rust here, over 1,901 steps"
+
+cd target
+library=thumbv7em-none-eabihf/release/libsuspension_c.a
+functions=$(arm-none-eabi-nm --defined-only "$library" 2>/dev/null | awk '$2 == "T" && $3 ~ /^susp_/ { print $3 }')
+(($(wc --lines <<<"$functions") > 20))
+# shellcheck disable=SC2086 # one argument a line
+arm-none-eabi-ld --gc-sections --entry=0 ${functions//susp_/--undefined=susp_} "$library" -o c/all.elf
+nm=$(compgen -c llvm-nm- | sort --version-sort | tail -n 1)
+symbols=$("$nm" --demangle c/all.elf)
+if grep -E "$forbidden" <<<"$symbols"; then
+    echo "the functions reach what they may not"
+    exit 1
+fi
+writable=$(arm-none-eabi-size c/all.elf | awk 'NR == 2 { print $2 + $3 }')
+if [[ $writable != 0 ]]; then
+    echo "$writable bytes of writable memory: a state that is not the caller's"
+    exit 1
+fi
+echo "all functions: no writable memory, no panic, no formatting, no allocation"

@@ -1,0 +1,322 @@
+/*
+ * Five links between chassis and a rigid knuckle. Drive `theta`: the angle of the lower leading
+ * link from the vertical, rad.
+ *
+ * What holds for every function is said in suspension.h.
+ */
+#ifndef SUSP_FIVE_LINK_F32_H
+#define SUSP_FIVE_LINK_F32_H
+
+#include "suspension.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The geometry: what never changes while the mechanism moves. Opaque; may be copied. */
+#define SUSP_FIVE_LINK_F32_MODEL_SIZE 204
+#define SUSP_FIVE_LINK_F32_MODEL_ALIGN 4
+typedef struct {
+    uint32_t words[SUSP_FIVE_LINK_F32_MODEL_SIZE / 4];
+} susp_five_link_f32_model;
+
+/** The state: unknowns with velocities and accelerations. Opaque; may be copied. */
+#define SUSP_FIVE_LINK_F32_MOTION_SIZE 188
+#define SUSP_FIVE_LINK_F32_MOTION_ALIGN 4
+typedef struct {
+    uint32_t words[SUSP_FIVE_LINK_F32_MOTION_SIZE / 4];
+} susp_five_link_f32_motion;
+
+/** Every point: chassis points, free points, markers. x, y, z of each, in the axes and the
+ * unit of length of the hardpoints; or velocities or accelerations alike. */
+#define SUSP_FIVE_LINK_F32_POINTS_COUNT 11
+typedef struct {
+    float lower_front_inner[3];
+    float upper_front_inner[3];
+    float upper_rear_inner[3];
+    float lower_rear_inner[3];
+    float track_rod_inner[3];
+    float lower_front_outer[3];
+    float upper_front_outer[3];
+    float upper_rear_outer[3];
+    float lower_rear_outer[3];
+    float track_rod_outer[3];
+    float wheel_centre[3];
+} susp_five_link_f32_points;
+
+/** Positions, velocities and accelerations of every point. */
+typedef struct {
+    susp_five_link_f32_points value;
+    /** Per second. */
+    susp_five_link_f32_points rate;
+    /** Per second squared. */
+    susp_five_link_f32_points second_rate;
+} susp_five_link_f32_point_rates;
+
+/** The chassis points. */
+#define SUSP_FIVE_LINK_F32_CHASSIS_COUNT 5
+typedef struct {
+    float lower_front_inner[3];
+    float upper_front_inner[3];
+    float upper_rear_inner[3];
+    float lower_rear_inner[3];
+    float track_rod_inner[3];
+} susp_five_link_f32_chassis;
+
+/** The chassis points with velocities and accelerations. */
+typedef struct {
+    susp_five_link_f32_chassis value;
+    /** Per second. */
+    susp_five_link_f32_chassis rate;
+    /** Per second squared. */
+    susp_five_link_f32_chassis second_rate;
+} susp_five_link_f32_chassis_rates;
+
+/** What is prescribed: coordinates in the unit of the points, angles in rad. */
+#define SUSP_FIVE_LINK_F32_DRIVES_COUNT 1
+typedef struct {
+    float theta;
+} susp_five_link_f32_drives;
+
+/** The drives with their first and second time derivatives. */
+typedef struct {
+    susp_five_link_f32_drives value;
+    /** Per second. */
+    susp_five_link_f32_drives rate;
+    /** Per second squared. */
+    susp_five_link_f32_drives second_rate;
+} susp_five_link_f32_inputs;
+
+/** What the listing measures: lengths and coordinates in the unit of the points, angles in rad. */
+#define SUSP_FIVE_LINK_F32_MEASURES_COUNT 1
+typedef struct {
+    float height;
+} susp_five_link_f32_measures;
+
+/** The measures with their first and second time derivatives. */
+typedef struct {
+    susp_five_link_f32_measures value;
+    /** Per second. */
+    susp_five_link_f32_measures rate;
+    /** Per second squared. */
+    susp_five_link_f32_measures second_rate;
+} susp_five_link_f32_measure_rates;
+
+/** Constant lengths of links and bodies, in the unit of the points. */
+#define SUSP_FIVE_LINK_F32_LENGTHS_COUNT 14
+typedef struct {
+    float lower_front;
+    float upper_front;
+    float upper_rear;
+    float lower_rear;
+    float track_rod;
+    float knuckle_lower_front_outer_upper_front_outer;
+    float knuckle_lower_front_outer_upper_rear_outer;
+    float knuckle_upper_front_outer_upper_rear_outer;
+    float knuckle_lower_rear_outer_lower_front_outer;
+    float knuckle_lower_rear_outer_upper_front_outer;
+    float knuckle_lower_rear_outer_upper_rear_outer;
+    float knuckle_track_rod_outer_lower_front_outer;
+    float knuckle_track_rod_outer_upper_front_outer;
+    float knuckle_track_rod_outer_upper_rear_outer;
+} susp_five_link_f32_lengths;
+
+/** Makes a model whose lengths are those of the points as they stand. `size` is
+ * `sizeof *model`. */
+susp_status susp_five_link_f32_model_new(
+        susp_five_link_f32_model *model,
+        size_t size,
+        const susp_five_link_f32_points *design,
+        susp_f32_failure *failure);
+
+/** Gives a model other lengths; each body keeps its handedness. */
+susp_status susp_five_link_f32_model_set_lengths(
+        susp_five_link_f32_model *model,
+        const susp_five_link_f32_lengths *lengths,
+        susp_f32_failure *failure);
+
+/** Attaches a model's markers as they stand among the points. */
+susp_status susp_five_link_f32_model_set_markers(
+        susp_five_link_f32_model *model,
+        const susp_five_link_f32_points *points,
+        susp_f32_failure *failure);
+
+/** The lengths of a model. */
+susp_status susp_five_link_f32_model_lengths(
+        const susp_five_link_f32_model *model,
+        susp_five_link_f32_lengths *lengths);
+
+/** The values that the drives have in a configuration. */
+susp_status susp_five_link_f32_model_drives(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_points *points,
+        susp_five_link_f32_drives *drives);
+
+/** Makes a motion: at rest, the free points where they stand among `points`. `size` is
+ * `sizeof *motion`. */
+susp_status susp_five_link_f32_motion_at_rest(
+        susp_five_link_f32_motion *motion,
+        size_t size,
+        const susp_five_link_f32_points *points);
+
+/** Makes a motion: at rest, in the configuration nearest to the guess, of which the free points
+ * matter. A step with `dt` = 0 finds its rates. `size` is `sizeof *motion`; `assembly` may be
+ * NULL. For setting up: it takes hundreds of times as long as a step. */
+susp_status susp_five_link_f32_assemble(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_inputs *inputs,
+        const susp_five_link_f32_points *guess,
+        susp_five_link_f32_motion *motion,
+        size_t size,
+        susp_f32_assembly *assembly,
+        susp_f32_failure *failure);
+
+/** One step to tolerance, of `dt` seconds, to the configuration of `inputs`: position, velocity
+ * and acceleration. `converged` may be NULL. */
+susp_status susp_five_link_f32_step(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_inputs *inputs,
+        float dt,
+        susp_five_link_f32_motion *motion,
+        susp_f32_converged *converged,
+        susp_f32_failure *failure);
+
+/** A step of `dt` seconds, not zero, between two inputs that may lie far apart: to tolerance, in
+ * as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
+ * drives follow the cubics that have their values and rates at the ends. `converged` may be
+ * NULL. */
+susp_status susp_five_link_f32_step_between(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_inputs *from,
+        const susp_five_link_f32_inputs *to,
+        float dt,
+        susp_five_link_f32_motion *motion,
+        susp_f32_converged *converged,
+        susp_f32_failure *failure);
+
+/** One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. Solved for:
+ * SUSP_POSITION, SUSP_VELOCITY (position too) or SUSP_ACCELERATION (all three). Rates that are
+ * not solved for are estimates, good for the next step. `settled` may be NULL. A first step from
+ * rest is one with `dt` = 0. */
+susp_status susp_five_link_f32_bounded_step(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_inputs *inputs,
+        susp_outputs outputs,
+        float dt,
+        susp_five_link_f32_motion *motion,
+        susp_f32_settled *settled,
+        susp_f32_failure *failure);
+
+/** The same with two sweeps in place of one, for longer steps, and for steps of a millisecond
+ * that do not solve for the acceleration. */
+susp_status susp_five_link_f32_bounded_step_twice(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_inputs *inputs,
+        susp_outputs outputs,
+        float dt,
+        susp_five_link_f32_motion *motion,
+        susp_f32_settled *settled,
+        susp_f32_failure *failure);
+
+/** Positions, velocities and accelerations of all points of a motion, which must be the one that
+ * a step with these inputs left. */
+susp_status susp_five_link_f32_read_points(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_inputs *inputs,
+        const susp_five_link_f32_motion *motion,
+        susp_five_link_f32_point_rates *points);
+
+/** What the listing measures, with rates. A rate is NaN where a measured length is zero, or a
+ * measured angle 0 or pi. */
+susp_status susp_five_link_f32_read_measures(
+        const susp_five_link_f32_point_rates *points,
+        susp_five_link_f32_measure_rates *measures);
+
+/** Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
+ * position, and no other. Takes about as long as four steps to tolerance. */
+susp_status susp_five_link_f32_certify(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_inputs *inputs,
+        const susp_five_link_f32_motion *motion,
+        susp_f32_certificate *certificate,
+        susp_f32_failure *failure);
+
+/** Points that were found in chassis axes, carried into the world with a chassis that moves:
+ * cheaper than to solve with chassis points that move. */
+susp_status susp_five_link_f32_carry(
+        const susp_f32_rigid_motion *chassis,
+        const susp_five_link_f32_point_rates *points,
+        susp_five_link_f32_point_rates *carried);
+
+/** The chassis points of a model, which rest in chassis axes, with a chassis that moves: what
+ * the `moving_` functions take. */
+susp_status susp_five_link_f32_move_chassis(
+        const susp_five_link_f32_model *model,
+        const susp_f32_rigid_motion *chassis,
+        susp_five_link_f32_chassis_rates *points);
+
+/** `step` with chassis points that move. Drives prescribe coordinates in the axes of these. */
+susp_status susp_five_link_f32_moving_step(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_chassis_rates *chassis,
+        const susp_five_link_f32_inputs *inputs,
+        float dt,
+        susp_five_link_f32_motion *motion,
+        susp_f32_converged *converged,
+        susp_f32_failure *failure);
+
+/** `bounded_step` with chassis points that move. */
+susp_status susp_five_link_f32_moving_bounded_step(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_chassis_rates *chassis,
+        const susp_five_link_f32_inputs *inputs,
+        susp_outputs outputs,
+        float dt,
+        susp_five_link_f32_motion *motion,
+        susp_f32_settled *settled,
+        susp_f32_failure *failure);
+
+/** `read_points` with chassis points that move. */
+susp_status susp_five_link_f32_moving_read_points(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_chassis_rates *chassis,
+        const susp_five_link_f32_inputs *inputs,
+        const susp_five_link_f32_motion *motion,
+        susp_five_link_f32_point_rates *points);
+
+/** The name of a point by its number in `points`, from 0; NULL beyond the last. */
+const char *susp_five_link_f32_point_name(
+        size_t index);
+
+/** The name of a drive by its number; NULL beyond the last. */
+const char *susp_five_link_f32_drive_name(
+        size_t index);
+
+/** The name of a measure by its number; NULL beyond the last. */
+const char *susp_five_link_f32_measure_name(
+        size_t index);
+
+/** The name of a length by its number; NULL beyond the last. */
+const char *susp_five_link_f32_length_name(
+        size_t index);
+
+/** The wheel of positions that `read_points` found. */
+susp_status susp_five_link_f32_read_wheel(
+        const susp_five_link_f32_points *points,
+        susp_f32_wheel *wheel);
+
+/** How the body that carries the wheel turns. */
+susp_status susp_five_link_f32_read_rotation(
+        const susp_five_link_f32_point_rates *points,
+        susp_f32_carrier_rotation *rotation);
+
+/** The kingpin of positions that `read_points` found. */
+susp_status susp_five_link_f32_read_kingpin(
+        const susp_five_link_f32_points *points,
+        susp_f32_kingpin *kingpin);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

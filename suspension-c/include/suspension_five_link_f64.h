@@ -1,0 +1,322 @@
+/*
+ * Five links between chassis and a rigid knuckle. Drive `theta`: the angle of the lower leading
+ * link from the vertical, rad.
+ *
+ * What holds for every function is said in suspension.h.
+ */
+#ifndef SUSP_FIVE_LINK_F64_H
+#define SUSP_FIVE_LINK_F64_H
+
+#include "suspension.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The geometry: what never changes while the mechanism moves. Opaque; may be copied. */
+#define SUSP_FIVE_LINK_F64_MODEL_SIZE 408
+#define SUSP_FIVE_LINK_F64_MODEL_ALIGN 8
+typedef struct {
+    uint64_t words[SUSP_FIVE_LINK_F64_MODEL_SIZE / 8];
+} susp_five_link_f64_model;
+
+/** The state: unknowns with velocities and accelerations. Opaque; may be copied. */
+#define SUSP_FIVE_LINK_F64_MOTION_SIZE 376
+#define SUSP_FIVE_LINK_F64_MOTION_ALIGN 8
+typedef struct {
+    uint64_t words[SUSP_FIVE_LINK_F64_MOTION_SIZE / 8];
+} susp_five_link_f64_motion;
+
+/** Every point: chassis points, free points, markers. x, y, z of each, in the axes and the
+ * unit of length of the hardpoints; or velocities or accelerations alike. */
+#define SUSP_FIVE_LINK_F64_POINTS_COUNT 11
+typedef struct {
+    double lower_front_inner[3];
+    double upper_front_inner[3];
+    double upper_rear_inner[3];
+    double lower_rear_inner[3];
+    double track_rod_inner[3];
+    double lower_front_outer[3];
+    double upper_front_outer[3];
+    double upper_rear_outer[3];
+    double lower_rear_outer[3];
+    double track_rod_outer[3];
+    double wheel_centre[3];
+} susp_five_link_f64_points;
+
+/** Positions, velocities and accelerations of every point. */
+typedef struct {
+    susp_five_link_f64_points value;
+    /** Per second. */
+    susp_five_link_f64_points rate;
+    /** Per second squared. */
+    susp_five_link_f64_points second_rate;
+} susp_five_link_f64_point_rates;
+
+/** The chassis points. */
+#define SUSP_FIVE_LINK_F64_CHASSIS_COUNT 5
+typedef struct {
+    double lower_front_inner[3];
+    double upper_front_inner[3];
+    double upper_rear_inner[3];
+    double lower_rear_inner[3];
+    double track_rod_inner[3];
+} susp_five_link_f64_chassis;
+
+/** The chassis points with velocities and accelerations. */
+typedef struct {
+    susp_five_link_f64_chassis value;
+    /** Per second. */
+    susp_five_link_f64_chassis rate;
+    /** Per second squared. */
+    susp_five_link_f64_chassis second_rate;
+} susp_five_link_f64_chassis_rates;
+
+/** What is prescribed: coordinates in the unit of the points, angles in rad. */
+#define SUSP_FIVE_LINK_F64_DRIVES_COUNT 1
+typedef struct {
+    double theta;
+} susp_five_link_f64_drives;
+
+/** The drives with their first and second time derivatives. */
+typedef struct {
+    susp_five_link_f64_drives value;
+    /** Per second. */
+    susp_five_link_f64_drives rate;
+    /** Per second squared. */
+    susp_five_link_f64_drives second_rate;
+} susp_five_link_f64_inputs;
+
+/** What the listing measures: lengths and coordinates in the unit of the points, angles in rad. */
+#define SUSP_FIVE_LINK_F64_MEASURES_COUNT 1
+typedef struct {
+    double height;
+} susp_five_link_f64_measures;
+
+/** The measures with their first and second time derivatives. */
+typedef struct {
+    susp_five_link_f64_measures value;
+    /** Per second. */
+    susp_five_link_f64_measures rate;
+    /** Per second squared. */
+    susp_five_link_f64_measures second_rate;
+} susp_five_link_f64_measure_rates;
+
+/** Constant lengths of links and bodies, in the unit of the points. */
+#define SUSP_FIVE_LINK_F64_LENGTHS_COUNT 14
+typedef struct {
+    double lower_front;
+    double upper_front;
+    double upper_rear;
+    double lower_rear;
+    double track_rod;
+    double knuckle_lower_front_outer_upper_front_outer;
+    double knuckle_lower_front_outer_upper_rear_outer;
+    double knuckle_upper_front_outer_upper_rear_outer;
+    double knuckle_lower_rear_outer_lower_front_outer;
+    double knuckle_lower_rear_outer_upper_front_outer;
+    double knuckle_lower_rear_outer_upper_rear_outer;
+    double knuckle_track_rod_outer_lower_front_outer;
+    double knuckle_track_rod_outer_upper_front_outer;
+    double knuckle_track_rod_outer_upper_rear_outer;
+} susp_five_link_f64_lengths;
+
+/** Makes a model whose lengths are those of the points as they stand. `size` is
+ * `sizeof *model`. */
+susp_status susp_five_link_f64_model_new(
+        susp_five_link_f64_model *model,
+        size_t size,
+        const susp_five_link_f64_points *design,
+        susp_f64_failure *failure);
+
+/** Gives a model other lengths; each body keeps its handedness. */
+susp_status susp_five_link_f64_model_set_lengths(
+        susp_five_link_f64_model *model,
+        const susp_five_link_f64_lengths *lengths,
+        susp_f64_failure *failure);
+
+/** Attaches a model's markers as they stand among the points. */
+susp_status susp_five_link_f64_model_set_markers(
+        susp_five_link_f64_model *model,
+        const susp_five_link_f64_points *points,
+        susp_f64_failure *failure);
+
+/** The lengths of a model. */
+susp_status susp_five_link_f64_model_lengths(
+        const susp_five_link_f64_model *model,
+        susp_five_link_f64_lengths *lengths);
+
+/** The values that the drives have in a configuration. */
+susp_status susp_five_link_f64_model_drives(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_points *points,
+        susp_five_link_f64_drives *drives);
+
+/** Makes a motion: at rest, the free points where they stand among `points`. `size` is
+ * `sizeof *motion`. */
+susp_status susp_five_link_f64_motion_at_rest(
+        susp_five_link_f64_motion *motion,
+        size_t size,
+        const susp_five_link_f64_points *points);
+
+/** Makes a motion: at rest, in the configuration nearest to the guess, of which the free points
+ * matter. A step with `dt` = 0 finds its rates. `size` is `sizeof *motion`; `assembly` may be
+ * NULL. For setting up: it takes hundreds of times as long as a step. */
+susp_status susp_five_link_f64_assemble(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_inputs *inputs,
+        const susp_five_link_f64_points *guess,
+        susp_five_link_f64_motion *motion,
+        size_t size,
+        susp_f64_assembly *assembly,
+        susp_f64_failure *failure);
+
+/** One step to tolerance, of `dt` seconds, to the configuration of `inputs`: position, velocity
+ * and acceleration. `converged` may be NULL. */
+susp_status susp_five_link_f64_step(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_inputs *inputs,
+        double dt,
+        susp_five_link_f64_motion *motion,
+        susp_f64_converged *converged,
+        susp_f64_failure *failure);
+
+/** A step of `dt` seconds, not zero, between two inputs that may lie far apart: to tolerance, in
+ * as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
+ * drives follow the cubics that have their values and rates at the ends. `converged` may be
+ * NULL. */
+susp_status susp_five_link_f64_step_between(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_inputs *from,
+        const susp_five_link_f64_inputs *to,
+        double dt,
+        susp_five_link_f64_motion *motion,
+        susp_f64_converged *converged,
+        susp_f64_failure *failure);
+
+/** One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. Solved for:
+ * SUSP_POSITION, SUSP_VELOCITY (position too) or SUSP_ACCELERATION (all three). Rates that are
+ * not solved for are estimates, good for the next step. `settled` may be NULL. A first step from
+ * rest is one with `dt` = 0. */
+susp_status susp_five_link_f64_bounded_step(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_inputs *inputs,
+        susp_outputs outputs,
+        double dt,
+        susp_five_link_f64_motion *motion,
+        susp_f64_settled *settled,
+        susp_f64_failure *failure);
+
+/** The same with two sweeps in place of one, for longer steps, and for steps of a millisecond
+ * that do not solve for the acceleration. */
+susp_status susp_five_link_f64_bounded_step_twice(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_inputs *inputs,
+        susp_outputs outputs,
+        double dt,
+        susp_five_link_f64_motion *motion,
+        susp_f64_settled *settled,
+        susp_f64_failure *failure);
+
+/** Positions, velocities and accelerations of all points of a motion, which must be the one that
+ * a step with these inputs left. */
+susp_status susp_five_link_f64_read_points(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_inputs *inputs,
+        const susp_five_link_f64_motion *motion,
+        susp_five_link_f64_point_rates *points);
+
+/** What the listing measures, with rates. A rate is NaN where a measured length is zero, or a
+ * measured angle 0 or pi. */
+susp_status susp_five_link_f64_read_measures(
+        const susp_five_link_f64_point_rates *points,
+        susp_five_link_f64_measure_rates *measures);
+
+/** Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
+ * position, and no other. Takes about as long as four steps to tolerance. */
+susp_status susp_five_link_f64_certify(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_inputs *inputs,
+        const susp_five_link_f64_motion *motion,
+        susp_f64_certificate *certificate,
+        susp_f64_failure *failure);
+
+/** Points that were found in chassis axes, carried into the world with a chassis that moves:
+ * cheaper than to solve with chassis points that move. */
+susp_status susp_five_link_f64_carry(
+        const susp_f64_rigid_motion *chassis,
+        const susp_five_link_f64_point_rates *points,
+        susp_five_link_f64_point_rates *carried);
+
+/** The chassis points of a model, which rest in chassis axes, with a chassis that moves: what
+ * the `moving_` functions take. */
+susp_status susp_five_link_f64_move_chassis(
+        const susp_five_link_f64_model *model,
+        const susp_f64_rigid_motion *chassis,
+        susp_five_link_f64_chassis_rates *points);
+
+/** `step` with chassis points that move. Drives prescribe coordinates in the axes of these. */
+susp_status susp_five_link_f64_moving_step(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_chassis_rates *chassis,
+        const susp_five_link_f64_inputs *inputs,
+        double dt,
+        susp_five_link_f64_motion *motion,
+        susp_f64_converged *converged,
+        susp_f64_failure *failure);
+
+/** `bounded_step` with chassis points that move. */
+susp_status susp_five_link_f64_moving_bounded_step(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_chassis_rates *chassis,
+        const susp_five_link_f64_inputs *inputs,
+        susp_outputs outputs,
+        double dt,
+        susp_five_link_f64_motion *motion,
+        susp_f64_settled *settled,
+        susp_f64_failure *failure);
+
+/** `read_points` with chassis points that move. */
+susp_status susp_five_link_f64_moving_read_points(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_chassis_rates *chassis,
+        const susp_five_link_f64_inputs *inputs,
+        const susp_five_link_f64_motion *motion,
+        susp_five_link_f64_point_rates *points);
+
+/** The name of a point by its number in `points`, from 0; NULL beyond the last. */
+const char *susp_five_link_f64_point_name(
+        size_t index);
+
+/** The name of a drive by its number; NULL beyond the last. */
+const char *susp_five_link_f64_drive_name(
+        size_t index);
+
+/** The name of a measure by its number; NULL beyond the last. */
+const char *susp_five_link_f64_measure_name(
+        size_t index);
+
+/** The name of a length by its number; NULL beyond the last. */
+const char *susp_five_link_f64_length_name(
+        size_t index);
+
+/** The wheel of positions that `read_points` found. */
+susp_status susp_five_link_f64_read_wheel(
+        const susp_five_link_f64_points *points,
+        susp_f64_wheel *wheel);
+
+/** How the body that carries the wheel turns. */
+susp_status susp_five_link_f64_read_rotation(
+        const susp_five_link_f64_point_rates *points,
+        susp_f64_carrier_rotation *rotation);
+
+/** The kingpin of positions that `read_points` found. */
+susp_status susp_five_link_f64_read_kingpin(
+        const susp_five_link_f64_points *points,
+        susp_f64_kingpin *kingpin);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,136 @@
+//! The core's answers in C's form.
+
+use core::mem::MaybeUninit;
+
+use suspension_core::nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use suspension_core::tracker::Advanced;
+use suspension_core::{HasKingpin, HasWheel, Real, Signal, assemble, bounded, newton, wheel};
+
+use crate::shared::{Assembly, CarrierRotation, Converged, Kingpin, RigidMotion, Settled, Wheel};
+use crate::status::Status;
+use crate::values::{Rates, Values};
+
+/// Writes what was found, where C asks for it.
+#[inline(always)]
+pub fn fill<A, B: From<A>>(place: Option<&mut MaybeUninit<B>>, found: A) {
+    if let Some(place) = place {
+        place.write(found.into());
+    }
+}
+
+impl<T> From<newton::Converged<T>> for Converged<T> {
+    fn from(found: newton::Converged<T>) -> Self {
+        Self {
+            iterations: found.iterations as u32,
+            steps: 1,
+            residual: found.residual,
+            tolerance: found.tolerance,
+        }
+    }
+}
+
+impl<T> From<Advanced<T>> for Converged<T> {
+    fn from(found: Advanced<T>) -> Self {
+        Self {
+            iterations: found.iterations as u32,
+            steps: found.steps as u32,
+            residual: found.last.residual,
+            tolerance: found.last.tolerance,
+        }
+    }
+}
+
+impl<T> From<bounded::Settled<T>> for Settled<T> {
+    fn from(found: bounded::Settled<T>) -> Self {
+        Self {
+            residual: found.residual,
+            tolerance: found.tolerance,
+            growth: found.growth,
+        }
+    }
+}
+
+impl<T: Real> From<assemble::Assembly<T>> for Assembly<T> {
+    fn from(found: assemble::Assembly<T>) -> Self {
+        Self {
+            distance: found.distance,
+            next: found.next.unwrap_or(T::one() / T::zero()),
+            residual: found.residual,
+            tolerance: found.tolerance,
+        }
+    }
+}
+
+/// The wheel of points.
+pub fn wheel_of<T: Real>(points: &impl HasWheel<T>) -> Result<Wheel<T>, Status> {
+    let found = wheel::Wheel::of(points).ok_or(Status::NoDirection)?;
+    Ok(Wheel {
+        centre: found.centre.into(),
+        axis: found.axis.into(),
+        camber: found.camber,
+        camber_to_ground: wheel::camber_to_ground(&found.axis),
+        toe: found.toe,
+    })
+}
+
+/// How the carrier of the wheel turns.
+pub fn rotation_of<T: Real, P: HasWheel<T>>(
+    points: &Signal<P>,
+) -> Result<CarrierRotation<T>, Status> {
+    let found = wheel::CarrierRotation::of(points).ok_or(Status::NoDirection)?;
+    Ok(CarrierRotation {
+        omega: found.omega.into(),
+        alpha: found.alpha.into(),
+    })
+}
+
+/// The kingpin of points.
+pub fn kingpin_of<T: Real, P: HasKingpin<T> + HasWheel<T>>(points: &P) -> Kingpin<T> {
+    let found = wheel::Kingpin::of(points);
+    Kingpin {
+        angle: found.angle,
+        caster: found.caster,
+    }
+}
+
+impl<T: Real> RigidMotion<T> {
+    /// The core's form.
+    pub fn body(&self) -> suspension_core::RigidMotion<T> {
+        let [w, x, y, z] = self.rotation;
+        suspension_core::RigidMotion {
+            pose: Isometry3::from_parts(
+                Translation3::from(Vector3::from(self.position)),
+                UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z)),
+            ),
+            velocity: self.velocity.into(),
+            omega: self.omega.into(),
+            acceleration: self.acceleration.into(),
+            alpha: self.alpha.into(),
+        }
+    }
+}
+
+impl<T: Real, const COUNT: usize> Rates<Values<[T; 3], COUNT>> {
+    /// Points that move in chassis axes, carried into the world.
+    pub fn carried(&self, chassis: &RigidMotion<T>) -> Self {
+        let body = chassis.body();
+        let mut carried = *self;
+        let Rates {
+            value,
+            rate,
+            second_rate,
+        } = &mut carried;
+        let rates = rate.values.iter_mut().zip(&mut second_rate.values);
+        for (value, (rate, second_rate)) in value.values.iter_mut().zip(rates) {
+            let found = body.carry(Signal {
+                value: Vector3::from(*value),
+                rate: Vector3::from(*rate),
+                second_rate: Vector3::from(*second_rate),
+            });
+            *value = found.value.into();
+            *rate = found.rate.into();
+            *second_rate = found.second_rate.into();
+        }
+        carried
+    }
+}

@@ -1,0 +1,44 @@
+//! Baked wheels, from tables that C owns.
+
+use suspension_core::baked::{self, Split};
+
+use crate::shared::{BakedWheel, BakedWheelRates, Curve};
+use crate::status::Status;
+
+/// Centre and axis.
+const OUTPUTS: usize = 6;
+/// Coefficients of the polynomials of degree five that `suspension bake` writes.
+const TERMS: usize = 6;
+
+/// The wheel where the drive has this value and these rates.
+pub(crate) fn wheel<T: Split>(
+    curve: &Curve<T>,
+    drive: T,
+    rate: T,
+    second_rate: T,
+) -> Result<BakedWheelRates<T>, Status> {
+    let (rows, rest) = curve.coefficients.get()?.as_chunks::<OUTPUTS>();
+    let (segments, rows_left) = rows.as_chunks::<TERMS>();
+    if !(rest.is_empty() && rows_left.is_empty()) {
+        return Err(Status::Argument);
+    }
+    let curve = baked::Curve {
+        range: curve.range,
+        segments_per_unit: curve.segments_per_unit,
+        segments,
+    };
+    let place = curve.at(drive).map_err(|_| Status::Outside)?;
+    let [value, rate, second_rate] = place.acceleration(rate, second_rate).map(halves);
+    Ok(BakedWheelRates {
+        value,
+        rate,
+        second_rate,
+    })
+}
+
+fn halves<T>([a, b, c, d, e, f]: [T; OUTPUTS]) -> BakedWheel<T> {
+    BakedWheel {
+        centre: [a, b, c],
+        axis: [d, e, f],
+    }
+}

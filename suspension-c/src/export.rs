@@ -1,0 +1,108 @@
+//! C functions of a listing.
+
+/// Defines C functions and describes them.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! functions {
+    ($prefix:literal: $(
+        $(#[doc = $doc:literal])*
+        fn $name:ident($($argument:ident: $kind:ident $(<$of:ident>)?),* $(,)?) -> $answer:ident $body:block
+    )*) => {
+        $(
+            $(#[doc = $doc])*
+            #[unsafe(export_name = concat!($prefix, "_", stringify!($name)))]
+            pub extern "C" fn $name($($argument: $kind $(<'_, $of>)?),*) -> $answer $body
+        )*
+
+        pub(super) const FUNCTIONS: &[$crate::private::Function] = &[$(
+            $crate::private::Function {
+                name: stringify!($name),
+                docs: &[$($doc),*],
+                arguments: &[$([
+                    stringify!($argument),
+                    stringify!($kind),
+                    concat!($(stringify!($of))?),
+                ]),*],
+                returns: stringify!($answer),
+            }
+        ),*];
+    };
+}
+
+/// Makes a module of C functions for a [`linkage!`](suspension_core::linkage!) listing.
+///
+/// ```text
+/// suspension_c::export!(pub mod four_bar_f32 = four_bar, f32, "my_four_bar_f32");
+/// suspension_c::export!(pub mod wishbone_f64 = wishbone, f64, "my_wishbone_f64", wheel, kingpin);
+/// ```
+///
+/// The listing is a path, the number `f32` or `f64`, the text what each name begins with. `wheel` and
+/// `kingpin` add what can be read off a wheel, for listings that say what its points are.
+/// `four_bar_f32::INTERFACE` prints itself as the header.
+///
+/// The names of functions are set with `#[unsafe(export_name)]`: no other function of the program may
+/// have them, and the calling crate may not forbid `unsafe_code`.
+#[macro_export]
+macro_rules! export {
+    ($(#[doc = $doc:literal])* $visibility:vis mod $name:ident = $listing:path, $number:ident,
+     $prefix:literal $(, $part:ident)* $(,)?) => {
+        $(#[doc = $doc])*
+        #[allow(unsafe_code, reason = "names for the linker")]
+        $visibility mod $name {
+            #[allow(unused_imports)]
+            use super::*;
+            use $listing as listing;
+            use $crate::private::{
+                Build as _, In, InOut, Linkage as _, Named, Names, Object, Out, PhantomData, Rates, Status,
+                Text, Trouble, Values, Vector3, answer, fill, kingpin_of, named, named_points, outputs_of, respond,
+                room, rotation_of, shared, signal, solver, values, values_of_points, wheel_of,
+            };
+
+            /// The number type.
+            pub type Number = $number;
+            type Linkage = listing::Model<Number>;
+            const UNKNOWNS: usize = $crate::private::unknowns(PhantomData::<Linkage>);
+
+            const POINTS: &[&str] = <listing::Points<Number> as Named<Vector3<Number>>>::NAMES;
+            const FIXED: &[&str] = <listing::Fixed<Number> as Named<Vector3<Number>>>::NAMES;
+            const DRIVES: &[&str] = <listing::Drives<Number> as Named<Number>>::NAMES;
+            const MEASURES: &[&str] = <listing::Measures<Number> as Named<Number>>::NAMES;
+            const LENGTHS: &[&str] = <listing::Lengths<Number> as Named<Number>>::NAMES;
+
+            $crate::names! {
+                NAMES {
+                    points: POINTS, drives: DRIVES, measures: MEASURES, lengths: LENGTHS,
+                    equations: &<Linkage as solver::Linkage<UNKNOWNS>>::EQUATIONS,
+                    unknowns: &<Linkage as solver::Linkage<UNKNOWNS>>::UNKNOWNS,
+                }
+            }
+
+            $crate::structures_of_a_linkage!($prefix);
+
+            use shared::of::$number::{
+                Assembly, CarrierRotation, Certificate, Converged, Failure, Kingpin, Outputs, RigidMotion,
+                Settled, Wheel,
+            };
+
+            $crate::helpers_of_a_linkage!();
+            $crate::functions_of_a_linkage!($prefix);
+
+            $(
+                #[doc(hidden)]
+                pub mod $part {
+                    use super::*;
+                    $crate::functions_of_a_part!($part, $prefix);
+                }
+            )*
+
+            /// What the header is written from.
+            pub const INTERFACE: $crate::private::Interface = $crate::private::Interface {
+                prefix: $prefix,
+                number: stringify!($number),
+                docs: &[$($doc),*],
+                structures: &[STRUCTURES],
+                functions: &[FUNCTIONS $(, $part::FUNCTIONS)*],
+            };
+        }
+    };
+}

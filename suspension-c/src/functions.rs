@@ -1,0 +1,256 @@
+//! The functions of a listing, each a thin call of the core.
+
+/// The functions of every listing.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! functions_of_a_linkage {
+    ($prefix:literal) => { $crate::functions! { $prefix:
+        /// Makes a model whose lengths are those of the points as they stand. `size` is
+        /// `sizeof *model`.
+        fn model_new(model: Out<Model>, size: usize, design: In<Points>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let (model, design) = (model.place(size)?, design.get()?);
+                model.put(Linkage::new(&points_of(design))?);
+                Ok(())
+            })
+        }
+
+        /// Gives a model other lengths; each body keeps its handedness.
+        fn model_set_lengths(model: InOut<Model>, lengths: In<Lengths>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let (model, lengths) = (model.object()?, lengths.get()?);
+                *model = model.with_lengths(&named(lengths))?;
+                Ok(())
+            })
+        }
+
+        /// Attaches a model's markers as they stand among the points.
+        fn model_set_markers(model: InOut<Model>, points: In<Points>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let (model, points) = (model.object()?, points.get()?);
+                *model = model.with_markers(&points_of(points))?;
+                Ok(())
+            })
+        }
+
+        /// The lengths of a model.
+        fn model_lengths(model: In<Model>, lengths: Out<Lengths>) -> Status {
+            answer(|| {
+                let (model, lengths) = (model.object()?, lengths.get()?);
+                lengths.write(values(&model.lengths()));
+                Ok(())
+            })
+        }
+
+        /// The values that the drives have in a configuration.
+        fn model_drives(model: In<Model>, points: In<Points>, drives: Out<Drives>) -> Status {
+            answer(|| {
+                let (model, points, drives) = (model.object()?, points.get()?, drives.get()?);
+                drives.write(values(&model.drives_at(&points_of(points))));
+                Ok(())
+            })
+        }
+
+        /// Makes a motion: at rest, the free points where they stand among `points`. `size` is
+        /// `sizeof *motion`.
+        fn motion_at_rest(motion: Out<Motion>, size: usize, points: In<Points>) -> Status {
+            answer(|| {
+                let (motion, points) = (motion.place(size)?, points.get()?);
+                motion.put(solver::Motion::at_rest(Linkage::unknowns(&points_of(points))));
+                Ok(())
+            })
+        }
+
+        /// Makes a motion: at rest, in the configuration nearest to the guess, of which the free points
+        /// matter. A step with `dt` = 0 finds its rates. `size` is `sizeof *motion`; `assembly` may be
+        /// NULL. For setting up: it takes hundreds of times as long as a step.
+        fn assemble(model: In<Model>, inputs: In<Inputs>, guess: In<Points>, motion: Out<Motion>, size: usize, assembly: Out<Assembly>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let (model, inputs, guess) = (model.object()?, inputs.get()?, guess.get()?);
+                let (motion, assembly) = (motion.place(size)?, assembly.optional()?);
+                let mut unknowns = Linkage::unknowns(&points_of(guess));
+                let inputs = still(inputs);
+                let newton = solver::Newton::from_afar();
+                let found = solver::assemble(&newton, model, &inputs, &mut unknowns)?;
+                motion.put(solver::Motion::at_rest(unknowns));
+                fill(assembly, found);
+                Ok(())
+            })
+        }
+
+        /// One step to tolerance, of `dt` seconds, to the configuration of `inputs`: position, velocity
+        /// and acceleration. `converged` may be NULL.
+        fn step(model: In<Model>, inputs: In<Inputs>, dt: Number, motion: InOut<Motion>, converged: Out<Converged>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || tracked(model, still(inputs.get()?), dt, motion, converged))
+        }
+
+        /// A step of `dt` seconds, not zero, between two inputs that may lie far apart: to tolerance, in
+        /// as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
+        /// drives follow the cubics that have their values and rates at the ends. `converged` may be
+        /// NULL.
+        fn step_between(model: In<Model>, from: In<Inputs>, to: In<Inputs>, dt: Number, motion: InOut<Motion>, converged: Out<Converged>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let (model, from, to) = (model.object()?, from.get()?, to.get()?);
+                let (motion, converged) = (motion.object()?, converged.optional()?);
+                let [from, to] = [from, to].map(|at| still(at));
+                let tracker = solver::Tracker::default();
+                fill(converged, tracker.step_between(model, [&from, &to], dt, motion)?);
+                Ok(())
+            })
+        }
+
+        /// One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. Solved for:
+        /// SUSP_POSITION, SUSP_VELOCITY (position too) or SUSP_ACCELERATION (all three). Rates that are
+        /// not solved for are estimates, good for the next step. `settled` may be NULL. A first step from
+        /// rest is one with `dt` = 0.
+        fn bounded_step(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                bounded::<_, 1>(model, still(inputs.get()?), outputs, dt, motion, settled)
+            })
+        }
+
+        /// The same with two sweeps in place of one, for longer steps, and for steps of a millisecond
+        /// that do not solve for the acceleration.
+        fn bounded_step_twice(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                bounded::<_, 2>(model, still(inputs.get()?), outputs, dt, motion, settled)
+            })
+        }
+
+        /// Positions, velocities and accelerations of all points of a motion, which must be the one that
+        /// a step with these inputs left.
+        fn read_points(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, points: Out<PointRates>) -> Status {
+            answer(|| located(model, still(inputs.get()?), motion, points))
+        }
+
+        /// What the listing measures, with rates. A rate is NaN where a measured length is zero, or a
+        /// measured angle 0 or pi.
+        fn read_measures(points: In<PointRates>, measures: Out<MeasureRates>) -> Status {
+            answer(|| {
+                let (points, measures) = (points.get()?, measures.get()?);
+                let found = Linkage::measures(&signal(points, points_of));
+                measures.write(Rates::from_signal(&found, values));
+                Ok(())
+            })
+        }
+
+        /// Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
+        /// position, and no other. Takes about as long as four steps to tolerance.
+        fn certify(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, certificate: Out<Certificate>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let (model, inputs) = (model.object()?, inputs.get()?);
+                let (motion, certificate) = (motion.object()?, certificate.get()?);
+                let inputs = still(inputs);
+                let certifier = solver::Certifier::new(model);
+                match certifier.certify(&inputs, &motion.position) {
+                    solver::Certificate::Proved { radius, unique_within } => {
+                        certificate.write(Certificate { radius, unique_within });
+                        Ok(())
+                    }
+                    solver::Certificate::Unproved { why } => Err(why.into()),
+                }
+            })
+        }
+
+        /// Points that were found in chassis axes, carried into the world with a chassis that moves:
+        /// cheaper than to solve with chassis points that move.
+        fn carry(chassis: In<RigidMotion>, points: In<PointRates>, carried: Out<PointRates>) -> Status {
+            answer(|| {
+                let (chassis, points, carried) = (chassis.get()?, points.get()?, carried.get()?);
+                carried.write(points.carried(chassis));
+                Ok(())
+            })
+        }
+
+        /// The chassis points of a model, which rest in chassis axes, with a chassis that moves: what
+        /// the `moving_` functions take.
+        fn move_chassis(model: In<Model>, chassis: In<RigidMotion>, points: Out<ChassisRates>) -> Status {
+            answer(|| {
+                let (model, chassis, points) = (model.object()?, chassis.get()?, points.get()?);
+                let moving = chassis.body().anchors(solver::Linkage::fixed(model));
+                points.write(Rates::from_signal(&moving, values_of_points));
+                Ok(())
+            })
+        }
+
+        /// `step` with chassis points that move. Drives prescribe coordinates in the axes of these.
+        fn moving_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, dt: Number, motion: InOut<Motion>, converged: Out<Converged>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let inputs = moving(chassis.get()?, inputs.get()?);
+                tracked(model, inputs, dt, motion, converged)
+            })
+        }
+
+        /// `bounded_step` with chassis points that move.
+        fn moving_bounded_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let inputs = moving(chassis.get()?, inputs.get()?);
+                bounded::<_, 1>(model, inputs, outputs, dt, motion, settled)
+            })
+        }
+
+        /// `read_points` with chassis points that move.
+        fn moving_read_points(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, motion: In<Motion>, points: Out<PointRates>) -> Status {
+            answer(|| located(model, moving(chassis.get()?, inputs.get()?), motion, points))
+        }
+
+        /// The name of a point by its number in `points`, from 0; NULL beyond the last.
+        fn point_name(index: usize) -> Text {
+            NAMES.points.at(index)
+        }
+
+        /// The name of a drive by its number; NULL beyond the last.
+        fn drive_name(index: usize) -> Text {
+            NAMES.drives.at(index)
+        }
+
+        /// The name of a measure by its number; NULL beyond the last.
+        fn measure_name(index: usize) -> Text {
+            NAMES.measures.at(index)
+        }
+
+        /// The name of a length by its number; NULL beyond the last.
+        fn length_name(index: usize) -> Text {
+            NAMES.lengths.at(index)
+        }
+    } };
+}
+
+/// The functions of listings that say what some of their points are.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! functions_of_a_part {
+    (wheel, $prefix:literal) => {
+        $crate::functions! { $prefix:
+            /// The wheel of positions that `read_points` found.
+            fn read_wheel(points: In<Points>, wheel: Out<Wheel>) -> Status {
+                answer(|| {
+                    let (points, wheel) = (points.get()?, wheel.get()?);
+                    wheel.write(wheel_of(&points_of(points))?);
+                    Ok(())
+                })
+            }
+
+            /// How the body that carries the wheel turns.
+            fn read_rotation(points: In<PointRates>, rotation: Out<CarrierRotation>) -> Status {
+                answer(|| {
+                    let (points, rotation) = (points.get()?, rotation.get()?);
+                    rotation.write(rotation_of(&signal(points, points_of))?);
+                    Ok(())
+                })
+            }
+        }
+    };
+    (kingpin, $prefix:literal) => {
+        $crate::functions! { $prefix:
+            /// The kingpin of positions that `read_points` found.
+            fn read_kingpin(points: In<Points>, kingpin: Out<Kingpin>) -> Status {
+                answer(|| {
+                    let (points, kingpin) = (points.get()?, kingpin.get()?);
+                    kingpin.write(kingpin_of(&points_of(points)));
+                    Ok(())
+                })
+            }
+        }
+    };
+}

@@ -1,0 +1,189 @@
+//! The text of headers.
+
+use core::fmt::{self, Display, Formatter};
+
+use crate::describe::{Function, Interface, Shape, Structure};
+use crate::shared;
+use crate::status::{self, Status};
+
+mod naming;
+
+use naming::{Field, Upper};
+
+/// What holds for every function.
+const RULES: &str = " * Suspension kinematics for C. This file has what all linkages share; include the one of a linkage,
+ * such as suspension_five_link_f32.h. Written from the functions' source: do not edit.
+ *
+ * Memory    The caller owns every object: on the stack, static, or wherever. Nothing is allocated, and
+ *           nothing has to be freed. Objects may be copied by assignment or memcpy.
+ * Opaque    What is in `words` is the library's. An object must have been made by the function that
+ *           takes its size before another function takes it; if not, SUSP_ERROR_OBJECT is answered
+ *           (with any content but one that happens to begin with the right mark).
+ * Threads   There is no other state than the caller's objects. Calls may run at the same time in any
+ *           threads or interrupts as long as none writes an object that another one uses.
+ * Pointers  None may be NULL, save `failure` and where it is said. Each is checked for that and for its
+ *           alignment. What a pointer to const points to may be shared by arguments; no other
+ *           memory may overlap.
+ * Answers   SUSP_OK, or why nothing was done: then everything is as it was but for `*failure`, which is
+ *           written only then.
+ * Numbers   Any unit of length, the same throughout; angles in rad, times in s. NaN and infinities are
+ *           told by the answers. Axes: x forward, y left, z up (ISO 8855) where wheels are read off.
+ * Structs   of named points or numbers are arrays in the order of their members as well.
+";
+
+/// The header that those of linkages include, `suspension.h`.
+pub fn common() -> impl Display {
+    Common
+}
+
+struct Common;
+
+impl Display for Common {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "/*\n{RULES} */\n")?;
+        guarded(f, "susp", &["<stddef.h>", "<stdint.h>"], |f| {
+            f.write_str(
+                "\n/** What a function answers. */\ntypedef int32_t susp_status;\nenum {\n",
+            )?;
+            for status in Status::ALL {
+                let text = status.text().to_str().map_err(|_| fmt::Error)?;
+                let kind = if *status == Status::Ok { "" } else { "ERROR_" };
+                let (name, number) = (Upper(status.name()), *status as i32);
+                writeln!(f, "    /** {text} */\n    SUSP_{kind}{name} = {number},")?;
+            }
+            f.write_str(
+                "};\n\n/** What a bounded step solves for. */\ntypedef int32_t susp_outputs;\n",
+            )?;
+            f.write_str("enum { SUSP_POSITION = 0, SUSP_VELOCITY = 1, SUSP_ACCELERATION = 2 };\n")?;
+            for interface in [
+                &status::INTERFACE,
+                &shared::of::f32::INTERFACE,
+                &shared::of::f64::INTERFACE,
+            ] {
+                body(f, interface)?;
+            }
+            Ok(())
+        })
+    }
+}
+
+/// A header of its own, which includes `suspension.h`.
+impl Display for Interface {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str("/*\n")?;
+        for line in self.docs {
+            writeln!(f, " *{line}")?;
+        }
+        f.write_str(" *\n * What holds for every function is said in suspension.h.\n */\n")?;
+        guarded(f, self.prefix, &["\"suspension.h\""], |f| body(f, self))
+    }
+}
+
+fn guarded(
+    f: &mut Formatter<'_>,
+    prefix: &str,
+    includes: &[&str],
+    content: impl FnOnce(&mut Formatter<'_>) -> fmt::Result,
+) -> fmt::Result {
+    let guard = Upper(prefix);
+    write!(f, "#ifndef {guard}_H\n#define {guard}_H\n\n")?;
+    for include in includes {
+        writeln!(f, "#include {include}")?;
+    }
+    f.write_str("\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n")?;
+    content(f)?;
+    f.write_str("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n")
+}
+
+fn body(f: &mut Formatter<'_>, interface: &Interface) -> fmt::Result {
+    for structure in interface.structures.iter().copied().flatten() {
+        f.write_str("\n")?;
+        comment(f, "", structure.docs)?;
+        self::structure(f, interface, structure)?;
+    }
+    for function in interface.functions.iter().copied().flatten() {
+        f.write_str("\n")?;
+        comment(f, "", function.docs)?;
+        self::function(f, interface, function)?;
+    }
+    Ok(())
+}
+
+/// Lines of documentation, which begin with the blank that follows `///`.
+fn comment(f: &mut Formatter<'_>, indent: &str, lines: &[&str]) -> fmt::Result {
+    for (index, line) in lines.iter().enumerate() {
+        let opening = if index == 0 { "/**" } else { " *" };
+        let closing = if index + 1 == lines.len() { " */" } else { "" };
+        writeln!(f, "{indent}{opening}{line}{closing}")?;
+    }
+    Ok(())
+}
+
+fn structure(f: &mut Formatter<'_>, interface: &Interface, structure: &Structure) -> fmt::Result {
+    let name = interface.type_name(structure.name);
+    match structure.shape {
+        Shape::Opaque { size, align } => {
+            let upper = Upper(interface.prefix);
+            let kind = Upper(structure.name);
+            let (word, bits) = if align == 8 { (8, 64) } else { (4, 32) };
+            writeln!(f, "#define {upper}_{kind}_SIZE {size}")?;
+            writeln!(f, "#define {upper}_{kind}_ALIGN {align}")?;
+            writeln!(
+                f,
+                "typedef struct {{\n    uint{bits}_t words[{upper}_{kind}_SIZE / {word}];\n}} {name};"
+            )
+        }
+        Shape::Named { names, vectors } => {
+            let number = interface.number_type();
+            let (upper, kind) = (Upper(interface.prefix), Upper(structure.name));
+            writeln!(f, "#define {upper}_{kind}_COUNT {}", names.len())?;
+            f.write_str("typedef struct {\n")?;
+            let extent = if vectors { "[3]" } else { "" };
+            for name in names {
+                writeln!(f, "    {number} {}{extent};", Field(name))?;
+            }
+            if names.is_empty() {
+                writeln!(f, "    {number} nothing{extent};")?;
+            }
+            writeln!(f, "}} {name};")
+        }
+        Shape::Rates(of) => {
+            let of = interface.type_name(of);
+            writeln!(
+                f,
+                "typedef struct {{\n    {of} value;\n    /** Per second. */\n    {of} rate;\n    \
+                 /** Per second squared. */\n    {of} second_rate;\n}} {name};"
+            )
+        }
+        Shape::Fields(fields) => {
+            f.write_str("typedef struct {\n")?;
+            for (field, kind, docs) in fields {
+                comment(f, "    ", docs)?;
+                interface.declare(f, kind, field)?;
+            }
+            writeln!(f, "}} {name};")
+        }
+    }
+}
+
+fn function(f: &mut Formatter<'_>, interface: &Interface, function: &Function) -> fmt::Result {
+    let (prefix, name) = (interface.prefix, function.name);
+    write!(
+        f,
+        "{}{prefix}_{name}(",
+        interface.type_of(function.returns)?
+    )?;
+    for (index, [argument, kind, of]) in function.arguments.iter().enumerate() {
+        f.write_str(if index == 0 {
+            "\n        "
+        } else {
+            ",\n        "
+        })?;
+        match *kind {
+            "In" => write!(f, "const {} *{argument}", interface.type_name(of))?,
+            "InOut" | "Out" => write!(f, "{} *{argument}", interface.type_name(of))?,
+            kind => write!(f, "{}{argument}", interface.type_of(kind)?)?,
+        }
+    }
+    f.write_str(");\n")
+}

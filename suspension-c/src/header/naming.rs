@@ -1,0 +1,185 @@
+//! How Rust's names and types are spelled in C.
+
+use core::fmt::{self, Display, Formatter, Write};
+
+use crate::describe::Interface;
+
+/// `PointRates` as `point_rates`.
+pub(super) struct Snake<'a>(pub(super) &'a str);
+
+impl Display for Snake<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for (index, letter) in self.0.char_indices() {
+            if letter.is_ascii_uppercase() && index > 0 {
+                f.write_char('_')?;
+            }
+            f.write_char(letter.to_ascii_lowercase())?;
+        }
+        Ok(())
+    }
+}
+
+/// `PointRates` and `point_rates` as `POINT_RATES`.
+pub(super) struct Upper<'a>(pub(super) &'a str);
+
+impl Display for Upper<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let mut last_is_lower = false;
+        for letter in self.0.chars() {
+            if letter.is_ascii_uppercase() && last_is_lower {
+                f.write_char('_')?;
+            }
+            f.write_char(letter.to_ascii_uppercase())?;
+            last_is_lower = letter.is_ascii_lowercase();
+        }
+        Ok(())
+    }
+}
+
+/// A name of the listing; one that C or C++ keeps for itself gets an underscore.
+pub(super) struct Field<'a>(pub(super) &'a str);
+
+impl Display for Field<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let name = self.0.trim_start_matches("r#");
+        let mark = if KEPT.contains(&name) { "_" } else { "" };
+        write!(f, "{name}{mark}")
+    }
+}
+
+/// Words of C23 and C++23 that Rust allows as names, besides those that begin with an underscore.
+const KEPT: [&str; 68] = [
+    "alignas",
+    "alignof",
+    "and",
+    "and_eq",
+    "asm",
+    "auto",
+    "bitand",
+    "bitor",
+    "bool",
+    "case",
+    "catch",
+    "char",
+    "class",
+    "compl",
+    "concept",
+    "consteval",
+    "constexpr",
+    "constinit",
+    "co_await",
+    "co_return",
+    "co_yield",
+    "decltype",
+    "default",
+    "delete",
+    "double",
+    "explicit",
+    "export",
+    "float",
+    "friend",
+    "goto",
+    "inline",
+    "int",
+    "long",
+    "mutable",
+    "namespace",
+    "new",
+    "noexcept",
+    "not",
+    "not_eq",
+    "nullptr",
+    "operator",
+    "or",
+    "or_eq",
+    "private",
+    "protected",
+    "public",
+    "register",
+    "reinterpret_cast",
+    "requires",
+    "restrict",
+    "short",
+    "signed",
+    "sizeof",
+    "static_assert",
+    "switch",
+    "template",
+    "this",
+    "thread_local",
+    "throw",
+    "typedef",
+    "typeid",
+    "typename",
+    "union",
+    "unsigned",
+    "using",
+    "void",
+    "volatile",
+    "xor",
+];
+
+/// The name of a struct.
+struct TypeName<'a> {
+    interface: &'a Interface,
+    name: &'a str,
+}
+
+impl Display for TypeName<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self { interface, name } = self;
+        let mut own = interface.structures.iter().copied().flatten();
+        if own.any(|structure| structure.name == *name) {
+            write!(f, "{}_{}", interface.prefix, Snake(name))
+        } else {
+            write!(f, "susp_{}_{}", interface.number, Snake(name))
+        }
+    }
+}
+
+impl Interface {
+    /// What C calls a struct.
+    pub fn type_name<'a>(&'a self, name: &'a str) -> impl Display {
+        TypeName {
+            interface: self,
+            name,
+        }
+    }
+
+    pub(super) fn number_type(&self) -> &'static str {
+        if self.number == "f32" {
+            "float"
+        } else {
+            "double"
+        }
+    }
+
+    /// A type that is no struct, with the blank or the star that a name follows.
+    pub(super) fn type_of(&self, kind: &str) -> Result<&'static str, fmt::Error> {
+        Ok(match kind {
+            "Number" | "T" if self.number == "f32" => "float ",
+            "Number" | "T" => "double ",
+            "*const T" if self.number == "f32" => "const float *",
+            "*const T" => "const double *",
+            "usize" => "size_t ",
+            "u32" => "uint32_t ",
+            "Status" => "susp_status ",
+            "Outputs" => "susp_outputs ",
+            "Text" => "const char *",
+            _ => return Err(fmt::Error),
+        })
+    }
+
+    /// A member of a struct.
+    pub(super) fn declare(&self, f: &mut Formatter<'_>, kind: &str, name: &str) -> fmt::Result {
+        let array = kind
+            .strip_prefix("[T; ")
+            .and_then(|rest| rest.strip_suffix(']'));
+        let of = kind.strip_suffix("<T>");
+        match (array, of) {
+            (Some(count), _) => writeln!(f, "    {} {name}[{count}];", self.number_type()),
+            (_, Some(of)) => writeln!(f, "    {} {name};", self.type_name(of)),
+            _ => writeln!(f, "    {}{name};", self.type_of(kind)?),
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! The solver for C: plain functions over objects that the caller owns.
+//!
+//! [`export!`] makes C functions of a [`linkage!`](suspension_core::linkage!) listing in one number
+//! type, and a description of them that prints itself as a C header. Both come from the same lines,
+//! so that they cannot differ; [`catalogue`] does it for the linkages of the catalogue.
+//!
+//! ```
+//! suspension_core::linkage! {
+//!     /// A rod in a plane.
+//!     mod rod {
+//!         fixed: a;
+//!         free:  p;
+//!         link rod: a -> p;
+//!         drive y: p.y;
+//!         drive z: p.z;
+//!     }
+//! }
+//! suspension_c::export!(pub mod rod_f32 = rod, f32, "my_rod_f32");
+//!
+//! fn main() {
+//!     let header = rod_f32::INTERFACE.to_string();
+//!     assert!(header.contains("susp_status my_rod_f32_step("));
+//! }
+//! ```
+//!
+//! There is no state but in the caller's objects, so that threads need no lock as long as each
+//! object is written by one of them at a time. Every pointer is checked for null and alignment, every
+//! object for having been made by the function that makes its kind. `unsafe` is in
+//! `pointer.rs` alone.
+#![no_std]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing
+    )
+)]
+
+#[cfg(feature = "std")]
+extern crate std;
+
+mod convert;
+mod curve;
+mod describe;
+mod export;
+mod failure;
+mod functions;
+pub mod header;
+mod linkage;
+mod names;
+mod pointer;
+pub mod shared;
+mod status;
+mod values;
+
+pub mod catalogue;
+
+/// What [`export!`] names in the crate that calls it.
+#[doc(hidden)]
+pub mod private {
+    pub use core::marker::PhantomData;
+    pub use suspension_core::nalgebra::Vector3;
+    pub use suspension_core::{self as solver, Build, Linkage, Named};
+
+    pub use crate::convert::{fill, kingpin_of, rotation_of, wheel_of};
+    pub use crate::describe::{Function, Interface, Names, Shape, Structure};
+    pub use crate::failure::{Trouble, answer, respond};
+    pub use crate::names::{Table, Text, terminated, terminated_length};
+    pub use crate::pointer::{In, InOut, Object, Out, tag};
+    pub use crate::shared;
+    pub use crate::status::Status;
+    pub use crate::values::{
+        Rates, Values, named, named_points, outputs_of, room, signal, unknowns, values,
+        values_of_points,
+    };
+}
+
+pub use describe::{Function, Interface, Shape, Structure};
+pub use pointer::{In, InOut, Out};
+pub use status::{Status, status_text};
+
+#[cfg(all(feature = "panic-handler", not(feature = "std")))]
+#[panic_handler]
+fn halt(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {
+        core::hint::spin_loop();
+    }
+}

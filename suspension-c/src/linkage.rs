@@ -1,0 +1,161 @@
+//! What every listing is exported with.
+
+/// Defines a static of closed names.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! names {
+    ($table:ident { $($what:ident: $names:expr,)* }) => {
+        static $table: Names = Names {
+            $($what: {
+                const LENGTH: usize = $crate::private::terminated_length($names);
+                const TEXT: &[u8] = &$crate::private::terminated::<LENGTH>($names);
+                $crate::private::Table(TEXT)
+            },)*
+        };
+    };
+}
+
+/// The structs of a listing, and their description.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! structures_of_a_linkage {
+    ($prefix:literal) => {
+        $crate::structures_of_a_linkage! { $prefix;
+            /// The geometry: what never changes while the mechanism moves. Opaque; may be copied.
+            Model = Opaque(Linkage, "_model");
+            /// The state: unknowns with velocities and accelerations. Opaque; may be copied.
+            Motion = Opaque(solver::Motion<Number, UNKNOWNS>, "_motion");
+            /// Every point: chassis points, free points, markers. x, y, z of each, in the axes and the
+            /// unit of length of the hardpoints; or velocities or accelerations alike.
+            Points = Vectors(POINTS);
+            /// Positions, velocities and accelerations of every point.
+            PointRates = Rates(Points);
+            /// The chassis points.
+            Chassis = Vectors(FIXED);
+            /// The chassis points with velocities and accelerations.
+            ChassisRates = Rates(Chassis);
+            /// What is prescribed: coordinates in the unit of the points, angles in rad.
+            Drives = Numbers(DRIVES);
+            /// The drives with their first and second time derivatives.
+            Inputs = Rates(Drives);
+            /// What the listing measures: lengths and coordinates in the unit of the points, angles in rad.
+            Measures = Numbers(MEASURES);
+            /// The measures with their first and second time derivatives.
+            MeasureRates = Rates(Measures);
+            /// Constant lengths of links and bodies, in the unit of the points.
+            Lengths = Numbers(LENGTHS);
+        }
+    };
+    ($prefix:literal; $($(#[doc = $doc:literal])* $name:ident = $kind:ident($($of:tt)*);)*) => {
+        $($(#[doc = $doc])* pub type $name = $crate::structure!(@type $prefix, $kind $($of)*);)*
+
+        const STRUCTURES: &[$crate::private::Structure] = &[$(
+            $crate::private::Structure {
+                name: stringify!($name),
+                docs: &[$($doc),*],
+                shape: $crate::structure!(@shape $name, $kind $($of)*),
+            }
+        ),*];
+    };
+}
+
+/// The type and the description of a struct.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! structure {
+    (@type $prefix:literal, Opaque $of:ty, $name:literal) => {
+        Object<$of, { $crate::private::tag(concat!($prefix, $name)) }>
+    };
+    (@type $prefix:literal, Vectors $names:ident) => { Values<[Number; 3], { room($names) }> };
+    (@type $prefix:literal, Numbers $names:ident) => { Values<Number, { room($names) }> };
+    (@type $prefix:literal, Rates $of:ident) => { Rates<$of> };
+    (@shape $name:ident, Opaque $($of:tt)*) => {
+        $crate::private::Shape::Opaque {
+            size: size_of::<$name>(),
+            align: align_of::<$name>(),
+        }
+    };
+    (@shape $name:ident, Vectors $names:ident) => {
+        $crate::private::Shape::Named { names: $names, vectors: true }
+    };
+    (@shape $name:ident, Numbers $names:ident) => {
+        $crate::private::Shape::Named { names: $names, vectors: false }
+    };
+    (@shape $name:ident, Rates $of:ident) => { $crate::private::Shape::Rates(stringify!($of)) };
+}
+
+/// What functions of a listing have in common.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! helpers_of_a_linkage {
+    () => {
+        fn points_of(points: &Points) -> listing::Points<Number> {
+            named_points(points)
+        }
+
+        fn still(inputs: &Inputs) -> solver::Inputs<solver::Still, listing::Drives<Number>> {
+            solver::Inputs::still(signal(inputs, named))
+        }
+
+        fn moving(
+            chassis: &ChassisRates,
+            inputs: &Inputs,
+        ) -> solver::Inputs<solver::Signal<listing::Fixed<Number>>, listing::Drives<Number>> {
+            solver::Inputs {
+                chassis: signal(chassis, named_points),
+                drives: signal(inputs, named),
+            }
+        }
+
+        #[inline(always)]
+        fn tracked<C: solver::ChassisMotion<listing::Fixed<Number>>>(
+            model: In<'_, Model>,
+            inputs: solver::Inputs<C, listing::Drives<Number>>,
+            dt: Number,
+            motion: InOut<'_, Motion>,
+            converged: Out<'_, Converged>,
+        ) -> Result<(), Trouble<Number>> {
+            let (model, motion) = (model.object()?, motion.object()?);
+            let converged = converged.optional()?;
+            fill(
+                converged,
+                solver::Tracker::default().step(model, &inputs, dt, motion)?,
+            );
+            Ok(())
+        }
+
+        #[inline(always)]
+        fn bounded<C: solver::ChassisMotion<listing::Fixed<Number>>, const SWEEPS: usize>(
+            model: In<'_, Model>,
+            inputs: solver::Inputs<C, listing::Drives<Number>>,
+            outputs: Outputs,
+            dt: Number,
+            motion: InOut<'_, Motion>,
+            settled: Out<'_, Settled>,
+        ) -> Result<(), Trouble<Number>> {
+            let (model, motion) = (model.object()?, motion.object()?);
+            let (outputs, settled) = (outputs_of(outputs)?, settled.optional()?);
+            let bounded = solver::Bounded::<Number, SWEEPS>::default();
+            fill(
+                settled,
+                bounded.step_to(outputs, model, &inputs, dt, motion)?,
+            );
+            Ok(())
+        }
+
+        #[inline(always)]
+        fn located<C: solver::ChassisMotion<listing::Fixed<Number>>>(
+            model: In<'_, Model>,
+            inputs: solver::Inputs<C, listing::Drives<Number>>,
+            motion: In<'_, Motion>,
+            points: Out<'_, PointRates>,
+        ) -> Result<(), Status> {
+            let (model, motion, points) = (model.object()?, motion.object()?, points.get()?);
+            points.write(Rates::from_signal(
+                &motion.points(model, &inputs),
+                values_of_points,
+            ));
+            Ok(())
+        }
+    };
+}

@@ -1,0 +1,72 @@
+//! Names as C reads them: closed by a zero, for ever.
+
+use core::ffi::{CStr, c_char};
+
+/// `const char *`, NULL where there is no text. It points to what lives as long as the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(transparent)]
+pub struct Text(*const c_char);
+
+impl Text {
+    /// No text.
+    pub const NONE: Self = Self(core::ptr::null());
+
+    /// The pointer that C gets.
+    pub fn as_ptr(self) -> *const c_char {
+        self.0
+    }
+}
+
+impl From<&'static CStr> for Text {
+    fn from(text: &'static CStr) -> Self {
+        Self(text.as_ptr())
+    }
+}
+
+/// Names one after the other, each closed by a zero.
+#[derive(Clone, Copy, Debug)]
+pub struct Table(pub &'static [u8]);
+
+impl Table {
+    /// The name with this number.
+    pub fn at(self, index: usize) -> Text {
+        let name = self.0.split_inclusive(|byte| *byte == 0).nth(index);
+        match name.map(CStr::from_bytes_with_nul) {
+            Some(Ok(name)) => name.into(),
+            _ => Text::NONE,
+        }
+    }
+
+    /// The same name, closed by a zero.
+    pub fn find(self, name: &str) -> Option<Text> {
+        let mut names = self.0.split(|byte| *byte == 0);
+        let index = names.position(|other| other == name.as_bytes())?;
+        Some(self.at(index))
+    }
+}
+
+/// How many bytes [`terminated`] takes.
+pub const fn terminated_length(mut names: &[&str]) -> usize {
+    let mut length = 0;
+    while let Some((name, others)) = names.split_first() {
+        length += name.len() + 1;
+        names = others;
+    }
+    length
+}
+
+/// Names one after the other, each closed by a zero.
+pub const fn terminated<const LENGTH: usize>(mut names: &[&str]) -> [u8; LENGTH] {
+    let mut bytes = [0; LENGTH];
+    let mut rest: &mut [u8] = &mut bytes;
+    while let Some((name, others)) = names.split_first() {
+        let Some((place, after)) = rest.split_at_mut_checked(name.len() + 1) else {
+            break;
+        };
+        let (text, _) = place.split_at_mut(name.len());
+        text.copy_from_slice(name.as_bytes());
+        rest = after;
+        names = others;
+    }
+    bytes
+}

@@ -1,0 +1,239 @@
+//! Pointers from C become references here, and nowhere else.
+#![allow(unsafe_code, reason = "what a pointer points to is C's promise")]
+
+use core::marker::PhantomData;
+use core::mem::MaybeUninit;
+
+use crate::status::Status;
+
+/// `const T *` of a call: null, misaligned, or to a `T` that nobody writes during the call.
+#[derive(Debug)]
+#[repr(transparent)]
+pub struct In<'a, T>(*const T, PhantomData<&'a T>);
+
+/// `T *` of a call: null, misaligned, or to an initialised `T` that is the call's alone.
+#[derive(Debug)]
+#[repr(transparent)]
+pub struct InOut<'a, T>(*mut T, PhantomData<&'a mut T>);
+
+/// `T *` of a call: null, misaligned, or to memory for a `T` that is the call's alone.
+#[derive(Debug)]
+#[repr(transparent)]
+pub struct Out<'a, T>(*mut T, PhantomData<&'a mut MaybeUninit<T>>);
+
+/// Numbers of the caller's: a pointer to the first of `count`, which nobody writes as long as this
+/// is used.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Numbers<T> {
+    numbers: *const T,
+    count: usize,
+}
+
+/// An object that C keeps but does not look into. It begins with a mark of its kind, so that memory
+/// which never held one is told.
+#[repr(C)]
+pub struct Object<V, const TAG: u32> {
+    tag: u32,
+    value: MaybeUninit<V>,
+}
+
+/// The mark of a kind of objects (FNV-1a of its name). Never zero, which is what static memory holds.
+pub const fn tag(name: &str) -> u32 {
+    let mut rest = name.as_bytes();
+    let mut hash: u32 = 0x811c_9dc5;
+    while let Some((byte, others)) = rest.split_first() {
+        hash = (hash ^ *byte as u32).wrapping_mul(0x0100_0193);
+        rest = others;
+    }
+    hash | 1
+}
+
+fn check<T>(pointer: *const T) -> Result<(), Status> {
+    if pointer.is_null() {
+        Err(Status::Null)
+    } else if pointer.is_aligned() {
+        Ok(())
+    } else {
+        Err(Status::Misaligned)
+    }
+}
+
+fn check_object<V, const TAG: u32>(pointer: *const Object<V, TAG>) -> Result<(), Status> {
+    check(pointer)?;
+    // SAFETY: neither null nor misaligned. No reference is made to an object that may be another.
+    let tag = unsafe { (&raw const (*pointer).tag).read() };
+    if tag == TAG {
+        Ok(())
+    } else {
+        Err(Status::Object)
+    }
+}
+
+impl<T> Clone for In<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for In<'_, T> {}
+
+impl<'a, T> In<'a, T> {
+    /// A pointer as C passes it.
+    ///
+    /// # Safety
+    ///
+    /// As the type says, for `'a`; any pattern of bits is a `T`.
+    pub unsafe fn from_raw(pointer: *const T) -> Self {
+        Self(pointer, PhantomData)
+    }
+
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn get(self) -> Result<&'a T, Status> {
+        check(self.0)?;
+        // SAFETY: neither null nor misaligned, so by what `from_raw` and the header ask for it points
+        // to a T that is only read for 'a.
+        Ok(unsafe { &*self.0 })
+    }
+}
+
+impl<'a, V, const TAG: u32> In<'a, Object<V, TAG>> {
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn object(self) -> Result<&'a V, Status> {
+        check_object(self.0)?;
+        // SAFETY: neither null nor misaligned, and the mark is written together with the value, and only
+        // there; bytes are C's to copy, not to change, and nobody writes them for 'a.
+        Ok(unsafe { (*self.0).value.assume_init_ref() })
+    }
+}
+
+impl<'a, T> From<&'a T> for In<'a, T> {
+    fn from(reference: &'a T) -> Self {
+        Self(reference, PhantomData)
+    }
+}
+
+impl<'a, T> InOut<'a, T> {
+    /// A pointer as C passes it.
+    ///
+    /// # Safety
+    ///
+    /// As the type says, for `'a`; any pattern of bits is a `T`.
+    pub unsafe fn from_raw(pointer: *mut T) -> Self {
+        Self(pointer, PhantomData)
+    }
+}
+
+impl<'a, V, const TAG: u32> InOut<'a, Object<V, TAG>> {
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn object(self) -> Result<&'a mut V, Status> {
+        check_object(self.0)?;
+        // SAFETY: as in `In::object`, and the object is the call's alone for 'a.
+        Ok(unsafe { (*self.0).value.assume_init_mut() })
+    }
+}
+
+impl<'a, T> From<&'a mut T> for InOut<'a, T> {
+    fn from(reference: &'a mut T) -> Self {
+        Self(reference, PhantomData)
+    }
+}
+
+impl<'a, T> Out<'a, T> {
+    /// A pointer as C passes it.
+    ///
+    /// # Safety
+    ///
+    /// As the type says, for `'a`.
+    pub unsafe fn from_raw(pointer: *mut T) -> Self {
+        Self(pointer, PhantomData)
+    }
+
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn get(self) -> Result<&'a mut MaybeUninit<T>, Status> {
+        check(self.0)?;
+        // SAFETY: neither null nor misaligned, so by what `from_raw` and the header ask for it points
+        // to memory for a T which is this call's alone for 'a; MaybeUninit takes any content.
+        Ok(unsafe { &mut *self.0.cast() })
+    }
+
+    /// `None` where C passes NULL.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn optional(self) -> Result<Option<&'a mut MaybeUninit<T>>, Status> {
+        if self.0.is_null() {
+            Ok(None)
+        } else {
+            self.get().map(Some)
+        }
+    }
+}
+
+impl<'a, V, const TAG: u32> Out<'a, Object<V, TAG>> {
+    /// The place for an object where C says how much memory it has for it: as much as the library's
+    /// objects take, or its header is of another version.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn place(self, size: usize) -> Result<Place<'a, V, TAG>, Status> {
+        if size == size_of::<Object<V, TAG>>() {
+            self.get().map(Place)
+        } else {
+            Err(Status::Size)
+        }
+    }
+}
+
+/// Memory for an object.
+#[doc(hidden)]
+pub struct Place<'a, V, const TAG: u32>(&'a mut MaybeUninit<Object<V, TAG>>);
+
+impl<V, const TAG: u32> Place<'_, V, TAG> {
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn put(self, value: V) {
+        self.0.write(Object {
+            tag: TAG,
+            value: MaybeUninit::new(value),
+        });
+    }
+}
+
+impl<'a, T> From<&'a mut MaybeUninit<T>> for Out<'a, T> {
+    fn from(reference: &'a mut MaybeUninit<T>) -> Self {
+        Self(reference.as_mut_ptr(), PhantomData)
+    }
+}
+
+impl<'a, T> From<Option<&'a mut MaybeUninit<T>>> for Out<'a, T> {
+    fn from(reference: Option<&'a mut MaybeUninit<T>>) -> Self {
+        match reference {
+            Some(reference) => reference.into(),
+            None => Self(core::ptr::null_mut(), PhantomData),
+        }
+    }
+}
+
+impl<T> Numbers<T> {
+    pub(crate) fn get(&self) -> Result<&[T], Status> {
+        check(self.numbers)?;
+        if self.count > isize::MAX as usize / size_of::<T>() {
+            return Err(Status::Size);
+        }
+        // SAFETY: neither null nor misaligned, so that by what the header asks for it points to `count`
+        // numbers which are only read meanwhile; they fit into the address space.
+        Ok(unsafe { core::slice::from_raw_parts(self.numbers, self.count) })
+    }
+}
+
+impl<T> From<&'static [T]> for Numbers<T> {
+    fn from(numbers: &'static [T]) -> Self {
+        Self {
+            numbers: numbers.as_ptr(),
+            count: numbers.len(),
+        }
+    }
+}

@@ -1,0 +1,249 @@
+//! What the functions of all linkages share.
+
+use suspension_core::Real;
+
+use crate::describe::{Shape, Structure};
+use crate::names::Text;
+pub use crate::pointer::Numbers;
+use crate::status::Status;
+
+/// Defines structs for C and describes them.
+macro_rules! structures {
+    ($(
+        $(#[doc = $doc:literal])*
+        $name:ident { $($(#[doc = $about:literal])* $field:ident: $kind:ty,)* }
+    )*) => {
+        $(
+            $(#[doc = $doc])*
+            #[derive(Clone, Copy, Debug)]
+            #[repr(C)]
+            pub struct $name<T> { $($(#[doc = $about])* pub $field: $kind,)* }
+        )*
+
+        const STRUCTURES: &[Structure] = &[$(
+            Structure {
+                name: stringify!($name),
+                docs: &[$($doc),*],
+                shape: Shape::Fields(&[
+                    $((stringify!($field), stringify!($kind), &[$($about),*])),*
+                ]),
+            }
+        ),*];
+    };
+}
+
+structures! {
+    /// What went wrong.
+    Failure {
+        /// What the call answers.
+        status: Status,
+        /// The point, length, equation or unknown concerned, as the listing names it; NULL where there
+        /// is none. Lives as long as the program.
+        culprit: Text,
+        /// What was found: the residual, correction, pivot or the like that `status` speaks of; in the
+        /// unit of the points. 0 where nothing is compared.
+        value: T,
+        /// What `value` had to stay within, or to exceed.
+        bound: T,
+        /// Of a step in sub-steps: the time from its start, s, up to which there are solutions.
+        reached: T,
+    }
+
+    /// What a step to tolerance did.
+    Converged {
+        /// Factorisations.
+        iterations: u32,
+        /// Sub-steps.
+        steps: u32,
+        /// The largest residual that is left, in the unit of the points.
+        residual: T,
+        /// What it was compared with.
+        tolerance: T,
+    }
+
+    /// What a bounded step did.
+    Settled {
+        /// The norm of the residual that is left, in the unit of the points.
+        residual: T,
+        /// What it was compared with.
+        tolerance: T,
+        /// The health of the pivots, the norm of their inverses: rounding grows with it.
+        growth: T,
+    }
+
+    /// How a configuration was found.
+    Assembly {
+        /// How far it is from the guess: the norm over all coordinates, in the unit of the points.
+        distance: T,
+        /// How far the next nearest one that was met is from it; infinite where there is none. Where the
+        /// two are nearly alike the guess does not tell which is meant.
+        next: T,
+        /// The largest residual that is left, in the unit of the points.
+        residual: T,
+        /// What it was compared with.
+        tolerance: T,
+    }
+
+    /// A proof, rounding included, that a root lies near a position. Distances are the largest
+    /// difference of any unknown, in the unit of the points.
+    Certificate {
+        /// A root lies within this distance.
+        radius: T,
+        /// No other root lies within this one.
+        unique_within: T,
+    }
+
+    /// The wheel. Axes of ISO 8855: x forward, y left, z up.
+    Wheel {
+        /// Its centre, in the unit of the points.
+        centre: [T; 3],
+        /// Its spin axis, of unit length, outboard.
+        axis: [T; 3],
+        /// Camber, rad: positive where the top leans outboard, atan2(-s_z, |s_y|) of the axis s.
+        camber: T,
+        /// Camber as the angle between spin axis and ground, rad: asin(-s_z).
+        camber_to_ground: T,
+        /// Toe, rad: positive where the front points inboard, atan2(s_x, |s_y|).
+        toe: T,
+    }
+
+    /// How the body that carries the wheel turns.
+    CarrierRotation {
+        /// Angular velocity, rad/s.
+        omega: [T; 3],
+        /// Angular acceleration, rad/s^2.
+        alpha: [T; 3],
+    }
+
+    /// The kingpin k, which points upwards.
+    Kingpin {
+        /// Inclination, rad: positive where the top leans inboard, atan2(-k_y, k_z) on the left.
+        angle: T,
+        /// Caster, rad: positive where the top leans rearwards, atan2(-k_x, k_z).
+        caster: T,
+    }
+
+    /// How a chassis moves as a rigid body, in world axes.
+    RigidMotion {
+        /// From chassis axes to world axes: w, x, y, z. Of any length but zero.
+        rotation: [T; 4],
+        /// Position of the chassis' origin, in the unit of the points.
+        position: [T; 3],
+        /// Its velocity, per second.
+        velocity: [T; 3],
+        /// Its acceleration, per second squared.
+        acceleration: [T; 3],
+        /// Angular velocity, rad/s.
+        omega: [T; 3],
+        /// Angular acceleration, rad/s^2.
+        alpha: [T; 3],
+    }
+
+    /// A baked motion of the wheel, as `suspension bake` writes it: a piecewise polynomial of one drive.
+    Curve {
+        /// The drive's first and last value, in rad or the unit of the points.
+        range: [T; 2],
+        /// The number of segments divided by the length of the range.
+        segments_per_unit: T,
+        /// By segment, power (six, constants first) and output (six: centre, axis). They must live as
+        /// long as the curve is used.
+        coefficients: Numbers<T>,
+    }
+
+    /// A wheel that was looked up.
+    BakedWheel {
+        /// Its centre, in the unit of the points.
+        centre: [T; 3],
+        /// Its spin axis, outboard: of unit length within the tolerance of the curve.
+        axis: [T; 3],
+    }
+
+    /// The same with its first and second time derivatives.
+    BakedWheelRates {
+        /// The wheel.
+        value: BakedWheel<T>,
+        /// Per second.
+        rate: BakedWheel<T>,
+        /// Per second squared.
+        second_rate: BakedWheel<T>,
+    }
+}
+
+/// See [`Numbers`], whose fields are not for Rust to set.
+const NUMBERS: Structure = Structure {
+    name: "Numbers",
+    docs: &[" Numbers of the caller's."],
+    shape: Shape::Fields(&[
+        ("numbers", "*const T", &[" The first of them."]),
+        ("count", "usize", &[" How many."]),
+    ]),
+};
+
+impl<T: Real> Failure<T> {
+    pub(crate) fn of(status: Status) -> Self {
+        Self::compared(status, Text::NONE, T::zero(), T::zero())
+    }
+
+    pub(crate) fn compared(status: Status, culprit: Text, value: T, bound: T) -> Self {
+        Self {
+            status,
+            culprit,
+            value,
+            bound,
+            reached: T::zero(),
+        }
+    }
+}
+
+/// Functions that need no linkage, and all types, over one number.
+macro_rules! over {
+    ($number:ident, $prefix:literal) => {
+        /// Over this number type.
+        #[allow(unsafe_code, reason = "names for the linker")]
+        pub mod $number {
+            use crate::curve;
+            use crate::failure::answer;
+            use crate::pointer::{In, Out};
+            use crate::shared;
+            use crate::status::Status;
+
+            type Number = core::primitive::$number;
+            /// Which rates are solved for: see `SUSP_POSITION`.
+            pub type Outputs = i32;
+            over!(@types $number: Assembly, BakedWheel, BakedWheelRates, CarrierRotation, Certificate,
+                Converged, Curve, Failure, Kingpin, Numbers, RigidMotion, Settled, Wheel);
+
+            crate::functions! { $prefix:
+                /// Looks a wheel up where the drive has a value and moves at a rate, per second, and a
+                /// second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach.
+                fn look_up_wheel(curve: In<Curve>, drive: Number, rate: Number, second_rate: Number, wheel: Out<BakedWheelRates>) -> Status {
+                    answer(|| {
+                        let (curve, wheel) = (curve.get()?, wheel.get()?);
+                        wheel.write(curve::wheel(curve, drive, rate, second_rate)?);
+                        Ok(())
+                    })
+                }
+            }
+
+            pub(crate) const INTERFACE: crate::describe::Interface = crate::describe::Interface {
+                prefix: $prefix,
+                number: stringify!($number),
+                docs: &[],
+                structures: &[&[shared::NUMBERS], shared::STRUCTURES],
+                functions: &[FUNCTIONS],
+            };
+        }
+    };
+    (@types $number:ident: $($name:ident),*) => {
+        $(
+            #[doc = concat!("See [`", stringify!($name), "`](shared::", stringify!($name), ").")]
+            pub type $name = shared::$name<Number>;
+        )*
+    };
+}
+
+/// All of it over one number.
+pub mod of {
+    over!(f32, "susp_f32");
+    over!(f64, "susp_f64");
+}

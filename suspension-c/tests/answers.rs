@@ -1,0 +1,237 @@
+//! What functions answer: failures that name what is concerned, names, chassis that move.
+#![allow(unsafe_code, reason = "it reads text as C does")]
+
+mod five_link;
+
+use std::ffi::{CStr, c_char};
+use std::mem::MaybeUninit;
+
+use five_link::{DESIGN, at_rest, inputs, made, model};
+use suspension_c::catalogue::five_link_f32::{
+    self, ChassisRates, Drives, Inputs, Lengths, Model, Motion, PointRates, Points,
+};
+use suspension_c::shared::of::f32::{Certificate, Failure, RigidMotion};
+use suspension_c::{Out, Status, status_text};
+
+/// A text that lives as long as the program; `None` for NULL.
+fn text(pointer: *const c_char) -> Option<&'static str> {
+    // SAFETY: NULL, or a text that lives as long as the program.
+    let text = (!pointer.is_null()).then(|| unsafe { CStr::from_ptr(pointer) });
+    text.map(|text| text.to_str().expect("UTF-8"))
+}
+
+/// The answer of a call that must fail, and whom it names.
+fn failure(
+    call: impl FnOnce(Out<'_, Failure>) -> Status,
+) -> (Status, Option<&'static str>, Failure) {
+    let mut memory = MaybeUninit::uninit();
+    let status = call((&mut memory).into());
+    assert_ne!(status, Status::Ok);
+    // SAFETY: an answer that is not `Ok` means that it is made.
+    let failure: Failure = unsafe { memory.assume_init() };
+    assert_eq!(failure.status, status);
+    (status, text(failure.culprit.as_ptr()), failure)
+}
+
+fn of_points(points: &Points) -> (Status, Option<&'static str>) {
+    let mut model = MaybeUninit::<Model>::uninit();
+    let size = size_of::<Model>();
+    let (status, culprit, _) = failure(|failure| {
+        five_link_f32::model_new((&mut model).into(), size, points.into(), failure)
+    });
+    (status, culprit)
+}
+
+#[test]
+fn a_geometry_that_is_none_names_the_point_or_the_length() {
+    let mut points = DESIGN;
+    points.values[7][1] = f32::NAN;
+    assert_eq!(
+        of_points(&points),
+        (Status::PointNotFinite, Some("upper_rear_outer"))
+    );
+    points = DESIGN;
+    points.values[5] = points.values[0];
+    assert_eq!(of_points(&points), (Status::BadLength, Some("lower_front")));
+
+    let mut model = model();
+    let mut lengths: Lengths =
+        made(|lengths| five_link_f32::model_lengths((&model).into(), lengths)).expect("lengths");
+    lengths.values[5] *= 10.0;
+    let before = lengths;
+    let (status, culprit, _) = failure(|failure| {
+        five_link_f32::model_set_lengths((&mut model).into(), (&lengths).into(), failure)
+    });
+    assert_eq!(
+        (status, culprit),
+        (Status::NotClosed, Some("upper_rear_outer"))
+    );
+    let after = made(|lengths| five_link_f32::model_lengths((&model).into(), lengths));
+    assert_ne!(after.expect("lengths"), before);
+}
+
+#[test]
+fn a_step_that_is_refused_names_the_equation_or_unknown_and_by_how_much() {
+    let (model, mut motion) = (model(), at_rest());
+    let far = inputs(Drives { values: [3.0] }, 0.5);
+    let (status, culprit, told) = failure(|failure| {
+        let (model, motion) = ((&model).into(), (&mut motion).into());
+        five_link_f32::bounded_step(model, (&far).into(), 2, 0.0, motion, None.into(), failure)
+    });
+    assert!(
+        matches!(status, Status::Diverging | Status::NotConverged),
+        "{status:?}"
+    );
+    assert!(culprit.is_some());
+    assert!(told.value > told.bound && told.bound > 0.0, "{told:?}");
+    assert_eq!(
+        text(status_text(status as i32).as_ptr()),
+        status.text().to_str().ok()
+    );
+    assert_eq!(text(status_text(1000).as_ptr()), Some("no such status"));
+
+    // From rest to where the drive cannot lead: how far it got.
+    let start = step_from_rest(&model, &mut motion);
+    let (_, _, told) = failure(|failure| {
+        let (model, motion) = ((&model).into(), (&mut motion).into());
+        let ends = ((&start).into(), (&far).into());
+        five_link_f32::step_between(model, ends.0, ends.1, 1.0, motion, None.into(), failure)
+    });
+    assert!((0.1..0.9).contains(&told.reached), "{told:?}");
+}
+
+/// Inputs of the design position, and a motion with the rates that belong to them.
+fn step_from_rest(model: &Model, motion: &mut Motion) -> Inputs {
+    let drives = made(|drives| five_link_f32::model_drives(model.into(), (&DESIGN).into(), drives));
+    let inputs = inputs(drives.expect("drives"), 0.5);
+    let status = five_link_f32::step(
+        model.into(),
+        (&inputs).into(),
+        0.0,
+        motion.into(),
+        None.into(),
+        None.into(),
+    );
+    assert_eq!(status, Status::Ok);
+    inputs
+}
+
+#[test]
+fn names_are_in_the_order_of_the_members() {
+    let points: Vec<_> = (0..12)
+        .map(|index| text(five_link_f32::point_name(index).as_ptr()))
+        .collect();
+    assert_eq!(points[0], Some("lower_front_inner"));
+    assert_eq!(points[10], Some("wheel_centre"));
+    assert_eq!(points[11], None);
+    assert_eq!(text(five_link_f32::drive_name(0).as_ptr()), Some("theta"));
+    assert_eq!(
+        text(five_link_f32::measure_name(0).as_ptr()),
+        Some("height")
+    );
+    assert_eq!(
+        text(five_link_f32::length_name(4).as_ptr()),
+        Some("track_rod")
+    );
+    assert_eq!(text(five_link_f32::length_name(14).as_ptr()), None);
+}
+
+#[test]
+fn a_proved_configuration_has_its_radius() {
+    let (model, mut motion) = (model(), at_rest());
+    let inputs = step_from_rest(&model, &mut motion);
+    let certificate: Certificate = made(|certificate| {
+        let (model, motion) = ((&model).into(), (&motion).into());
+        five_link_f32::certify(model, (&inputs).into(), motion, certificate, None.into())
+    })
+    .expect("a proof");
+    assert!(
+        certificate.radius < 1e-4 && certificate.unique_within > 1e-3,
+        "{certificate:?}"
+    );
+}
+
+/// A turn about the vertical does not change what the drive, an angle from it, prescribes.
+#[test]
+fn solved_in_the_world_it_moves_as_carried_there() {
+    let chassis = RigidMotion {
+        rotation: [0.8, 0.0, 0.0, 0.6],
+        position: [3.0, -2.0, 1.0],
+        velocity: [1.0, 2.0, -0.5],
+        acceleration: [0.1, -0.2, 0.3],
+        omega: [0.0, 0.0, 0.7],
+        alpha: [0.0, 0.0, -0.4],
+    };
+    let model = model();
+    let mut motion = at_rest();
+    let inputs = step_from_rest(&model, &mut motion);
+    let points: PointRates = made(|points| {
+        five_link_f32::read_points((&model).into(), (&inputs).into(), (&motion).into(), points)
+    })
+    .expect("points");
+    let carried: PointRates =
+        made(|carried| five_link_f32::carry((&chassis).into(), (&points).into(), carried))
+            .expect("carried");
+    let anchors: ChassisRates =
+        made(|anchors| five_link_f32::move_chassis((&model).into(), (&chassis).into(), anchors))
+            .expect("anchors");
+    let mut motion: Motion = made(|motion| {
+        five_link_f32::motion_at_rest(motion, size_of::<Motion>(), (&carried.value).into())
+    })
+    .expect("a motion");
+    for step in 0..2 {
+        let (model, anchors, inputs) = ((&model).into(), (&anchors).into(), (&inputs).into());
+        let motion = (&mut motion).into();
+        let status = match step {
+            0 => five_link_f32::moving_step(
+                model,
+                anchors,
+                inputs,
+                0.0,
+                motion,
+                None.into(),
+                None.into(),
+            ),
+            _ => {
+                let outputs = 2;
+                let none = None.into();
+                five_link_f32::moving_bounded_step(
+                    model,
+                    anchors,
+                    inputs,
+                    outputs,
+                    0.0,
+                    motion,
+                    none,
+                    None.into(),
+                )
+            }
+        };
+        assert_eq!(status, Status::Ok);
+    }
+    let solved: PointRates = made(|points| {
+        let (model, anchors) = ((&model).into(), (&anchors).into());
+        five_link_f32::moving_read_points(
+            model,
+            anchors,
+            (&inputs).into(),
+            (&motion).into(),
+            points,
+        )
+    })
+    .expect("points");
+    for (solved, carried, allowed) in [
+        (solved.value, carried.value, 2e-6),
+        (solved.rate, carried.rate, 2e-5),
+        (solved.second_rate, carried.second_rate, 2e-4),
+    ] {
+        let pairs = solved
+            .values
+            .as_flattened()
+            .iter()
+            .zip(carried.values.as_flattened());
+        for (solved, carried) in pairs {
+            assert!((solved - carried).abs() < allowed, "{solved} {carried}");
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Libraries as users build them, and programs that C compilers make with them.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The repository.
+pub(crate) fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .parent()
+        .expect("the crate lies in the repository")
+}
+
+/// Whether there is such a compiler. Where it must be, in CI, it is an error that there is not.
+pub(crate) fn has(compiler: &str, test: &str) -> bool {
+    if Command::new(compiler).arg("--version").output().is_ok() {
+        return true;
+    }
+    assert!(std::env::var_os("CI").is_none(), "no {compiler}");
+    // The test harness captures what eprintln! writes, but not this.
+    writeln!(std::io::stderr(), "SKIPPED {test}: there is no {compiler}").expect("standard error");
+    false
+}
+
+/// Builds a part of this crate with the features that it has alone, as users do, and returns the
+/// folder where it is.
+pub(crate) fn cargo(arguments: &[&str]) -> PathBuf {
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .parent()
+        .expect("a folder of the target's");
+    let (command, rest) = arguments.split_first().expect("a command");
+    run(Command::new(env!("CARGO"))
+        .args([command, "--quiet", "--locked", "--package", "suspension-c"])
+        .args(rest)
+        .arg("--target-dir")
+        .arg(target)
+        .current_dir(root()));
+    target.join("debug")
+}
+
+/// Compiles a program of `examples/c`, with every warning an error.
+pub(crate) fn compile(source: &str, options: &[&str], library: &Path, program: &Path) {
+    run(Command::new("cc")
+        .args([
+            "-std=c11",
+            "-O2",
+            "-Wall",
+            "-Wextra",
+            "-Werror",
+            "-ffp-contract=off",
+        ])
+        .arg("-I")
+        .arg(root().join("suspension-c/include"))
+        .args(options)
+        .arg(root().join("examples/c").join(source))
+        .arg(library)
+        .arg("-o")
+        .arg(program));
+}
+
+/// Runs a command that must succeed, and returns what it prints.
+pub(crate) fn run(command: &mut Command) -> String {
+    let output = command.output().expect("a program that can be started");
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command:?}: {complaint}");
+    String::from_utf8(output.stdout).expect("text")
+}

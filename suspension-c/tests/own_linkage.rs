@@ -1,0 +1,114 @@
+//! A linkage of one's own: exported by a line, its header printed, a program in C linked with it.
+
+mod native;
+
+#[path = "../examples/four_bar.rs"]
+mod library;
+
+use std::process::Command;
+
+use library::four_bar::{Drives, Model, Points};
+use library::four_bar_f32;
+use suspension_core::nalgebra::Vector3;
+use suspension_core::{Build, Inputs, Linkage, Motion, Newton, Signal, Tracker, assemble};
+
+#[test]
+fn is_used_from_c() {
+    if !native::has("cc", "is_used_from_c") {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let header = four_bar_f32::INTERFACE.to_string();
+    std::fs::write(folder.path().join("my_four_bar_f32.h"), header).expect("a header");
+    let built = native::cargo(&["build", "--example", "four_bar"]);
+    let program = folder.path().join("four_bar");
+    let include = format!("-I{}", folder.path().display());
+    let library = built.join("examples/libfour_bar.a");
+    native::compile("four_bar.c", &[&include], &library, &program);
+    let printed = native::run(&mut Command::new(program));
+    let [angle, rate] = in_rust();
+    assert_eq!(printed, format!("double {angle:.6} rad, {rate:.6} rad/s\n"));
+}
+
+suspension_core::linkage! {
+    /// A rod in a plane, of which nothing is measured.
+    mod rod {
+        fixed: a;
+        free:  p;
+        link rod: a -> p;
+        drive y: p.y;
+        drive z: p.z;
+    }
+}
+suspension_c::export!(mod rod_f64 = rod, f64, "my_rod_f64");
+
+/// C has no empty structs.
+#[test]
+fn without_measures_has_a_member_that_means_nothing() {
+    if !native::has("cc", "without_measures_has_a_member_that_means_nothing") {
+        return;
+    }
+    let header = rod_f64::INTERFACE.to_string();
+    assert!(
+        header.contains(
+            "#define MY_ROD_F64_MEASURES_COUNT 0\ntypedef struct {\n    double nothing;\n}"
+        )
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("my_rod_f64.h");
+    std::fs::write(&path, header).expect("a header");
+    native::run(
+        Command::new("cc")
+            .args([
+                "-xc",
+                "-std=c99",
+                "-fsyntax-only",
+                "-pedantic",
+                "-Wall",
+                "-Wextra",
+                "-Werror",
+            ])
+            .arg("-I")
+            .arg(native::root().join("suspension-c/include"))
+            .arg(path),
+    );
+}
+
+/// What the program does.
+fn in_rust() -> [f32; 2] {
+    let at = Vector3::<f32>::new;
+    let design = Points {
+        crank_pin: at(0.0, 0.0, 0.0),
+        rocker_pin: at(0.0, 0.6, 0.1),
+        crank_end: at(0.0, 0.0, 0.2),
+        rocker_end: at(0.0, 0.45, 0.5),
+    };
+    let model = Model::new(&design).expect("a four-bar");
+    let inputs = |turn| {
+        let moving = Drives {
+            turn: 1.0,
+            ..Drives::default()
+        };
+        Inputs::still(Signal {
+            value: Drives {
+                turn,
+                ..model.drives_at(&design)
+            },
+            rate: moving,
+            second_rate: Drives::default(),
+        })
+    };
+    let mut unknowns = Model::unknowns(&design);
+    assemble(&Newton::from_afar(), &model, &inputs(0.5), &mut unknowns).expect("an assembly");
+    let mut motion = Motion::at_rest(unknowns);
+    for step in 0..=1000_u16 {
+        let dt = if step == 0 { 0.0 } else { 0.001 };
+        let inputs = inputs(0.5 + 0.001 * f32::from(step));
+        let tracker = Tracker::default();
+        tracker
+            .step(&model, &inputs, dt, &mut motion)
+            .expect("a step");
+    }
+    let measures = Model::measures(&motion.points(&model, &inputs(1.5)));
+    [measures.value.double, measures.rate.double]
+}

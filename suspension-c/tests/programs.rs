@@ -1,0 +1,58 @@
+//! Programs in C over the built libraries.
+
+mod native;
+
+use std::path::Path;
+use std::process::Command;
+
+use native::{cargo, compile, has, root, run};
+
+/// The published motion in a thousand and nine hundred steps: the text that C prints has checksums of
+/// the bits of everything computed, and is that of the same program in Rust over the core.
+#[test]
+fn c_and_rust_compute_the_same_bits() {
+    if !has("cc", "c_and_rust_compute_the_same_bits") {
+        return;
+    }
+    let built = cargo(&["build", "--example", "motion"]);
+    cargo(&["rustc", "--lib", "--crate-type", "staticlib,cdylib"]);
+    let folder = tempfile::tempdir().expect("a folder");
+    for (number, options, library) in [
+        ("f32", &[][..], "libsuspension_c.a"),
+        ("f64", &["-DDOUBLE"], "libsuspension_c.a"),
+        ("f64", &["-DDOUBLE"], "libsuspension_c.so"),
+    ] {
+        let program = folder.path().join("motion");
+        compile("motion.c", options, &built.join(library), &program);
+        let by_c = run(Command::new(&program).env("LD_LIBRARY_PATH", &built));
+        let by_rust = run(Command::new(built.join("examples/motion")).arg(number));
+        assert_eq!(by_c.lines().count(), 22);
+        assert_eq!(by_c, by_rust, "{number}, {library}");
+    }
+}
+
+/// Headers are valid alone, in C99 with all that ISO asks for, and in C++.
+#[test]
+fn headers_compile_in_c99_and_in_cpp() {
+    for (compiler, options) in [
+        ("cc", ["-xc", "-std=c99"]),
+        ("c++", ["-xc++", "-std=c++11"]),
+    ] {
+        if !has(compiler, "headers_compile_in_c99_and_in_cpp") {
+            continue;
+        }
+        for header in headers(&root().join("suspension-c/include")) {
+            run(Command::new(compiler)
+                .args(options)
+                .args(["-fsyntax-only", "-pedantic", "-Wall", "-Wextra", "-Werror"])
+                .arg(header));
+        }
+    }
+}
+
+fn headers(folder: &Path) -> Vec<std::path::PathBuf> {
+    let files = std::fs::read_dir(folder).expect("the folder of headers");
+    let paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
+    assert_eq!(paths.len(), 5);
+    paths
+}
