@@ -3,7 +3,7 @@
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::{
-    Build, Inputs, Motion, Named, Newton, Real, Scalar, Signal, SolveError, Still, assemble,
+    Build, Inputs, Motion, Named, Newton, Real, Scalar, Signal, Still, assemble,
 };
 
 /// The length of a step, s.
@@ -93,6 +93,3 @@ where
         second_rate,
     })
 }
-
-/// How a step of a motion ends.
-pub type Stepped<R, T> = Result<R, SolveError<T>>;
