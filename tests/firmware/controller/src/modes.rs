@@ -19,8 +19,7 @@ pub fn single(gauge: &impl Gauge, tell: &mut impl FnMut(&'static str, Result<Rep
     run!(gauge, tell: solved
         attia2003_f32_exact attia2003_f32_bounded_position
         attia2003_f32_bounded_velocity attia2003_f32_bounded_acceleration
-        five_link_f32_exact five_link_f32_bounded_position
-        five_link_f32_bounded_velocity five_link_f32_bounded_acceleration);
+        five_link_f32_exact five_link_f32_bounded_acceleration);
     run!(gauge, tell: WHEEL_F32
         wheel_f32_baked_position wheel_f32_baked_velocity wheel_f32_baked_acceleration);
 }
@@ -30,8 +29,7 @@ pub fn double(gauge: &impl Gauge, tell: &mut impl FnMut(&'static str, Result<Rep
     run!(gauge, tell: solved
         attia2003_f64_exact attia2003_f64_bounded_position
         attia2003_f64_bounded_velocity attia2003_f64_bounded_acceleration
-        five_link_f64_exact five_link_f64_bounded_position
-        five_link_f64_bounded_velocity five_link_f64_bounded_acceleration);
+        five_link_f64_exact five_link_f64_bounded_acceleration);
     run!(gauge, tell: WHEEL_F64
         wheel_f64_baked_position wheel_f64_baked_velocity wheel_f64_baked_acceleration);
 }
