@@ -1,6 +1,6 @@
 //! Through the published motion, one counted call a step.
 
-use suspension_core::{Bounded, Build, Inputs, Motion, Real, Still};
+use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Real, Still};
 
 use crate::baked::Wheel;
 use crate::checksum::{Bits, Checksum};
@@ -41,11 +41,18 @@ impl Report {
     }
 }
 
+/// A step of a solver, with what it tells of itself.
+pub type Step<T, L, R, E> =
+    fn(&L, &Inputs<Still, <L as Linkage<15>>::Drives>, &mut Motion<T, 15>) -> Result<R, E>;
+
+/// A look-up of the pose at a drive with its rates; false outside the range.
+pub type LookUp<T> = fn(&Wheel<T>, &[T; 3], &mut [[T; 6]; 3]) -> bool;
+
 /// Follows the motion with the steps of a solver; or the number of the first step that
 /// fails.
 pub fn solved<T, L, R, E>(
     gauge: &impl Gauge,
-    step: fn(&L, &Inputs<Still, L::Drives>, &mut Motion<T, 15>) -> Result<R, E>,
+    step: Step<T, L, R, E>,
     residual: impl Fn(R) -> T,
 ) -> Result<Report, u32>
 where
@@ -80,7 +87,7 @@ where
 pub fn baked<T: Real + Bits>(
     gauge: &impl Gauge,
     wheel: &Wheel<T>,
-    look_up: fn(&Wheel<T>, &[T; 3], &mut [[T; 6]; 3]) -> bool,
+    look_up: LookUp<T>,
 ) -> Result<Report, u32> {
     let mut report = Report::new();
     let mut checksum = Checksum::new();

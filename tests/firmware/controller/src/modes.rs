@@ -21,12 +21,9 @@ macro_rules! run {
 pub fn single(gauge: &impl Gauge, tell: &mut impl FnMut(&'static str, Result<Report, u32>)) {
     run!(gauge, tell: exact attia2003_f32_exact five_link_f32_exact);
     run!(gauge, tell: bounded
-        attia2003_f32_bounded_position
-        attia2003_f32_bounded_velocity attia2003_f32_bounded_acceleration
-        attia2003_f32_bounded_unswept
-        five_link_f32_bounded_position
-        five_link_f32_bounded_velocity five_link_f32_bounded_acceleration
-        five_link_f32_bounded_unswept);
+        attia2003_f32_bounded_acceleration five_link_f32_bounded_acceleration
+        attia2003_f32_bounded_unswept five_link_f32_bounded_unswept
+        five_link_f32_bounded_position five_link_f32_bounded_velocity);
     run!(gauge, tell: WHEEL_F32
         wheel_f32_baked_position wheel_f32_baked_velocity wheel_f32_baked_acceleration);
 }
@@ -35,10 +32,8 @@ pub fn single(gauge: &impl Gauge, tell: &mut impl FnMut(&'static str, Result<Rep
 pub fn double(gauge: &impl Gauge, tell: &mut impl FnMut(&'static str, Result<Report, u32>)) {
     run!(gauge, tell: exact attia2003_f64_exact five_link_f64_exact);
     run!(gauge, tell: bounded
-        attia2003_f64_bounded_position
-        attia2003_f64_bounded_velocity attia2003_f64_bounded_acceleration
-        five_link_f64_bounded_position
-        five_link_f64_bounded_velocity five_link_f64_bounded_acceleration);
+        attia2003_f64_bounded_acceleration five_link_f64_bounded_acceleration
+        five_link_f64_bounded_position five_link_f64_bounded_velocity);
     run!(gauge, tell: WHEEL_F64
         wheel_f64_baked_position wheel_f64_baked_velocity wheel_f64_baked_acceleration);
 }

@@ -3,7 +3,7 @@
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::{
-    Build, Inputs, Motion, Named, Newton, Real, Scalar, Signal, SolveError, Still, assemble,
+    Build, Inputs, Motion, Named, Newton, Real, Scalar, Signal, Still, assemble,
 };
 
 /// The length of a step, s.

@@ -9,30 +9,29 @@ use suspension_core::{
 
 use crate::published::STEP;
 
-/// Exports the steps of one linkage in one number type.
-macro_rules! export {
-    ($linkage:ident, $number:ty: $exact:ident, $position:ident, $velocity:ident, $acceleration:ident $(, $unswept:ident)?) => {
-        /// To the tolerance, by as many corrections as it takes.
+/// Exports a step to the tolerance, by as many corrections as it takes.
+macro_rules! exact {
+    ($linkage:ident, $number:ty: $name:ident) => {
+        /// To the tolerance.
         #[unsafe(no_mangle)]
         #[inline(never)]
-        pub fn $exact(
+        pub fn $name(
             model: &$linkage::Model<$number>,
             inputs: &Inputs<Still, $linkage::Drives<$number>>,
             motion: &mut Motion<$number, 15>,
         ) -> Result<Converged<$number>, SolveError<$number>> {
             Tracker::default().step(model, inputs, STEP as $number, motion)
         }
-
-        export!($linkage, $number, Position, 2, $position);
-        export!($linkage, $number, Velocity, 2, $velocity);
-        export!($linkage, $number, Acceleration, 1, $acceleration);
-        // Nothing but rounding is left out of it in `f32`.
-        $(export!($linkage, $number, Acceleration, 0, $unswept);)?
     };
-    ($linkage:ident, $number:ty, $outputs:ident, $sweeps:literal, $name:ident) => {
+}
+
+/// Exports an attempt at a step of fixed cost, with one sweep where the acceleration is solved for and
+/// else two.
+macro_rules! bounded {
+    ($linkage:ident, $number:ty, $outputs:ident, $sweeps:literal: $name:ident) => {
+        /// At a fixed cost.
         #[unsafe(no_mangle)]
         #[inline(never)]
-        /// At a fixed cost.
         pub fn $name(
             model: &$linkage::Model<$number>,
             inputs: &Inputs<Still, $linkage::Drives<$number>>,
@@ -49,13 +48,18 @@ macro_rules! export {
     };
 }
 
-export!(attia2003, f32: attia2003_f32_exact, attia2003_f32_bounded_position,
-    attia2003_f32_bounded_velocity, attia2003_f32_bounded_acceleration,
-    attia2003_f32_bounded_unswept);
-export!(attia2003, f64: attia2003_f64_exact, attia2003_f64_bounded_position,
-    attia2003_f64_bounded_velocity, attia2003_f64_bounded_acceleration);
-export!(five_link, f32: five_link_f32_exact, five_link_f32_bounded_position,
-    five_link_f32_bounded_velocity, five_link_f32_bounded_acceleration,
-    five_link_f32_bounded_unswept);
-export!(five_link, f64: five_link_f64_exact, five_link_f64_bounded_position,
-    five_link_f64_bounded_velocity, five_link_f64_bounded_acceleration);
+exact!(attia2003, f32: attia2003_f32_exact);
+exact!(attia2003, f64: attia2003_f64_exact);
+exact!(five_link, f32: five_link_f32_exact);
+exact!(five_link, f64: five_link_f64_exact);
+bounded!(attia2003, f32, Acceleration, 1: attia2003_f32_bounded_acceleration);
+bounded!(attia2003, f64, Acceleration, 1: attia2003_f64_bounded_acceleration);
+bounded!(five_link, f32, Position, 2: five_link_f32_bounded_position);
+bounded!(five_link, f64, Position, 2: five_link_f64_bounded_position);
+bounded!(five_link, f32, Velocity, 2: five_link_f32_bounded_velocity);
+bounded!(five_link, f64, Velocity, 2: five_link_f64_bounded_velocity);
+bounded!(five_link, f32, Acceleration, 1: five_link_f32_bounded_acceleration);
+bounded!(five_link, f64, Acceleration, 1: five_link_f64_bounded_acceleration);
+// What a step without sweeps leaves out is rounding in `f32`.
+bounded!(attia2003, f32, Acceleration, 0: attia2003_f32_bounded_unswept);
+bounded!(five_link, f32, Acceleration, 0: five_link_f32_bounded_unswept);

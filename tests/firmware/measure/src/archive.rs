@@ -31,7 +31,7 @@ pub struct Section {
 pub struct Archive {
     pub sections: Vec<Section>,
     /// Sections by global symbol, as the linker sees it.
-    globals: HashMap<String, usize>,
+    pub globals: HashMap<String, usize>,
 }
 
 impl Archive {
@@ -61,11 +61,6 @@ impl Archive {
     pub fn find(&self, symbol: &str) -> Result<usize> {
         let found = self.globals.get(symbol).copied();
         found.with_context(|| format!("there is no {symbol}"))
-    }
-
-    /// The global symbols.
-    pub fn symbols(&self) -> impl Iterator<Item = &str> {
-        self.globals.keys().map(String::as_str)
     }
 
     fn add_sections(&mut self, object: &object::File<'_>) -> HashMap<SectionIndex, usize> {
@@ -162,4 +157,16 @@ fn unsigned_leb128(bytes: &[u8]) -> u64 {
     let length = bytes.iter().take_while(|byte| **byte >= 0x80).count() + 1;
     let digits = bytes.iter().take(length).rev();
     digits.fold(0, |number, byte| number << 7 | u64::from(byte & 0x7f))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unsigned_leb128;
+
+    #[test]
+    fn numbers_of_seven_bits_a_byte() {
+        assert_eq!(unsigned_leb128(&[8, 99]), 8);
+        // DWARF 5, section 7.6.
+        assert_eq!(unsigned_leb128(&[0xe5, 0x8e, 0x26]), 624_485);
+    }
 }

@@ -20,17 +20,35 @@ pub struct Built {
     pub archive: PathBuf,
 }
 
-pub fn compile(target: &Target) -> Result<Built> {
+/// Builds for all targets side by side, each into a folder of its own.
+pub fn compile<'a>(targets: &[&'a Target]) -> Result<Vec<(&'a Target, Built)>> {
+    let linker = linker()?;
+    std::thread::scope(|scope| {
+        let builds: Vec<_> = targets
+            .iter()
+            .map(|target| scope.spawn(|| Ok((*target, build(target, &linker)?))))
+            .collect();
+        let join = |build: std::thread::ScopedJoinHandle<'_, _>| match build.join() {
+            Ok(built) => built,
+            Err(panic) => std::panic::resume_unwind(panic),
+        };
+        builds.into_iter().map(join).collect()
+    })
+}
+
+fn build(target: &Target, linker: &Path) -> Result<Built> {
     let config = |key: &str, value: &str| format!("target.{}.{key}={value}", target.triple);
     let mut flags = vec!["-Zemit-stack-sizes"];
     flags.extend(target.flags);
+    let folder = workspace().join("target").join(target.name);
     let mut command = Command::new("rustup");
     command
         .args(["run", "debian", "cargo", "build", "--quiet", "--release"])
         .args(["--package", "controller", "--package", "entries"])
-        .args(["--target", target.triple])
+        .args(["--target", target.triple, "--target-dir"])
+        .arg(&folder)
         .args(["--config", &config("rustflags", &format!("{flags:?}"))])
-        .args(["--config", &config("linker", &format!("{:?}", linker()?))])
+        .args(["--config", &config("linker", &format!("{linker:?}"))])
         .current_dir(workspace())
         // For -Z.
         .env("RUSTC_BOOTSTRAP", "1");
@@ -42,24 +60,10 @@ pub fn compile(target: &Target) -> Result<Built> {
     }
     let status = command.status().context("rustup")?;
     ensure!(status.success(), "{}: the build fails", target.name);
-    keep(target)
-}
-
-/// Copies what was built: two targets may share an instruction set, and so their places.
-fn keep(target: &Target) -> Result<Built> {
-    let all = workspace().join("target");
-    let from = all.join(target.triple).join("release");
-    let to = all.join("measured").join(target.name);
-    std::fs::create_dir_all(&to)?;
-    let copy = |name: &str| {
-        let kept = to.join(name);
-        std::fs::copy(from.join(name), &kept)
-            .with_context(|| format!("{name} of {}", target.name))?;
-        anyhow::Ok(kept)
-    };
+    let built = folder.join(target.triple).join("release");
     Ok(Built {
-        firmware: copy("controller")?,
-        archive: copy("libentries.a")?,
+        firmware: built.join("controller"),
+        archive: built.join("libentries.a"),
     })
 }
 

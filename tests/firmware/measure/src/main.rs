@@ -61,11 +61,11 @@ fn main() -> Result<ExitCode> {
     let host = run::on_host();
     let mut measured = Table::new();
     let mut complaints = Vec::new();
-    for target in TARGETS
+    let wanted: Vec<&Target> = TARGETS
         .iter()
         .filter(|target| options.wants_target(target.name))
-    {
-        let built = compile::compile(target)?;
+        .collect();
+    for (target, built) in compile::compile(&wanted)? {
         let archive = Archive::read(&built.archive)?;
         let mut taken = run::on_board(target, &built.firmware)?;
         taken.retain(|mode, _| options.wants(target.name, mode));

@@ -95,3 +95,75 @@ impl Deepest<'_> {
         Ok(depth)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Reach;
+    use crate::archive::{Archive, Section};
+
+    fn code(name: &str, frame: u64, calls: &[usize], refers: &[usize]) -> Section {
+        Section {
+            names: vec![name.to_owned()],
+            bytes: 100,
+            is_code: true,
+            frame: Some(frame),
+            calls: calls.to_vec(),
+            refers: refers.to_vec(),
+        }
+    }
+
+    fn data(refers: &[usize]) -> Section {
+        Section {
+            bytes: 10,
+            refers: refers.to_vec(),
+            ..Section::default()
+        }
+    }
+
+    fn archive(sections: impl Into<Vec<Section>>) -> Archive {
+        Archive {
+            sections: sections.into(),
+            ..Archive::default()
+        }
+    }
+
+    #[test]
+    fn the_deepest_of_several_ways_counts() {
+        let archive = archive([
+            code("root", 8, &[1, 2], &[]),
+            code("shallow", 16, &[3], &[]),
+            code("deep", 400, &[3], &[]),
+            code("leaf", 4, &[], &[]),
+            code("not reached", 1000, &[], &[]),
+        ]);
+        let reach = Reach::of(&archive, &[0]);
+        assert_eq!(reach.stack(0).expect("known"), 8 + 400 + 4);
+        assert_eq!(reach.bytes(), 400);
+        assert!(reach.symbols().all(|name| name != "not reached"));
+    }
+
+    #[test]
+    fn what_a_table_of_methods_refers_to_may_be_called_by_any() {
+        let archive = archive([
+            code("root", 8, &[1], &[2]),
+            code("caller of a method", 16, &[], &[]),
+            data(&[3]),
+            code("method", 64, &[], &[]),
+        ]);
+        let reach = Reach::of(&archive, &[0]);
+        assert_eq!(reach.stack(0).expect("known"), 8 + 16 + 64);
+        assert_eq!(reach.bytes(), 310);
+    }
+
+    #[test]
+    fn recursion_and_an_unknown_frame_are_refused() {
+        let mut recursive = archive([code("root", 8, &[1], &[]), code("again", 8, &[0], &[])]);
+        let told = |archive: &Archive| {
+            let error = Reach::of(archive, &[0]).stack(0).expect_err("no bound");
+            error.to_string()
+        };
+        assert_eq!(told(&recursive), "[\"root\"] calls itself");
+        recursive.sections[1].frame = None;
+        assert_eq!(told(&recursive), "the stack of [\"again\"] is not known");
+    }
+}

@@ -81,3 +81,41 @@ pub fn on_host() -> BTreeMap<String, String> {
     modes::double(&Nothing, &mut tell);
     checksums
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Taken, on_host, parse};
+
+    #[test]
+    fn both_lines_of_a_mode_make_one() {
+        let text = "instructions m 10 12 0f 1e-9\nstack m 100 104 0f 1e-9\n";
+        let modes = parse(text).expect("lines as the firmware writes them");
+        let taken = Taken {
+            instructions: [10, 12],
+            stack: [100, 104],
+            checksum: "0f".to_owned(),
+            residual: 1e-9,
+        };
+        assert_eq!(modes, [("m".to_owned(), taken)].into());
+    }
+
+    #[test]
+    fn other_lines_are_refused() {
+        for text in ["a step fails", "instructions m 10", "time m 1 2 0f 0e0"] {
+            assert!(parse(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn no_step_fails_on_the_host_and_no_two_modes_are_alike() {
+        let mut checksums: Vec<String> = on_host().into_values().collect();
+        assert_eq!(checksums.len(), 18);
+        checksums.sort_unstable();
+        checksums.dedup();
+        assert_eq!(checksums.len(), 18, "{checksums:?}");
+        assert!(
+            checksums.iter().all(|checksum| checksum.len() == 16),
+            "{checksums:?}"
+        );
+    }
+}
