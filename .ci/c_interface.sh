@@ -20,9 +20,7 @@ fi
 
 cd "$root"
 by_rust=$(cargo run --quiet --locked --package suspension-c --example motion -- f32)
-export RUSTC_BOOTSTRAP=1
-by_c=$(make --no-print-directory --silent --directory examples/c run-m4f \
-    CARGO_BARE="cargo +debian" CARGO_BARE_FLAGS=-Zbuild-std=core)
+by_c=$(make --no-print-directory --silent --directory examples/c run-m4f CARGO_BARE="cargo +debian")
 
 if ! diff <(echo "$by_rust") <(echo "$by_c"); then
     echo "Rust on this machine (<) and C on the Cortex-M4F (>) differ"
@@ -38,8 +36,7 @@ functions=$(arm-none-eabi-nm --defined-only "$library" 2>/dev/null | awk '$2 == 
 (($(wc --lines <<<"$functions") > 20))
 # shellcheck disable=SC2086 # one argument a line
 arm-none-eabi-ld --gc-sections --entry=0 ${functions//susp_/--undefined=susp_} "$library" -o c/all.elf
-nm=$(compgen -c llvm-nm- | sort --version-sort | tail -n 1)
-symbols=$("$nm" --demangle c/all.elf)
+symbols=$(arm-none-eabi-nm --demangle c/all.elf)
 if grep -E "$forbidden" <<<"$symbols"; then
     echo "the functions reach what they may not"
     exit 1

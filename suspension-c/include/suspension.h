@@ -79,6 +79,8 @@ enum {
     SUSP_ERROR_NOT_CONVERGED = 49,
     /** all sub-steps that are allowed are used up */
     SUSP_ERROR_STEPS_USED_UP = 50,
+    /** the pivots of the fixed order are too small: a bounded step tries others */
+    SUSP_ERROR_UNHEALTHY_PIVOTS = 51,
     /** nothing is proved: the Jacobian is singular to rounding */
     SUSP_ERROR_UNPROVED_NEAR_SINGULAR = 60,
     /** nothing is proved: the root is too far, or a singularity too near */
@@ -135,6 +137,8 @@ typedef struct {
     float residual;
     /** What it was compared with. */
     float tolerance;
+    /** The norm of the error of the predicted position, in the unit of the points. */
+    float error;
     /** The health of the pivots, the norm of their inverses: rounding grows with it. */
     float growth;
 } susp_f32_settled;
@@ -287,6 +291,8 @@ typedef struct {
     double residual;
     /** What it was compared with. */
     double tolerance;
+    /** The norm of the error of the predicted position, in the unit of the points. */
+    double error;
     /** The health of the pivots, the norm of their inverses: rounding grows with it. */
     double growth;
 } susp_f64_settled;

@@ -218,6 +218,27 @@ susp_status susp_five_link_f64_bounded_step_twice(
         susp_f64_settled *settled,
         susp_f64_failure *failure);
 
+/** `bounded_step` in one fixed order of pivots or not at all: the call for a hard real-time loop. A
+ * refusal takes no longer than a step and leaves the motion; `bounded_step` with the same
+ * arguments finds the reason, or another order. `settled` may be NULL. */
+susp_status susp_five_link_f64_attempt(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_inputs *inputs,
+        susp_outputs outputs,
+        double dt,
+        susp_five_link_f64_motion *motion,
+        susp_f64_settled *settled);
+
+/** `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
+ * that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms. */
+susp_status susp_five_link_f64_attempt_without_sweeps(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_inputs *inputs,
+        susp_outputs outputs,
+        double dt,
+        susp_five_link_f64_motion *motion,
+        susp_f64_settled *settled);
+
 /** Positions, velocities and accelerations of all points of a motion, which must be the one that
  * a step with these inputs left. */
 susp_status susp_five_link_f64_read_points(

@@ -2,8 +2,8 @@
 
 use core::mem::MaybeUninit;
 
+use suspension_core::Advanced;
 use suspension_core::nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
-use suspension_core::tracker::Advanced;
 use suspension_core::{HasKingpin, HasWheel, Real, Signal, assemble, bounded, newton, wheel};
 
 use crate::shared::{Assembly, CarrierRotation, Converged, Kingpin, RigidMotion, Settled, Wheel};
@@ -40,12 +40,13 @@ impl<T> From<Advanced<T>> for Converged<T> {
     }
 }
 
-impl<T> From<bounded::Settled<T>> for Settled<T> {
+impl<T: Real> From<bounded::Settled<T>> for Settled<T> {
     fn from(found: bounded::Settled<T>) -> Self {
         Self {
-            residual: found.residual,
-            tolerance: found.tolerance,
-            growth: found.growth,
+            residual: found.residual(),
+            tolerance: found.tolerance(),
+            error: found.error(),
+            growth: found.growth(),
         }
     }
 }

@@ -117,6 +117,19 @@ macro_rules! functions_of_a_linkage {
             })
         }
 
+        /// `bounded_step` in one fixed order of pivots or not at all: the call for a hard real-time loop. A
+        /// refusal takes no longer than a step and leaves the motion; `bounded_step` with the same
+        /// arguments finds the reason, or another order. `settled` may be NULL.
+        fn attempt(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>) -> Status {
+            answer(|| attempted::<1>(model, inputs, outputs, dt, motion, settled))
+        }
+
+        /// `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
+        /// that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms.
+        fn attempt_without_sweeps(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>) -> Status {
+            answer(|| attempted::<0>(model, inputs, outputs, dt, motion, settled))
+        }
+
         /// Positions, velocities and accelerations of all points of a motion, which must be the one that
         /// a step with these inputs left.
         fn read_points(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, points: Out<PointRates>) -> Status {

@@ -144,6 +144,28 @@ macro_rules! helpers_of_a_linkage {
         }
 
         #[inline(always)]
+        fn attempted<const SWEEPS: usize>(
+            model: In<'_, Model>,
+            inputs: In<'_, Inputs>,
+            outputs: Outputs,
+            dt: Number,
+            motion: InOut<'_, Motion>,
+            settled: Out<'_, Settled>,
+        ) -> Result<(), Status> {
+            let (model, motion) = (model.object()?, motion.object()?);
+            let (outputs, settled) = (outputs_of(outputs)?, settled.optional()?);
+            let (bounded, inputs) = (
+                solver::Bounded::<Number, SWEEPS>::default(),
+                still(inputs.get()?),
+            );
+            fill(
+                settled,
+                bounded.attempt(outputs, model, &inputs, dt, motion)?,
+            );
+            Ok(())
+        }
+
+        #[inline(always)]
         fn located<C: solver::ChassisMotion<listing::Fixed<Number>>>(
             model: In<'_, Model>,
             inputs: solver::Inputs<C, listing::Drives<Number>>,

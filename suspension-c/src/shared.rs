@@ -67,6 +67,8 @@ structures! {
         residual: T,
         /// What it was compared with.
         tolerance: T,
+        /// The norm of the error of the predicted position, in the unit of the points.
+        error: T,
         /// The health of the pivots, the norm of their inverses: rounding grows with it.
         growth: T,
     }

@@ -2,6 +2,8 @@
 
 use core::ffi::CStr;
 
+use suspension_core::bounded::Refusal;
+
 use crate::describe::Interface;
 
 /// Defines the answers: their numbers, and their texts for people.
@@ -74,6 +76,7 @@ statuses! {
     TurningPoint = 48: "the leading quantity turns before it meets its target";
     NotConverged = 49: "the equation is off by more than the tolerance after all iterations";
     StepsUsedUp = 50: "all sub-steps that are allowed are used up";
+    UnhealthyPivots = 51: "the pivots of the fixed order are too small: a bounded step tries others";
 
     UnprovedNearSingular = 60: "nothing is proved: the Jacobian is singular to rounding";
     UnprovedTooFar = 61: "nothing is proved: the root is too far, or a singularity too near";
@@ -107,3 +110,16 @@ pub(crate) const INTERFACE: Interface = Interface {
     structures: &[],
     functions: &[calls::FUNCTIONS],
 };
+
+impl From<Refusal> for Status {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::NotFinite => Self::NotFinite,
+            Refusal::Diverging => Self::Diverging,
+            Refusal::NotConverged => Self::NotConverged,
+            Refusal::CrossedSingularity => Self::CrossedSingularity,
+            Refusal::Mirrored => Self::Mirrored,
+            Refusal::Unhealthy => Self::UnhealthyPivots,
+        }
+    }
+}

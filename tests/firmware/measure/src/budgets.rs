@@ -34,12 +34,22 @@ pub fn write(measured: &Table<Measured>) -> Result<()> {
         .iter()
         .map(|(target, modes)| {
             let modes = modes.iter();
-            let figures = modes.map(|(mode, measured)| (mode.clone(), measured.figures));
+            let figures = modes.map(|(mode, measured)| (mode.clone(), with_room(measured.figures)));
             (target.clone(), figures.collect())
         })
         .collect();
     let text = toml::to_string(&figures)?;
     Ok(std::fs::write(path(), format!("{HEAD}{text}"))?)
+}
+
+/// A fiftieth more, in round numbers: another compiler makes slightly other code.
+fn with_room(figures: Figures) -> Figures {
+    let room = |figure: u64| (figure + figure / 50).next_multiple_of(10);
+    Figures {
+        instructions: room(figures.instructions),
+        stack: room(figures.stack),
+        size: room(figures.size),
+    }
 }
 
 /// What is wrong, a sentence each; nothing where all is well. Of the budgets only those count that
