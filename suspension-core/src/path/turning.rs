@@ -19,8 +19,9 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
     pub(super) fn turns(&self, arc: &Arc<T, N, ORDER>, distance: T) -> usize {
         let mut forwards = self.here.tangent.drive >= T::zero();
         let mut turns = 0;
-        for look in 1..=LOOKS {
-            let part = T::constant(look as f64 / LOOKS as f64);
+        let mut part = T::zero();
+        for _ in 0..LOOKS {
+            part += T::constant(1.0 / LOOKS as f64);
             let now = arc.at(distance * part).rate.drive >= T::zero();
             turns += usize::from(now != forwards);
             forwards = now;
