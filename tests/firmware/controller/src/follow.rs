@@ -1,0 +1,109 @@
+//! Through the published motion, one counted call a step.
+
+use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Real, SolveError, Still};
+
+use crate::baked::Wheel;
+use crate::checksum::{Bits, Checksum};
+use crate::published::{self, Knuckle, STEPS};
+
+/// Gauges what a call takes: instructions, or bytes of stack.
+pub trait Gauge {
+    /// What the call results in, and what it takes.
+    fn gauge<R>(&self, call: impl FnOnce() -> R) -> (R, u32);
+}
+
+/// What a mode did over the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Report {
+    /// The least that a step took.
+    pub least: u32,
+    /// The most that a step took.
+    pub most: u32,
+    /// Made of all numbers of the states after each step.
+    pub checksum: u64,
+    /// The largest residual that a step was accepted with, m; zero where none is formed.
+    pub residual: f64,
+}
+
+impl Report {
+    fn new() -> Self {
+        Self {
+            least: u32::MAX,
+            most: 0,
+            checksum: 0,
+            residual: 0.0,
+        }
+    }
+
+    fn add(&mut self, taken: u32) {
+        self.least = self.least.min(taken);
+        self.most = self.most.max(taken);
+    }
+}
+
+/// A step of a solver, with what it tells of itself.
+pub type Step<T, L, R> = fn(
+    &L,
+    &Inputs<Still, <L as Linkage<15>>::Drives>,
+    &mut Motion<T, 15>,
+) -> Result<R, SolveError<T>>;
+
+/// A look-up of the pose at a drive with its rates; false outside the range.
+pub type LookUp<T> = fn(&Wheel<T>, &[T; 3], &mut [[T; 6]; 3]) -> bool;
+
+/// Follows the motion with the steps of a solver; or the number of the first step that
+/// fails.
+pub fn solved<T, L, R>(
+    gauge: &impl Gauge,
+    step: Step<T, L, R>,
+    residual: impl Fn(R) -> T,
+) -> Result<Report, u32>
+where
+    T: Real + Bits + Into<f64>,
+    L: Build<15, Scalar = T> + Knuckle,
+{
+    let (model, mut motion) = published::start::<T, L>().ok_or(0_u32)?;
+    let at = published::inputs::<T, L>;
+    // From rest to the rates of the motion.
+    let set_off = Bounded::<T>::default();
+    set_off
+        .step(&model, &at(0), T::zero(), &mut motion)
+        .map_err(|_| 0_u32)?;
+    let mut report = Report::new();
+    let mut checksum = Checksum::new();
+    for number in 1..=STEPS {
+        let inputs = at(number);
+        let (done, taken) = gauge.gauge(|| step(&model, &inputs, &mut motion));
+        report.add(taken);
+        let done = done.map_err(|_| number)?;
+        report.residual = report.residual.max(residual(done).into());
+        checksum.add(&motion.position);
+        checksum.add(&motion.velocity);
+        checksum.add(&motion.acceleration);
+    }
+    report.checksum = checksum.value();
+    Ok(report)
+}
+
+/// Looks the motion up in a baked one; or the number of the first step outside
+/// its range.
+pub fn baked<T: Real + Bits>(
+    gauge: &impl Gauge,
+    wheel: &Wheel<T>,
+    look_up: LookUp<T>,
+) -> Result<Report, u32> {
+    let mut report = Report::new();
+    let mut checksum = Checksum::new();
+    for number in 0..=STEPS {
+        let drive = published::theta(number).map(T::constant);
+        let mut pose = [[T::zero(); 6]; 3];
+        let (is_inside, taken) = gauge.gauge(|| look_up(wheel, &drive, &mut pose));
+        if !is_inside {
+            return Err(number);
+        }
+        report.add(taken);
+        checksum.add(pose.as_flattened());
+    }
+    report.checksum = checksum.value();
+    Ok(report)
+}

@@ -1,0 +1,17 @@
+//! A control loop that drives the published five-point suspension through its motion, with one
+//! millisecond a step.
+//!
+//! The same code runs on emulated microcontrollers, where each step's instructions are counted, and
+//! on the host, with which their results must agree.
+#![no_std]
+
+pub mod baked;
+mod checksum;
+mod follow;
+pub mod modes;
+mod published;
+pub mod steps;
+#[allow(dead_code, reason = "as `suspension bake` writes it")]
+mod wheel_by_theta;
+
+pub use follow::{Gauge, Report};

@@ -1,0 +1,60 @@
+//! What is counted: one step of the control loop, as one call of a function that nothing is
+//! inlined into. Their names are those of the symbols.
+
+use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::{
+    Bounded, Converged, Inputs, Motion, Outputs, Settled, SolveError, Still, Tracker,
+};
+
+use crate::published::STEP;
+
+/// Exports a step to the tolerance, by as many corrections as it takes.
+macro_rules! exact {
+    ($linkage:ident, $number:ty: $name:ident) => {
+        /// To the tolerance.
+        #[unsafe(no_mangle)]
+        #[inline(never)]
+        pub fn $name(
+            model: &$linkage::Model<$number>,
+            inputs: &Inputs<Still, $linkage::Drives<$number>>,
+            motion: &mut Motion<$number, 15>,
+        ) -> Result<Converged<$number>, SolveError<$number>> {
+            Tracker::default().step(model, inputs, STEP as $number, motion)
+        }
+    };
+}
+
+/// Exports a step of fixed cost, with one sweep where the acceleration is solved for and else two.
+macro_rules! bounded {
+    ($linkage:ident, $number:ty, $outputs:ident, $sweeps:literal: $name:ident) => {
+        /// At a fixed cost.
+        #[unsafe(no_mangle)]
+        #[inline(never)]
+        pub fn $name(
+            model: &$linkage::Model<$number>,
+            inputs: &Inputs<Still, $linkage::Drives<$number>>,
+            motion: &mut Motion<$number, 15>,
+        ) -> Result<Settled<$number>, SolveError<$number>> {
+            Bounded::<$number, $sweeps>::default().step_to(
+                Outputs::$outputs,
+                model,
+                inputs,
+                STEP as $number,
+                motion,
+            )
+        }
+    };
+}
+
+exact!(attia2003, f32: attia2003_f32_exact);
+exact!(attia2003, f64: attia2003_f64_exact);
+exact!(five_link, f32: five_link_f32_exact);
+exact!(five_link, f64: five_link_f64_exact);
+bounded!(attia2003, f32, Position, 2: attia2003_f32_bounded_position);
+bounded!(attia2003, f64, Position, 2: attia2003_f64_bounded_position);
+bounded!(attia2003, f32, Velocity, 2: attia2003_f32_bounded_velocity);
+bounded!(attia2003, f64, Velocity, 2: attia2003_f64_bounded_velocity);
+bounded!(attia2003, f32, Acceleration, 1: attia2003_f32_bounded_acceleration);
+bounded!(attia2003, f64, Acceleration, 1: attia2003_f64_bounded_acceleration);
+bounded!(five_link, f32, Acceleration, 1: five_link_f32_bounded_acceleration);
+bounded!(five_link, f64, Acceleration, 1: five_link_f64_bounded_acceleration);

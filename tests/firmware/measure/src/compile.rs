@@ -1,0 +1,78 @@
+//! Builds the firmware and the archive of its calls.
+
+use std::panic::resume_unwind;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+
+use crate::target::Target;
+
+/// The workspace of the firmware.
+pub fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// What was built for a target.
+pub struct Built {
+    /// The loop, to be run.
+    pub firmware: PathBuf,
+    /// The calls, to be looked into: not linked, so that every function has a section of its own.
+    pub archive: PathBuf,
+}
+
+/// Builds for all targets side by side, each into a folder of its own.
+pub fn compile<'a>(targets: &[&'a Target]) -> Result<Vec<(&'a Target, Built)>> {
+    let linker = linker()?;
+    std::thread::scope(|scope| {
+        let builds: Vec<_> = targets
+            .iter()
+            .map(|target| scope.spawn(|| Ok((*target, build(target, &linker)?))))
+            .collect();
+        let finished = builds.into_iter().map(|build| build.join());
+        finished
+            .map(|built| built.unwrap_or_else(|panic| resume_unwind(panic)))
+            .collect()
+    })
+}
+
+fn build(target: &Target, linker: &Path) -> Result<Built> {
+    let config = |key: &str, value: &str| format!("target.{}.{key}={value}", target.triple);
+    let mut flags = vec!["-Zemit-stack-sizes"];
+    flags.extend(target.flags);
+    let folder = workspace().join("target").join(target.name);
+    let mut command = Command::new("rustup");
+    command
+        .args(["run", "debian", "cargo", "build", "--quiet", "--release"])
+        .args(["--package", "controller", "--package", "entries"])
+        .args(["--target", target.triple, "--target-dir"])
+        .arg(&folder)
+        .args(["--config", &config("rustflags", &format!("{flags:?}"))])
+        .args(["--config", &config("linker", &format!("{linker:?}"))])
+        .current_dir(workspace())
+        // For -Z.
+        .env("RUSTC_BOOTSTRAP", "1");
+    if target.has_doubles {
+        command.args(["--features", "controller/f64"]);
+    }
+    if target.has_rooms {
+        command.args(["--features", "entries/rooms"]);
+    }
+    let status = command.status().context("rustup")?;
+    ensure!(status.success(), "{}: the build fails", target.name);
+    let built = folder.join(target.triple).join("release");
+    Ok(Built {
+        firmware: built.join("controller"),
+        archive: built.join("libentries.a"),
+    })
+}
+
+/// The linker that comes with the active toolchain.
+fn linker() -> Result<PathBuf> {
+    let print = |what: &str| -> Result<String> {
+        let output = Command::new("rustc").args(["--print", what]).output()?;
+        Ok(String::from_utf8(output.stdout)?.trim().to_owned())
+    };
+    let (sysroot, host) = (print("sysroot")?, print("host-tuple")?);
+    Ok(Path::new(&sysroot).join(format!("lib/rustlib/{host}/bin/rust-lld")))
+}

@@ -1,0 +1,46 @@
+//! What a mode costs on a target.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// What is budgeted of a mode.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Figures {
+    /// The most instructions of a step.
+    pub instructions: u64,
+    /// The deepest stack of a call, bytes, whatever way the call takes.
+    pub stack: u64,
+    /// Code and constants that a call reaches, bytes.
+    pub size: u64,
+}
+
+impl Figures {
+    /// The figures with their names.
+    pub fn named(&self) -> [(&'static str, u64); 3] {
+        [
+            ("instructions", self.instructions),
+            ("bytes of stack", self.stack),
+            ("bytes of code and constants", self.size),
+        ]
+    }
+}
+
+/// What was measured of a mode.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Measured {
+    /// To be held against the budget.
+    pub figures: Figures,
+    /// The fewest instructions of a step.
+    pub least: u64,
+    /// The deepest stack that the motion has used, bytes.
+    pub used_stack: u64,
+    /// Whether the states are those of the host to the last bit.
+    pub is_hosts: bool,
+    /// The largest residual, m.
+    pub residual: f64,
+}
+
+/// By target and mode.
+pub type Table<T> = BTreeMap<String, BTreeMap<String, T>>;

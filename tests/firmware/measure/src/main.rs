@@ -1,0 +1,142 @@
+//! Measures what a step of the solver costs on emulated microcontrollers, compares it with the
+//! budgets and with the host, and searches for what firmware must not reach.
+
+mod absence;
+mod archive;
+mod budgets;
+mod compile;
+mod figures;
+mod print;
+mod reach;
+mod run;
+mod target;
+
+use std::collections::BTreeMap;
+use std::process::ExitCode;
+
+use anyhow::{Context, Result, ensure};
+use clap::Parser;
+
+use archive::Archive;
+use figures::{Figures, Measured, Table};
+use reach::Reach;
+use run::Taken;
+use target::{TARGETS, Target};
+
+/// Measures what a step of the solver costs on emulated microcontrollers: instructions, stack and
+/// size, by target and mode. Ends with 1 where a budget is exceeded or missing, where a step depends
+/// on its data or leads to other states than on the host, and where a call reaches a panic,
+/// formatting, allocation or floating point in software.
+///
+/// For example `cargo run -p measure -- --only m4f/attia2003_f32_bounded`.
+#[derive(Parser)]
+struct Options {
+    /// Measures only what starts so: a target, `/` and the start of a mode
+    #[arg(long, value_name = "TARGET/MODE", default_value = "")]
+    only: String,
+    /// Writes the table as Markdown
+    #[arg(long)]
+    markdown: bool,
+    /// Replaces the budgets by what is measured
+    #[arg(long, conflicts_with = "only")]
+    write: bool,
+    /// Lists what each mode reaches: bytes of code or constants, bytes of stack, name
+    #[arg(long)]
+    reach: bool,
+}
+
+impl Options {
+    fn wants(&self, target: &str, mode: &str) -> bool {
+        format!("{target}/{mode}").starts_with(&self.only)
+    }
+
+    fn wants_target(&self, target: &str) -> bool {
+        let (wanted, _) = self.only.split_once('/').unwrap_or((&self.only, ""));
+        target.starts_with(wanted)
+    }
+}
+
+fn main() -> Result<ExitCode> {
+    let options = Options::parse();
+    let host = run::on_host();
+    let mut measured = Table::new();
+    let mut complaints = Vec::new();
+    let wanted: Vec<&Target> = TARGETS
+        .iter()
+        .filter(|target| options.wants_target(target.name))
+        .collect();
+    for (target, built) in compile::compile(&wanted)? {
+        let archive = Archive::read(&built.archive)?;
+        let mut taken = run::on_board(target, &built.firmware)?;
+        taken.retain(|mode, _| options.wants(target.name, mode));
+        ensure!(!taken.is_empty(), "{} has no such mode", target.name);
+        measured.insert(
+            target.name.to_owned(),
+            modes(target, &archive, &taken, &host)?,
+        );
+        complaints.extend(absence::complaints(target, &archive)?);
+        if options.reach {
+            list(&archive, taken.keys())?;
+        }
+    }
+    let table = if options.markdown {
+        print::markdown
+    } else {
+        print::plain
+    };
+    print!("{}", table(&measured));
+    if options.write {
+        budgets::write(&measured)?;
+    }
+    let wanted = |target: &str, mode: &str| options.wants(target, mode);
+    complaints.extend(budgets::complaints(&measured, &budgets::read()?, wanted));
+    for complaint in &complaints {
+        eprintln!("error: {complaint}");
+    }
+    Ok(ExitCode::from(u8::from(!complaints.is_empty())))
+}
+
+/// The modes of a target.
+fn modes(
+    target: &Target,
+    archive: &Archive,
+    taken: &BTreeMap<String, Taken>,
+    host: &BTreeMap<String, String>,
+) -> Result<BTreeMap<String, Measured>> {
+    let each = taken.iter().map(|(mode, taken)| {
+        let root = archive.find(mode)?;
+        let reach = Reach::of(archive, &[root]);
+        let stack = reach.stack(root);
+        let [least, most] = taken.instructions.map(u64::from);
+        let measured = Measured {
+            figures: Figures {
+                instructions: most,
+                stack: stack.with_context(|| format!("{}/{mode}", target.name))?,
+                size: reach.bytes(),
+            },
+            least,
+            used_stack: taken.stack[1].into(),
+            is_hosts: host.get(mode) == Some(&taken.checksum),
+            residual: taken.residual,
+        };
+        Ok((mode.clone(), measured))
+    });
+    each.collect()
+}
+
+fn list<'a>(archive: &Archive, modes: impl Iterator<Item = &'a String>) -> Result<()> {
+    for mode in modes {
+        println!("{mode} reaches");
+        for section in Reach::of(archive, &[archive.find(mode)?]).by_size() {
+            let frame = section
+                .frame
+                .map_or("-".to_owned(), |frame| frame.to_string());
+            println!(
+                "{:7} {frame:>6} {}",
+                section.bytes,
+                section.names.join(", ")
+            );
+        }
+    }
+    Ok(())
+}
