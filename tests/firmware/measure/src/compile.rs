@@ -1,5 +1,6 @@
 //! Builds the firmware and the archive of its calls.
 
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -28,11 +29,10 @@ pub fn compile<'a>(targets: &[&'a Target]) -> Result<Vec<(&'a Target, Built)>> {
             .iter()
             .map(|target| scope.spawn(|| Ok((*target, build(target, &linker)?))))
             .collect();
-        let join = |build: std::thread::ScopedJoinHandle<'_, _>| match build.join() {
-            Ok(built) => built,
-            Err(panic) => std::panic::resume_unwind(panic),
-        };
-        builds.into_iter().map(join).collect()
+        let finished = builds.into_iter().map(|build| build.join());
+        finished
+            .map(|built| built.unwrap_or_else(|panic| resume_unwind(panic)))
+            .collect()
     })
 }
 
