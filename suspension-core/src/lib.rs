@@ -5,7 +5,8 @@
 //! this crate runs Newton's method on it ([`Newton`]), takes velocities and accelerations from
 //! one factorisation ([`Tangent`]), follows a motion in time to a tolerance ([`Tracker`]), at a fixed
 //! cost ([`Bounded`]), through the turning points of its drives ([`path`]) or by its Taylor series ([`Series`]), looks up a motion that was baked
-//! ([`baked`]), and reads off the wheel what engineers want to know ([`wheel`]).
+//! ([`baked`]), and reads off the wheel what engineers want to know ([`wheel`]). How to put it on a
+//! controller, and what it costs there, is told at [`controller`].
 #![no_std]
 #![forbid(unsafe_code)]
 // Nothing on the solving path may panic.
