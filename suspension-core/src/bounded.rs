@@ -55,7 +55,7 @@ pub enum Outputs {
 /// acceleration from a prediction of order `ORDER`: 0 is the last position, 1 adds its
 /// velocity, 2 its acceleration. More sweeps allow for longer steps.
 ///
-/// With 0 sweeps each is solved for once and all terms of `e` are left out, a fifth of the
+/// With 0 sweeps each is solved for once and all terms of `e` are left out, a quarter of the
 /// instructions. Only a step with an error within the tolerance is then accepted, so that what is
 /// left out is rounding: `f32` at 1 ms.
 ///

@@ -28,6 +28,8 @@ pub mod bounded;
 pub mod certificate;
 pub mod chassis;
 pub mod constraint;
+#[doc = include_str!("../docs/controller.md")]
+pub mod controller {}
 mod entrywise;
 pub mod error;
 pub mod factored;

@@ -14,12 +14,12 @@
 //! | model in `f32` | free points | wheel centre | toe |
 //! | --- | --- | --- | --- |
 //! | from hardpoints rounded in vehicle axes, 2.7 m away | 6.3e-7 m | 4.7e-7 m | 8.6e-6 rad |
-//! | from local hardpoints rounded | 2.6e-7 m | 1.7e-7 m | 1.7e-6 rad |
-//! | computed in `f64` from local hardpoints, then rounded | 2.3e-7 m | 1.3e-7 m | 1.2e-6 rad |
+//! | from local hardpoints rounded | 2.6e-7 m | 1.9e-7 m | 1.9e-6 rad |
+//! | computed in `f64` from local hardpoints, then rounded | 2.4e-7 m | 1.5e-7 m | 1.1e-6 rad |
 //!
 //! In general a position is off by no more than the norm of the Jacobian's inverse times `EPSILON`
 //! times the largest coordinate or length. A knuckle stated as a `body` keeps that norm small; stated
-//! as nine distances (`attia2003`) it costs another factor of seven.
+//! as nine distances (`attia2003`) it costs another factor of six.
 //!
 //! ```
 //! use suspension_core::linkages::five_link::{self, Drives, Model};
