@@ -127,7 +127,7 @@ structures! {
 
     /// How a chassis moves as a rigid body, in world axes.
     RigidMotion {
-        /// From chassis axes to world axes: w, x, y, z. Of any length but zero.
+        /// From chassis axes to world axes: w, x, y, z. Of any length but zero, else SUSP_ERROR_ARGUMENT.
         rotation: [T; 4],
         /// Position of the chassis' origin, in the unit of the points.
         position: [T; 3],
