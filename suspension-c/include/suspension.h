@@ -15,7 +15,8 @@
  * Answers   SUSP_OK, or why nothing was done: then everything is as it was but for `*failure`, which is
  *           written only then.
  * Numbers   Any unit of length, the same throughout; angles in rad, times in s. NaN and infinities are
- *           told by the answers. Axes: x forward, y left, z up (ISO 8855) where wheels are read off.
+ *           told by the answers of what makes a model and of what solves; what only reads, carries or
+ *           looks up may pass them on. Axes: x forward, y left, z up (ISO 8855) where wheels are read off.
  * Structs   of named points or numbers are arrays in the order of their members as well.
  */
 #ifndef SUSP_H
@@ -197,7 +198,7 @@ typedef struct {
 
 /** How a chassis moves as a rigid body, in world axes. */
 typedef struct {
-    /** From chassis axes to world axes: w, x, y, z. Of any length but zero. */
+    /** From chassis axes to world axes: w, x, y, z. Of any length but zero, else SUSP_ERROR_ARGUMENT. */
     float rotation[4];
     /** Position of the chassis' origin, in the unit of the points. */
     float position[3];
@@ -351,7 +352,7 @@ typedef struct {
 
 /** How a chassis moves as a rigid body, in world axes. */
 typedef struct {
-    /** From chassis axes to world axes: w, x, y, z. Of any length but zero. */
+    /** From chassis axes to world axes: w, x, y, z. Of any length but zero, else SUSP_ERROR_ARGUMENT. */
     double rotation[4];
     /** Position of the chassis' origin, in the unit of the points. */
     double position[3];

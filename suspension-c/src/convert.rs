@@ -86,35 +86,48 @@ pub fn rotation_of<T: Real, P: HasWheel<T>>(
 }
 
 /// The kingpin of points.
-pub fn kingpin_of<T: Real, P: HasKingpin<T> + HasWheel<T>>(points: &P) -> Kingpin<T> {
+pub fn kingpin_of<T: Real, P: HasKingpin<T> + HasWheel<T>>(
+    points: &P,
+) -> Result<Kingpin<T>, Status> {
+    // Which side is outboard is the wheel's to say.
+    wheel_of(points)?;
+    let [lower, upper] = points.kingpin();
+    check_direction((upper - lower).norm()).ok_or(Status::NoDirection)?;
     let found = wheel::Kingpin::of(points);
-    Kingpin {
+    Ok(Kingpin {
         angle: found.angle,
         caster: found.caster,
-    }
+    })
+}
+
+/// Whether something of this length has a direction.
+fn check_direction<T: Real>(length: T) -> Option<()> {
+    (length > T::zero() && length.is_finite()).then_some(())
 }
 
 impl<T: Real> RigidMotion<T> {
     /// The core's form.
-    pub fn body(&self) -> suspension_core::RigidMotion<T> {
+    pub fn body(&self) -> Result<suspension_core::RigidMotion<T>, Status> {
         let [w, x, y, z] = self.rotation;
-        suspension_core::RigidMotion {
+        let rotation = Quaternion::new(w, x, y, z);
+        check_direction(rotation.norm()).ok_or(Status::Argument)?;
+        Ok(suspension_core::RigidMotion {
             pose: Isometry3::from_parts(
                 Translation3::from(Vector3::from(self.position)),
-                UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z)),
+                UnitQuaternion::new_normalize(rotation),
             ),
             velocity: self.velocity.into(),
             omega: self.omega.into(),
             acceleration: self.acceleration.into(),
             alpha: self.alpha.into(),
-        }
+        })
     }
 }
 
 impl<T: Real, const COUNT: usize> Rates<Values<[T; 3], COUNT>> {
     /// Points that move in chassis axes, carried into the world.
-    pub fn carried(&self, chassis: &RigidMotion<T>) -> Self {
-        let body = chassis.body();
+    pub fn carried(&self, chassis: &RigidMotion<T>) -> Result<Self, Status> {
+        let body = chassis.body()?;
         let mut carried = *self;
         let Rates {
             value,
@@ -132,6 +145,6 @@ impl<T: Real, const COUNT: usize> Rates<Values<[T; 3], COUNT>> {
             *rate = found.rate.into();
             *second_rate = found.second_rate.into();
         }
-        carried
+        Ok(carried)
     }
 }

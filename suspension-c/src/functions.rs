@@ -170,7 +170,7 @@ macro_rules! functions_of_a_linkage {
         fn carry(chassis: In<RigidMotion>, points: In<PointRates>, carried: Out<PointRates>) -> Status {
             answer(|| {
                 let (chassis, points, carried) = (chassis.get()?, points.get()?, carried.get()?);
-                carried.write(points.carried(chassis));
+                carried.write(points.carried(chassis)?);
                 Ok(())
             })
         }
@@ -180,7 +180,7 @@ macro_rules! functions_of_a_linkage {
         fn move_chassis(model: In<Model>, chassis: In<RigidMotion>, points: Out<ChassisRates>) -> Status {
             answer(|| {
                 let (model, chassis, points) = (model.object()?, chassis.get()?, points.get()?);
-                let moving = chassis.body().anchors(solver::Linkage::fixed(model));
+                let moving = chassis.body()?.anchors(solver::Linkage::fixed(model));
                 points.write(Rates::from_signal(&moving, values_of_points));
                 Ok(())
             })
@@ -260,7 +260,7 @@ macro_rules! functions_of_a_part {
             fn read_kingpin(points: In<Points>, kingpin: Out<Kingpin>) -> Status {
                 answer(|| {
                     let (points, kingpin) = (points.get()?, kingpin.get()?);
-                    kingpin.write(kingpin_of(&points_of(points)));
+                    kingpin.write(kingpin_of(&points_of(points))?);
                     Ok(())
                 })
             }

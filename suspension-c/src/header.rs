@@ -27,7 +27,8 @@ const RULES: &str = " * Suspension kinematics for C. This file has what all link
  * Answers   SUSP_OK, or why nothing was done: then everything is as it was but for `*failure`, which is
  *           written only then.
  * Numbers   Any unit of length, the same throughout; angles in rad, times in s. NaN and infinities are
- *           told by the answers. Axes: x forward, y left, z up (ISO 8855) where wheels are read off.
+ *           told by the answers of what makes a model and of what solves; what only reads, carries or
+ *           looks up may pass them on. Axes: x forward, y left, z up (ISO 8855) where wheels are read off.
  * Structs   of named points or numbers are arrays in the order of their members as well.
 ";
 

@@ -63,7 +63,8 @@ structures! {
 
     /// What a bounded step did.
     Settled {
-        /// The norm of the residual that is left, in the unit of the points.
+        /// The norm of the residual that is left, in the unit of the points; without sweeps 0, as it is
+        /// not measured.
         residual: T,
         /// What it was compared with.
         tolerance: T,
@@ -127,7 +128,7 @@ structures! {
 
     /// How a chassis moves as a rigid body, in world axes.
     RigidMotion {
-        /// From chassis axes to world axes: w, x, y, z. Of any length but zero.
+        /// From chassis axes to world axes: w, x, y, z. Of any length but zero, else SUSP_ERROR_ARGUMENT.
         rotation: [T; 4],
         /// Position of the chassis' origin, in the unit of the points.
         position: [T; 3],

@@ -10,7 +10,7 @@ use five_link::{DESIGN, at_rest, inputs, made, model};
 use suspension_c::catalogue::five_link_f32::{
     self, ChassisRates, Drives, Inputs, Lengths, Model, Motion, PointRates, Points,
 };
-use suspension_c::shared::of::f32::{Certificate, Failure, RigidMotion};
+use suspension_c::shared::of::f32::{Certificate, Failure, Kingpin, RigidMotion};
 use suspension_c::{Out, Status, status_text};
 
 /// A text that lives as long as the program; `None` for NULL.
@@ -149,6 +149,47 @@ fn a_proved_configuration_has_its_radius() {
         certificate.radius < 1e-4 && certificate.unique_within > 1e-3,
         "{certificate:?}"
     );
+}
+
+#[test]
+fn what_has_no_direction_is_told() {
+    let model = model();
+    let nowhere = Points {
+        values: [[0.0; 3]; 11],
+    };
+    let points = PointRates {
+        value: nowhere,
+        rate: nowhere,
+        second_rate: nowhere,
+    };
+    let kingpin = |points: &Points| {
+        made::<Kingpin>(|kingpin| five_link_f32::kingpin::read_kingpin(points.into(), kingpin))
+            .map(|_| ())
+    };
+    assert_eq!(kingpin(&DESIGN), Ok(()));
+    assert_eq!(kingpin(&nowhere), Err(Status::NoDirection));
+    let mut unknown = DESIGN;
+    unknown.values.fill([f32::NAN; 3]);
+    assert_eq!(kingpin(&unknown), Err(Status::NoDirection));
+    // What cannot be squared is as bad as zero.
+    for length in [0.0, 1e-30, 1e30, f32::NAN] {
+        let chassis = RigidMotion {
+            rotation: [length, 0.0, 0.0, 0.0],
+            position: [0.0; 3],
+            velocity: [0.0; 3],
+            acceleration: [0.0; 3],
+            omega: [0.0; 3],
+            alpha: [0.0; 3],
+        };
+        let carried = made::<PointRates>(|carried| {
+            five_link_f32::carry((&chassis).into(), (&points).into(), carried)
+        });
+        assert_eq!(carried.err(), Some(Status::Argument));
+        let anchors = made::<ChassisRates>(|anchors| {
+            five_link_f32::move_chassis((&model).into(), (&chassis).into(), anchors)
+        });
+        assert_eq!(anchors.err(), Some(Status::Argument));
+    }
 }
 
 /// A turn about the vertical does not change what the drive, an angle from it, prescribes.

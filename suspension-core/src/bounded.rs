@@ -57,7 +57,8 @@ pub enum Outputs {
 ///
 /// With 0 sweeps each is solved for once and all terms of `e` are left out, a quarter of the
 /// instructions. Only a step with an error within the tolerance is then accepted, so that what is
-/// left out is rounding: `f32` at 1 ms.
+/// left out is rounding: `f32` at 1 ms. With another tolerance than the default what is left out of
+/// the rates grows with it.
 ///
 /// A first step from rest is one with `dt = 0`: it finds velocity and acceleration. At 1 ms one sweep
 /// is enough where the acceleration is solved for; with less two are, or half the step.

@@ -106,3 +106,31 @@ fn without_sweeps_what_is_left_out_must_be_rounding() {
     );
     assert_eq!(motion, case.start);
 }
+
+/// Without sweeps the residual is not measured, but below the error that is: also where the tolerance
+/// allows for one that is no rounding.
+#[test]
+fn without_sweeps_the_residual_is_within_the_tolerance() {
+    let (case, exact) = (five_link::<f32>(), five_link::<f64>());
+    for (tolerance, milliseconds) in [(64.0, 1_u16), (1e5, 50)] {
+        let bounded = Bounded::<f32, 0> {
+            tolerance,
+            ..Bounded::default()
+        };
+        let dt = f32::from(milliseconds) * 1e-3;
+        let mut motion = case.start;
+        for step in 1..=1900 / milliseconds {
+            let t = f32::from(step) * dt;
+            let settled = bounded
+                .attempt(OUTPUTS, &case.model, &(case.inputs)(t), dt, &mut motion)
+                .expect("a regular motion");
+            let position = motion.position.map(f64::from);
+            let drives = (exact.inputs)(f64::from(t)).drives;
+            let drives = exact.model.coordinates(&drives).value;
+            let residual = exact
+                .model
+                .residual(&position, exact.model.fixed(), &drives);
+            assert!(residual.norm() < f64::from(settled.tolerance()), "at {t} s");
+        }
+    }
+}

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-use super::program::{command, edited, folder, rows, text};
+use super::program::{command, edited, example, folder, rows, text};
 
 #[test]
 fn a_closed_standard_output_is_no_failure() {
@@ -70,4 +70,36 @@ fn without_a_table_no_rows_are_said_to_be_kept() {
     let message = text(&output.stderr);
     assert!(message.contains("instants were solved, up to t = "));
     assert!(!message.contains("kept"), "{message}");
+}
+
+/// After the first of many values has been listed.
+#[cfg(unix)]
+#[test]
+fn assemblies_that_were_found_are_kept() {
+    use std::io::{BufRead, BufReader, Read};
+
+    let folder = folder();
+    let values = (0..400).map(|step| format!("{}", 0.7 + 1e-3 * f64::from(step)));
+    std::fs::write(folder.path().join("motion.toml"), example("five_link.toml")).expect("written");
+    let mut child = command(folder.path())
+        .args(["assemblies", "motion.toml", "--csv", "all.csv", "--at"])
+        .args(values)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    let mut listed = BufReader::new(child.stdout.take().expect("standard output"));
+    let mut first = String::new();
+    listed.read_line(&mut first).expect("a line");
+    let sent = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(sent.expect("a signal").success());
+    let mut rest = String::new();
+    listed.read_to_string(&mut rest).expect("text");
+    let output = child.wait_with_output().expect("the program ends");
+    assert_eq!(output.status.code(), Some(130), "{output:?}");
+    let mut table = csv::Reader::from_path(folder.path().join("all.csv")).expect("a table");
+    let kept: Result<Vec<_>, _> = table.records().collect();
+    assert!(!kept.expect("whole rows").is_empty());
 }

@@ -73,7 +73,8 @@ pub struct Settled<T> {
 
 impl<T: Real> Settled<T> {
     /// The norm of the residual that is left, in units of length, from the quadratic identity: it
-    /// tells what the sweeps left, far below what rounding leaves.
+    /// tells what the sweeps left, far below what rounding leaves. Without sweeps it is not measured
+    /// and zero here: it is of the size of the error's square, divided by the lengths of the linkage.
     pub fn residual(&self) -> T {
         self.residual_squared.sqrt()
     }

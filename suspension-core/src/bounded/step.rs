@@ -113,7 +113,7 @@ where
         };
         let mut error = factors.solve(&residual);
         if SWEEPS == 0 {
-            // What is left, C(e, e) / 2, is far below the error that `judge` asks for.
+            // What is left, C(e, e) / 2, is far below the error that `judge` asks for: not measured.
             return (error, L::Scalar::default());
         }
         // F(q0 - e) = F(q0) - J e + C(e, e) / 2: of the first solution the last term is left, of

@@ -50,22 +50,25 @@ impl Options {
         format!("{target}/{mode}").starts_with(&self.only)
     }
 
-    fn wants_target(&self, target: &str) -> bool {
+    /// The targets, one at least.
+    fn targets(&self) -> Result<Vec<&'static Target>> {
         let (wanted, _) = self.only.split_once('/').unwrap_or((&self.only, ""));
-        target.starts_with(wanted)
+        let targets = TARGETS.iter();
+        let targets: Vec<_> = targets
+            .filter(|target| target.name.starts_with(wanted))
+            .collect();
+        ensure!(!targets.is_empty(), "no target is called {wanted}");
+        Ok(targets)
     }
 }
 
 fn main() -> Result<ExitCode> {
     let options = Options::parse();
+    let targets = options.targets()?;
     let host = run::on_host();
     let mut measured = Table::new();
     let mut complaints = Vec::new();
-    let wanted: Vec<&Target> = TARGETS
-        .iter()
-        .filter(|target| options.wants_target(target.name))
-        .collect();
-    for (target, built) in compile::compile(&wanted)? {
+    for (target, built) in compile::compile(&targets)? {
         let archive = Archive::read(&built.archive)?;
         let mut taken = run::on_board(target, &built.firmware)?;
         taken.retain(|mode, _| options.wants(target.name, mode));
@@ -139,4 +142,22 @@ fn list<'a>(archive: &Archive, modes: impl Iterator<Item = &'a String>) -> Resul
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Options;
+    use clap::Parser;
+
+    /// Or a misprint would measure nothing, and all would be well.
+    #[test]
+    fn a_target_that_there_is_not_is_told() {
+        let count = |only: &str| {
+            let options = Options::parse_from(["measure", "--only", only]);
+            options.targets().map(|targets| targets.len()).ok()
+        };
+        assert_eq!(count("m"), Some(2));
+        assert_eq!(count("m4f/five_link"), Some(1));
+        assert_eq!(count("m5"), None);
+    }
 }

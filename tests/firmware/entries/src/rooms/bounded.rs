@@ -26,9 +26,10 @@ where
         .is_ok()
 }
 
-/// Exports the step of one linkage in one number type, with one sweep and with two.
+/// Exports the step of one linkage in one number type, without sweeps, with one and with two.
 macro_rules! export {
-    ($linkage:ident, $number:ty: $one:ident, $two:ident) => {
+    ($linkage:ident, $number:ty: $none:ident, $one:ident, $two:ident) => {
+        export!($linkage, $number, 0, $none);
         export!($linkage, $number, 1, $one);
         export!($linkage, $number, 2, $two);
     };
@@ -47,7 +48,7 @@ macro_rules! export {
     };
 }
 
-export!(attia2003, f32: firmware_attia2003_f32_bounded_1, firmware_attia2003_f32_bounded_2);
-export!(attia2003, f64: firmware_attia2003_f64_bounded_1, firmware_attia2003_f64_bounded_2);
-export!(five_link, f32: firmware_five_link_f32_bounded_1, firmware_five_link_f32_bounded_2);
-export!(five_link, f64: firmware_five_link_f64_bounded_1, firmware_five_link_f64_bounded_2);
+export!(attia2003, f32: firmware_attia2003_f32_bounded_0, firmware_attia2003_f32_bounded_1, firmware_attia2003_f32_bounded_2);
+export!(attia2003, f64: firmware_attia2003_f64_bounded_0, firmware_attia2003_f64_bounded_1, firmware_attia2003_f64_bounded_2);
+export!(five_link, f32: firmware_five_link_f32_bounded_0, firmware_five_link_f32_bounded_1, firmware_five_link_f32_bounded_2);
+export!(five_link, f64: firmware_five_link_f64_bounded_0, firmware_five_link_f64_bounded_1, firmware_five_link_f64_bounded_2);
