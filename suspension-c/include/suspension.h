@@ -134,7 +134,8 @@ typedef struct {
 
 /** What a bounded step did. */
 typedef struct {
-    /** The norm of the residual that is left, in the unit of the points. */
+    /** The norm of the residual that is left, in the unit of the points; without sweeps 0, as it is
+     * not measured. */
     float residual;
     /** What it was compared with. */
     float tolerance;
@@ -288,7 +289,8 @@ typedef struct {
 
 /** What a bounded step did. */
 typedef struct {
-    /** The norm of the residual that is left, in the unit of the points. */
+    /** The norm of the residual that is left, in the unit of the points; without sweeps 0, as it is
+     * not measured. */
     double residual;
     /** What it was compared with. */
     double tolerance;

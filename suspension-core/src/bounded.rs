@@ -64,7 +64,8 @@ pub enum Outputs {
 /// is enough where the acceleration is solved for; with less two are, or half the step.
 ///
 /// The instructions that a step executes do not depend on its data, as long as the pivots of the
-/// macro's order are healthy and the step is accepted.
+/// macro's order are healthy, the error of the prediction is within
+/// [`correction_of_size`](Self::correction_of_size) and the step is accepted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounded<T, const SWEEPS: usize = 1, const ORDER: usize = 2> {
     /// The largest norm of the residual that is accepted, as a multiple of rounding: it is compared

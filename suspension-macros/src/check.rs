@@ -11,15 +11,17 @@ pub(crate) use determined::determined;
 pub(crate) use names::names;
 pub(crate) use uses::{angles, chassis_points};
 
-/// Fields of the generated model, variables of its methods, and names that a pattern does not
-/// bind.
-const RESERVED: [&str; 10] = [
+/// Fields of the generated model and its factors, variables of its methods, and names that a pattern
+/// does not bind.
+const RESERVED: [&str; 12] = [
     "fixed",
     "size",
     "drive_rate",
     "fixed_rate",
     "v_fixed",
     "w_fixed",
+    "growth_squared",
+    "determinant_sign",
     "None",
     "Some",
     "Ok",

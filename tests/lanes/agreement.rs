@@ -119,3 +119,35 @@ fn lanes_keep_what_they_are_given() {
         five_link::Listing::gather([&double], |[x]: [f64; 1]| x as f32);
     assert_eq!(back, single);
 }
+
+/// Nor do lanes without sweeps take a step that they would refuse alone.
+#[test]
+fn lanes_without_sweeps_agree_with_steps_alone() {
+    let fleet = Fleet::<five_link::Listing, f32, 4>::near(&support::five_link_rough());
+    let bounded = Bounded::<f32, 0>::default();
+    for instructions in ALL {
+        let mut lanes = Lanes::<five_link::Listing, f32, 15, 4, 0>::with(
+            instructions,
+            fleet.models,
+            &fleet.starts,
+        );
+        let mut alone = fleet.starts;
+        let mut refused = 0;
+        for (t, dt) in (1..=300).map(|step| (step, 1)).chain([(350, 50)]) {
+            let [t, dt] = [t, dt].map(|milliseconds| f64::from(milliseconds) * STEP);
+            let drives = fleet.drives(t);
+            let results = lanes.step(Outputs::Acceleration, &drives, dt as f32);
+            for (lane, result) in results.into_iter().enumerate() {
+                let (model, inputs) = (&fleet.models[lane], Inputs::still(drives[lane]));
+                let expected = bounded.step(model, &inputs, dt as f32, &mut alone[lane]);
+                assert_eq!(result.is_ok(), expected.is_ok(), "lane {lane} at {t} s");
+                refused += i32::from(result.is_err());
+                let found = lanes.motion(lane);
+                assert!((found.position - alone[lane].position).amax() < 5e-6);
+                assert!((found.velocity - alone[lane].velocity).amax() < 1e-3);
+                assert!((found.acceleration - alone[lane].acceleration).amax() < 2e-2);
+            }
+        }
+        assert_eq!(refused, 4);
+    }
+}

@@ -156,9 +156,9 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         let is_positive = measures.determinant_sign > T::zero();
         let is_root = tolerance >= T::zero() && measures.residual_squared <= tolerance * tolerance;
         let error_squared = measures.error_squared;
-        let of_size = self.smallest_bound(size);
-        let is_near = error_squared <= of_size * of_size
-            || SWEEPS > 0 && error_squared.sqrt() <= self.bound(size, moved);
+        let is_within = |bound: T| error_squared <= bound * bound;
+        let is_near = is_within(self.smallest_bound(size))
+            || SWEEPS > 0 && is_within(self.bound(size, moved));
         if !error_squared.is_finite() || !measures.rates_squared.is_finite() {
             Err(Refusal::NotFinite)
         } else if !is_near {

@@ -12,4 +12,15 @@ suspension_core::linkage! {
     }
 }
 
+suspension_core::linkage! {
+    mod of_factors {
+        fixed: a, b;
+        free: p, squared, q, sign;
+        body growth: a, b, p, squared;
+        body determinant: a, b, q, sign;
+        drive lift: p.z;
+        drive fold: q.z;
+    }
+}
+
 fn main() {}
