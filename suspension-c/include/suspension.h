@@ -134,8 +134,8 @@ typedef struct {
 
 /** What a bounded step did. */
 typedef struct {
-    /** The norm of the residual that is left, in the unit of the points; without sweeps 0, as it is
-     * not measured. */
+    /** The norm of the residual that is left, in the unit of the points; without sweeps a
+     * bound, the error. */
     float residual;
     /** What it was compared with. */
     float tolerance;
@@ -289,8 +289,8 @@ typedef struct {
 
 /** What a bounded step did. */
 typedef struct {
-    /** The norm of the residual that is left, in the unit of the points; without sweeps 0, as it is
-     * not measured. */
+    /** The norm of the residual that is left, in the unit of the points; without sweeps a
+     * bound, the error. */
     double residual;
     /** What it was compared with. */
     double tolerance;

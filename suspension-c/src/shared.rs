@@ -63,8 +63,8 @@ structures! {
 
     /// What a bounded step did.
     Settled {
-        /// The norm of the residual that is left, in the unit of the points; without sweeps 0, as it is
-        /// not measured.
+        /// The norm of the residual that is left, in the unit of the points; without sweeps a
+        /// bound, the error.
         residual: T,
         /// What it was compared with.
         tolerance: T,

@@ -188,6 +188,11 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         let prescribed = Prescribed::new(linkage, inputs);
         let step = Step::<L, C, N, SWEEPS, ORDER>::new(linkage, &prescribed, motion, dt);
         let (at, fixed) = (&step.prediction.position, &prescribed.fixed.value);
+        // A number that is none is the reason even where the pivots are too small as well.
+        let start = step.residual_called(at);
+        if let Some(equation) = start.iter().position(|x| !x.is_finite()) {
+            return Err(SolveError::NotFinite { equation });
+        }
         let mut lu = Lu::of(linkage.jacobian(at, fixed));
         lu.eliminate_jacobian(smallest_pivot())?;
         let (next, measures) = step.settle::<_, true>(&lu, outputs);

@@ -107,7 +107,7 @@ fn without_sweeps_what_is_left_out_must_be_rounding() {
     assert_eq!(motion, case.start);
 }
 
-/// Without sweeps the residual is not measured, but below the error that is: also where the tolerance
+/// Without sweeps the residual is below the error, which stands for it: also where the tolerance
 /// allows for one that is no rounding.
 #[test]
 fn without_sweeps_the_residual_is_within_the_tolerance() {
@@ -130,7 +130,13 @@ fn without_sweeps_the_residual_is_within_the_tolerance() {
             let residual = exact
                 .model
                 .residual(&position, exact.model.fixed(), &drives);
-            assert!(residual.norm() < f64::from(settled.tolerance()), "at {t} s");
+            // What rounding of the position leaves is beside what the step leaves.
+            let rounding = 4.0 * f64::from(f32::EPSILON * motion.position.amax());
+            let bound = f64::from(settled.residual()) + rounding;
+            assert!(residual.norm() < bound, "at {t} s");
+            assert!(
+                settled.residual() == settled.error() && settled.error() <= settled.tolerance()
+            );
         }
     }
 }

@@ -73,8 +73,8 @@ pub struct Settled<T> {
 
 impl<T: Real> Settled<T> {
     /// The norm of the residual that is left, in units of length, from the quadratic identity: it
-    /// tells what the sweeps left, far below what rounding leaves. Without sweeps it is not measured
-    /// and zero here: it is of the size of the error's square, divided by the lengths of the linkage.
+    /// tells what the sweeps left, far below what rounding leaves. Without sweeps it is a bound, the
+    /// error itself.
     pub fn residual(&self) -> T {
         self.residual_squared.sqrt()
     }
@@ -209,14 +209,11 @@ where
         match refusal {
             Refusal::NotFinite => {
                 let infinite = |vector: &SVector<T, N>| vector.iter().position(|x| !x.is_finite());
-                let equation = infinite(&self.residual_called(&self.prediction.position));
                 let unknown = [&next.position, &next.velocity, &next.acceleration]
                     .into_iter()
                     .find_map(infinite)
                     .unwrap_or_else(|| index_of_largest(&next.acceleration));
-                equation.map_or(SolveError::Overflow { unknown }, |equation| {
-                    SolveError::NotFinite { equation }
-                })
+                SolveError::Overflow { unknown }
             }
             Refusal::Diverging => SolveError::Diverging {
                 unknown: index_of_largest(&(self.prediction.position - next.position)),

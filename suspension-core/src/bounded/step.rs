@@ -113,8 +113,10 @@ where
         };
         let mut error = factors.solve(&residual);
         if SWEEPS == 0 {
-            // What is left, C(e, e) / 2, is far below the error that `judge` asks for: not measured.
-            return (error, L::Scalar::default());
+            // What is left, C(e, e) / 2, is below the error as long as that is below the shortest
+            // length over the root of N.
+            let bound = sum_of_squares(error.data.0[0]);
+            return (error, bound);
         }
         // F(q0 - e) = F(q0) - J e + C(e, e) / 2: of the first solution the last term is left, of
         // each later one what that term changed by.
