@@ -10,8 +10,10 @@ mod hostile {
     mod geometry;
     mod mechanisms;
     mod random;
+    mod reached;
     mod reading;
     mod steps;
     mod trial;
     mod verdict;
+    mod ways;
 }

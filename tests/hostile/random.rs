@@ -6,7 +6,8 @@ use suspension_core::linkages::{attia2003, five_link};
 
 use super::draw::Draw;
 use super::mechanisms::{four_bar, rocker};
-use super::trial::{Reached, briefly, everything};
+use super::reached::Reached;
+use super::trial::{briefly, everything};
 
 /// Runs cases out of one generator, and demands that enough came far enough to matter.
 fn run_many<L>(cases: usize, seed: u8, run: fn(&mut Draw<'_>) -> Reached) {

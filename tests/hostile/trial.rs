@@ -3,52 +3,13 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::{Build, Named};
 use suspension_core::{
-    Bounded, ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Motion, Newton, Outputs, Real,
-    SeriesTracker, Signal, SolveError, Still, Tangent, Tracker, assemble,
+    ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Motion, Newton, Real, Signal,
+    SolveError, Still, Tangent, assemble,
 };
 
 use super::draw::Draw;
-use super::verdict::{demand_cause, demand_root, demand_same, demand_untouched, rounding};
-
-/// How far a case came.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Reached {
-    /// Cases.
-    pub(crate) tried: usize,
-    /// Those whose geometry makes a linkage.
-    pub(crate) built: usize,
-    /// Those that found a configuration.
-    pub(crate) assembled: usize,
-    /// Steps that were made.
-    pub(crate) stepped: usize,
-    /// Steps that were refused.
-    pub(crate) refused: usize,
-}
-
-impl Reached {
-    /// Adds the counts of others.
-    pub(crate) fn add(&mut self, other: Self) {
-        self.tried += other.tried;
-        self.built += other.built;
-        self.assembled += other.assembled;
-        self.stepped += other.stepped;
-        self.refused += other.refused;
-    }
-
-    fn not_built() -> Self {
-        Self {
-            tried: 1,
-            ..Self::default()
-        }
-    }
-
-    fn count<T, E>(&mut self, step: &Result<T, E>) {
-        match step {
-            Ok(_) => self.stepped += 1,
-            Err(_) => self.refused += 1,
-        }
-    }
-}
+use super::reached::Reached;
+use super::verdict::{demand_cause, demand_root, demand_same, rounding};
 
 /// Draws a mechanism, builds it, assembles it and drives it in every way. Panics where an answer is
 /// wrong.
@@ -162,10 +123,10 @@ where
     }
 }
 
-struct Trial<L: Build<N>, const N: usize> {
-    model: L,
+pub(super) struct Trial<L: Build<N>, const N: usize> {
+    pub(super) model: L,
     at_design: L::Drives,
-    reached: Reached,
+    pub(super) reached: Reached,
 }
 
 impl<T, L, const N: usize> Trial<L, N>
@@ -254,98 +215,7 @@ where
         }
     }
 
-    fn tracked<C: ChassisMotion<L::Fixed>>(
-        &mut self,
-        inputs: &Inputs<C, L::Drives>,
-        dt: T,
-        motion: &mut Motion<T, N>,
-    ) -> bool {
-        let before = *motion;
-        let step = Tracker::default().step(&self.model, inputs, dt, motion);
-        self.reached.count(&step);
-        match &step {
-            Ok(_) => self.demand_root(inputs, motion),
-            Err(error) => self.demand_refused_step(error, &before, motion),
-        }
-        step.is_ok()
-    }
-
-    fn bounded<C: ChassisMotion<L::Fixed>>(
-        &mut self,
-        inputs: &Inputs<C, L::Drives>,
-        dt: T,
-        motion: &mut Motion<T, N>,
-        draw: &mut Draw<'_>,
-    ) {
-        let before = *motion;
-        let outputs = [Outputs::Position, Outputs::Velocity, Outputs::Acceleration][draw.below(3)];
-        let (step, tolerance) = if draw.below(2) == 0 {
-            let bounded = Bounded::<T>::default();
-            let step = bounded.step_to(outputs, &self.model, inputs, dt, motion);
-            (step, bounded.tolerance)
-        } else {
-            let bounded = Bounded::<T, 3, 1>::default();
-            let step = bounded.step_to(outputs, &self.model, inputs, dt, motion);
-            (step, bounded.tolerance)
-        };
-        self.reached.count(&step);
-        match step {
-            Ok(settled) => {
-                assert!(settled.residual() <= settled.tolerance());
-                // The residual that it is judged by is what the sweeps left. Rounding of the
-                // position adds to that what the derivatives make of it.
-                let left = tolerance * T::EPSILON * self.model.size();
-                let chassis = inputs.chassis.signal(self.model.fixed()).value;
-                let steepest = self.model.jacobian(&motion.position, &chassis).amax();
-                let rounding = rounding(&self.model, &motion.position) * T::constant(16.0);
-                let allowed = left + rounding * steepest.max(T::one());
-                demand_root(&self.model, inputs, motion, allowed);
-            }
-            Err(error) => self.demand_refused_step(&error, &before, motion),
-        }
-    }
-
-    fn by_series(
-        &mut self,
-        inputs: &InputSeries<Still, L::Drives, 4>,
-        dt: T,
-        motion: &mut Motion<T, N>,
-    ) {
-        let before = *motion;
-        let tracker = SeriesTracker::within(T::EPSILON.sqrt() * self.model.size());
-        let step = tracker.step(&self.model, inputs, dt, motion);
-        self.reached.count(&step);
-        match step {
-            Ok(_) => {
-                let inputs = inputs.at::<T, L::Fixed>(dt);
-                demand_root(&self.model, &inputs, motion, tracker.tolerance);
-            }
-            Err(error) => self.demand_refused_step(&error, &before, motion),
-        }
-    }
-
-    fn advanced(
-        &mut self,
-        inputs: &InputSeries<Still, L::Drives, 4>,
-        to: T,
-        motion: &mut Motion<T, N>,
-    ) {
-        let inputs = |t: T| inputs.at::<T, L::Fixed>(t);
-        let before = *motion;
-        let tracker = Tracker {
-            max_steps: 20,
-            ..Tracker::default()
-        };
-        let step = tracker.advance(&self.model, inputs, T::zero(), to, motion);
-        self.reached.count(&step);
-        match step {
-            Ok(_) => self.demand_root(&inputs(to), motion),
-            Err(stopped) if stopped.reached == T::zero() => demand_untouched(&before, motion),
-            Err(stopped) => self.demand_root(&inputs(stopped.reached), motion),
-        }
-    }
-
-    fn demand_root<C: ChassisMotion<L::Fixed>>(
+    pub(super) fn demand_root<C: ChassisMotion<L::Fixed>>(
         &self,
         inputs: &Inputs<C, L::Drives>,
         motion: &Motion<T, N>,
@@ -357,15 +227,5 @@ where
     fn demand_refusal(&self, error: &SolveError<T>, before: &SVector<T, N>, after: &SVector<T, N>) {
         demand_cause::<T, L, N>(error);
         demand_same(before, after);
-    }
-
-    fn demand_refused_step(
-        &self,
-        error: &SolveError<T>,
-        before: &Motion<T, N>,
-        after: &Motion<T, N>,
-    ) {
-        demand_cause::<T, L, N>(error);
-        demand_untouched(before, after);
     }
 }
