@@ -305,3 +305,28 @@ fn wrong_orders_are_exit_code_2_and_one_sentence() {
         "{message}"
     );
 }
+
+/// What the firmware looks up is written by the program, not by hand.
+#[test]
+fn the_firmwares_wheel_is_as_baked_today() {
+    let folder = folder();
+    std::fs::write(
+        folder.path().join("attia2003.toml"),
+        example("attia2003.toml"),
+    )
+    .expect("written");
+    let arguments = ["bake", "attia2003.toml", "--output", "wheel_by_theta.rs"];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let [baked, kept] = [
+        folder.path().join("wheel_by_theta.rs"),
+        Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("tests/firmware/controller/src/wheel_by_theta.rs"),
+    ]
+    .map(|path| std::fs::read_to_string(path).expect("a source file"));
+    // They differ in the path of the motion file alone.
+    assert_eq!(
+        baked,
+        kept.replace("examples/attia2003.toml", "attia2003.toml")
+    );
+}
