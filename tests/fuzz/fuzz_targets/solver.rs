@@ -8,15 +8,21 @@ use suspension_core::linkages::{attia2003, five_link};
 mod draw;
 #[path = "../../hostile/mechanisms.rs"]
 mod mechanisms;
+#[path = "../../hostile/reached.rs"]
+#[allow(dead_code, reason = "the tests count and hurry")]
+mod reached;
 #[path = "../../hostile/trial.rs"]
 #[allow(dead_code, reason = "the tests count and hurry")]
 mod trial;
 #[path = "../../hostile/verdict.rs"]
 mod verdict;
+#[path = "../../hostile/ways.rs"]
+mod ways;
 
 use draw::Draw;
 use mechanisms::{four_bar, rocker};
-use trial::{Reached, everything};
+use reached::Reached;
+use trial::everything;
 
 const RUNS: [fn(&mut Draw<'_>) -> Reached; 8] = [
     everything::<f64, four_bar::Model<f64>, 6>,
