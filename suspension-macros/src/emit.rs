@@ -58,3 +58,9 @@ pub(crate) fn module(system: &System, order: &Order) -> TokenStream {
         }
     }
 }
+
+/// What marks the functions of equations. A step in a release build is straight-line code; a debug
+/// build compiles each function once.
+fn written_out() -> TokenStream {
+    quote!(#[cfg_attr(not(debug_assertions), inline(always))])
+}

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 use syn::Ident;
 
 use super::jacobian::{entries, parameters, with_points};
-use super::{carried, indices, substitution};
+use super::{carried, indices, substitution, written_out};
 use crate::eliminate::{Order, Step};
 use crate::system::System;
 
@@ -100,8 +100,9 @@ pub(super) fn factor(system: &System, order: &Order) -> TokenStream {
         },
     );
     let [q, fixed] = parameters(system, &body);
+    let written_out = written_out();
     quote! {
-        #[inline(always)]
+        #written_out
         fn factor(&self, #q, #fixed) -> Factors<T> {
             #body
         }

@@ -7,7 +7,7 @@ use syn::ext::IdentExt;
 use super::terms::{
     Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, vector,
 };
-use super::{clusters, elimination, jacobian, measures, rates, readout};
+use super::{clusters, elimination, jacobian, measures, rates, readout, written_out};
 use crate::eliminate::Order;
 use crate::system::{AXES, Equation, System, carried_name, frame_name};
 
@@ -168,8 +168,9 @@ fn residual(system: &System) -> TokenStream {
     let q = parameter("q", &quote!(&SVector<T, #n>), &body);
     let fixed = parameter("fixed", &quote!(&Fixed<T>), &body);
     let drives = parameter("drives", &quote!(&Drives<T>), &body);
+    let written_out = written_out();
     quote! {
-        #[inline(always)]
+        #written_out
         fn residual(&self, #q, #fixed, #drives) -> SVector<T, #n> {
             #body
         }
@@ -210,8 +211,9 @@ fn curvature(system: &System) -> TokenStream {
     let body = bind(bindings.collect(), result);
     let vectors = ["v", "w"].map(|name| parameter(name, &quote!(&SVector<T, #n>), &body));
     let fixed = ["v_fixed", "w_fixed"].map(|name| parameter(name, &quote!(&Fixed<T>), &body));
+    let written_out = written_out();
     quote! {
-        #[inline(always)]
+        #written_out
         fn curvature(&self, #(#vectors, #fixed),*) -> SVector<T, #n> {
             #body
         }

@@ -42,7 +42,6 @@ pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
             type Measures<T: Scalar> = Measures<T>;
             type Points<T: Scalar> = Points<T>;
 
-            #[inline(always)]
             fn gather<S: Scalar, T: Scalar, const K: usize>(
                 models: [&Model<S>; K],
                 gather: impl Fn([S; K]) -> T,

@@ -4,8 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::Ident;
 
-use super::indices;
 use super::terms::{Binding, bind, frames, ident, parameter, vector};
+use super::{indices, written_out};
 use crate::system::{AXES, Equation, Site, System, carried_name, frame_name};
 
 /// Writes an entry: its row, its column, its value.
@@ -26,8 +26,9 @@ pub(super) fn jacobian(system: &System) -> TokenStream {
         },
     );
     let [q, fixed] = parameters(system, &body);
+    let written_out = written_out();
     quote! {
-        #[inline(always)]
+        #written_out
         fn jacobian(&self, #q, #fixed) -> SMatrix<T, #n, #n> {
             #body
         }

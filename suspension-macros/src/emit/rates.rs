@@ -9,6 +9,7 @@ use syn::Ident;
 use super::terms::{
     Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, vector,
 };
+use super::written_out;
 use crate::system::{AXES, Equation, Site, SiteMotion, System, carried_name, frame_name};
 
 /// Of the drives, and of the chassis points that they move.
@@ -19,8 +20,9 @@ pub(super) fn drive_rate(system: &System) -> TokenStream {
     });
     let [q, fixed, fixed_rate] = parameters(system, &body);
     let drive_rate = parameter("drive_rate", &quote!(&Drives<T>), &body);
+    let written_out = written_out();
     quote! {
-        #[inline(always)]
+        #written_out
         fn drive_rate(&self, #q, #fixed, #fixed_rate, #drive_rate) -> SVector<T, #n> {
             #body
         }
@@ -48,8 +50,9 @@ pub(super) fn chassis_rate(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let body = terms(system, SiteMotion::Anchor, |_| None);
     let [q, fixed, fixed_rate] = parameters(system, &body);
+    let written_out = written_out();
     quote! {
-        #[inline(always)]
+        #written_out
         fn chassis_rate(&self, #q, #fixed, #fixed_rate) -> SVector<T, #n> {
             #body
         }

@@ -7,7 +7,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::elimination::Unrolled;
-use super::{carried, rates};
+use super::{carried, rates, written_out};
 use crate::eliminate::Step;
 use crate::system::System;
 
@@ -15,8 +15,9 @@ use crate::system::System;
 pub(super) fn solve(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStream {
     let all_rows = unrolled.order.steps.iter().map(|step| step.row).collect();
     let statements = down_and_up(unrolled, all_rows);
+    let written_out = written_out();
     quote! {
-        #[inline(always)]
+        #written_out
         fn solve(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); #n];
@@ -30,8 +31,9 @@ pub(super) fn solve(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStream {
 pub(super) fn solve_drives(unrolled: &Unrolled<'_>, n: &Literal, system: &System) -> TokenStream {
     let driven = rates::driven_rows(system);
     let statements = down_and_up(unrolled, driven);
+    let written_out = written_out();
     quote! {
-        #[inline(always)]
+        #written_out
         fn solve_drives(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); #n];
@@ -66,8 +68,9 @@ pub(super) fn solve_transposed(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStr
             quote!(rows[#pivot] = rows[#pivot].minus_product(self.#multiplier, rows[#below]);)
         })
     });
+    let written_out = written_out();
     quote! {
-        #[inline(always)]
+        #written_out
         fn solve_transposed(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
             let [mut unknowns] = right.data.0;
             let mut rows = [T::zero(); #n];

@@ -489,7 +489,7 @@ pub mod attia2003 {
             fixed
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn residual(
             &self,
             q: &SVector<T, 15>,
@@ -516,7 +516,7 @@ pub mod attia2003 {
             SVector::from(rows)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn jacobian(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SMatrix<T, 15, 15> {
             let free = Free::of(q);
             let mut columns = [[T::zero(); 15]; 15];
@@ -607,7 +607,7 @@ pub mod attia2003 {
             from_columns(columns)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn factor(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Factors<T> {
             let free = Free::of(q);
             let gradient = self.d6_1.gradient(difference(free.p6, fixed.p1));
@@ -959,7 +959,7 @@ pub mod attia2003 {
             }
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn curvature(
             &self,
             v: &SVector<T, 15>,
@@ -1015,7 +1015,7 @@ pub mod attia2003 {
             SVector::from(rows)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn drive_rate(
             &self,
             _q: &SVector<T, 15>,
@@ -1028,7 +1028,7 @@ pub mod attia2003 {
             SVector::from(rows)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn chassis_rate(
             &self,
             q: &SVector<T, 15>,
@@ -1270,7 +1270,7 @@ pub mod attia2003 {
     }
 
     impl<T: Scalar> JacobianFactors<T, 15> for Factors<T> {
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn solve(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); 15];
@@ -1394,7 +1394,7 @@ pub mod attia2003 {
             SVector::from(unknowns)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn solve_drives(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); 15];
@@ -1490,7 +1490,7 @@ pub mod attia2003 {
             SVector::from(unknowns)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn solve_transposed(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut unknowns] = right.data.0;
             let mut rows = [T::zero(); 15];
@@ -1660,7 +1660,6 @@ pub mod attia2003 {
         type Drives<T: Scalar> = Drives<T>;
         type Measures<T: Scalar> = Measures<T>;
         type Points<T: Scalar> = Points<T>;
-        #[inline(always)]
         fn gather<S: Scalar, T: Scalar, const K: usize>(
             models: [&Model<S>; K],
             gather: impl Fn([S; K]) -> T,

@@ -538,7 +538,7 @@ pub mod five_link {
             fixed
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn residual(
             &self,
             q: &SVector<T, 15>,
@@ -593,7 +593,7 @@ pub mod five_link {
             SVector::from(rows)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn jacobian(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SMatrix<T, 15, 15> {
             let free = Free::of(q);
             let knuckle_frame = Frame::new(
@@ -851,7 +851,7 @@ pub mod five_link {
             from_columns(columns)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn factor(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Factors<T> {
             let free = Free::of(q);
             let knuckle_frame = Frame::new(
@@ -1335,7 +1335,7 @@ pub mod five_link {
             }
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn curvature(
             &self,
             v: &SVector<T, 15>,
@@ -1419,7 +1419,7 @@ pub mod five_link {
             SVector::from(rows)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn drive_rate(
             &self,
             _q: &SVector<T, 15>,
@@ -1432,7 +1432,7 @@ pub mod five_link {
             SVector::from(rows)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn chassis_rate(
             &self,
             q: &SVector<T, 15>,
@@ -1688,7 +1688,7 @@ pub mod five_link {
     }
 
     impl<T: Scalar> JacobianFactors<T, 15> for Factors<T> {
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn solve(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); 15];
@@ -1976,7 +1976,7 @@ pub mod five_link {
             SVector::from(unknowns)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn solve_drives(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); 15];
@@ -2182,7 +2182,7 @@ pub mod five_link {
             SVector::from(unknowns)
         }
 
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn solve_transposed(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
             let [mut unknowns] = right.data.0;
             let mut rows = [T::zero(); 15];
@@ -2512,7 +2512,6 @@ pub mod five_link {
         type Drives<T: Scalar> = Drives<T>;
         type Measures<T: Scalar> = Measures<T>;
         type Points<T: Scalar> = Points<T>;
-        #[inline(always)]
         fn gather<S: Scalar, T: Scalar, const K: usize>(
             models: [&Model<S>; K],
             gather: impl Fn([S; K]) -> T,
