@@ -56,7 +56,7 @@ pub type OnRow<'a> = dyn FnMut(&[f64]) -> Result<ControlFlow<()>, Failure> + 'a;
 
 /// A mechanism ready to move.
 pub trait Study {
-    /// The linkage's name in the catalogue.
+    /// The linkage's name in motion files.
     fn linkage(&self) -> &'static str;
 
     /// The unit of lengths.

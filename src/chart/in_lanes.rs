@@ -83,8 +83,7 @@ where
     }
 
     fn at(&self, motion: &Motion<T, N>) -> Lanes<G, T, N, LANES> {
-        let models = [(); LANES].map(|()| G::gather([self.model], |[x]: [T; 1]| x));
-        (self.make)(models, &[*motion; LANES])
+        (self.make)([*self.model; LANES], &[*motion; LANES])
     }
 }
 

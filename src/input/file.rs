@@ -17,7 +17,7 @@ pub type Table<V> = Spanned<BTreeMap<Spanned<String>, Spanned<V>>>;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MotionFile {
-    /// The name of a linkage of the catalogue.
+    /// The linkage's name: one of the catalogue's, or that of one's own.
     pub linkage: Spanned<String>,
     /// The unit of all lengths and coordinates, in the file and in the results.
     pub unit: Unit,

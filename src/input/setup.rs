@@ -1,12 +1,10 @@
 //! From a motion file to a mechanism in the configuration of the first instant.
 
+mod catalogue;
 mod led;
 mod start;
-#[cfg(test)]
-mod tests;
 
 use nalgebra::{Const, DimMin, SVector, Vector3};
-use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::Wheel;
 use suspension_core::{GeometryError, Linkage, LocalOrigin, Named, Newton, assemble, parts};
 use toml::Spanned;
@@ -15,20 +13,13 @@ use crate::failure::Failure;
 use crate::input::check;
 use crate::input::drives::{self, DriveLaws, check_angles, in_words};
 use crate::input::file::{MotionFile, Offset, Position};
-use crate::input::instants::Instants;
 use crate::input::leading::{StandIn, stand_in};
 use crate::input::polynomial::Polynomial;
 use crate::input::source::Source;
 use crate::study::columns::PointNames;
 use crate::study::{Assembled, Study, Suspension, cause};
 
-type Prepare = fn(&Task<'_>) -> Result<Box<dyn Study>, Failure>;
-
-/// The catalogue: each linkage under the name that files use.
-const CATALOGUE: [(&str, Prepare); 2] = [
-    ("attia2003", prepare::<attia2003::Model<f64>, 15>),
-    ("five_link", prepare::<five_link::Model<f64>, 15>),
-];
+pub use catalogue::{load, load_driven, load_own};
 
 /// A file that is being prepared.
 struct Task<'a> {
@@ -36,53 +27,6 @@ struct Task<'a> {
     file: &'a MotionFile,
     linkage: &'static str,
     first: f64,
-}
-
-/// Reads a motion file and brings its mechanism to the first instant.
-///
-/// # Errors
-///
-/// [`Failure::Input`] with a place where the file is wrong, [`Failure::Solver`] where the
-/// mechanism does not assemble or does not reach the first instant.
-pub fn load(source: &Source) -> Result<(Box<dyn Study>, Instants), Failure> {
-    let file = MotionFile::parse(source)?;
-    let wanted = file.linkage.get_ref();
-    let Some((linkage, prepare)) = CATALOGUE.iter().find(|(name, _)| name == wanted) else {
-        let message = format!("unknown linkage `{wanted}`; known are {}", linkages());
-        return Err(source.refuse(&file.linkage.span(), message));
-    };
-    let instants = check::instants(source, &file.time)?;
-    let study = prepare(&Task {
-        source,
-        file: &file,
-        linkage,
-        first: instants.ends()[0],
-    })?;
-    Ok((study, instants))
-}
-
-/// Reads a motion file for a command that all drives must lead; see [`load`].
-///
-/// # Errors
-///
-/// Those of [`load`], and [`Failure::Input`] where a measure stands in for a drive.
-pub fn load_driven(source: &Source, command: &str) -> Result<(Box<dyn Study>, Instants), Failure> {
-    let (study, instants) = load(source)?;
-    match study.leader() {
-        None => Ok((study, instants)),
-        Some(key) => {
-            let message = format!(
-                "`{}` is a measure; suspension {command} needs a motion that drives lead",
-                key.get_ref()
-            );
-            Err(source.refuse(&key.span(), message))
-        }
-    }
-}
-
-/// The names of the catalogue's linkages.
-pub fn linkages() -> String {
-    CATALOGUE.map(|(name, _)| name).join(", ")
 }
 
 fn prepare<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<Box<dyn Study>, Failure>

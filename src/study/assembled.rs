@@ -1,4 +1,4 @@
-//! A linkage of the catalogue, assembled and with its drives.
+//! A linkage, assembled and with its drives.
 
 use std::sync::atomic::AtomicBool;
 
@@ -27,7 +27,7 @@ use crate::study::{End, MAX_STEPS, OnRow, Study, Suspension};
 /// A linkage in the configuration of the first instant, with its drives over time.
 #[derive(Clone, Debug)]
 pub struct Assembled<L, const N: usize> {
-    /// The linkage's name in the catalogue.
+    /// The linkage's name in motion files.
     pub linkage: &'static str,
     /// The unit of its lengths.
     pub unit: Unit,

@@ -1,16 +1,15 @@
-//! Drives that are coordinates: the catalogue has none, so here is a linkage of its own.
+//! Motion files of a linkage of one's own, whose drives are coordinates (the catalogue has none):
+//! the same far from the origin.
 
 use std::ops::ControlFlow;
 
+use suspension::assemblies;
+use suspension::bake::{Continuity, Order, Wish};
+use suspension::input::instants::Instants;
+use suspension::input::setup::load_own;
+use suspension::input::source::Source;
+use suspension::study::Study;
 use suspension_core::linkage;
-
-use super::{Source, Task, prepare};
-use crate::assemblies;
-use crate::bake::{Continuity, Order, Wish};
-use crate::input::check;
-use crate::input::file::MotionFile;
-use crate::input::instants::Instants;
-use crate::study::Study;
 
 linkage! {
     mod double_wishbone {
@@ -51,29 +50,24 @@ const AWAY: [f64; 3] = [4096.0, -2048.0, 1024.0];
 /// What is left of a comparison over that distance.
 const TOLERANCE: f64 = 1e-9;
 
-/// The mechanism as a file has it, all coordinates with `away` more.
-fn study(away: [f64; 3]) -> (Box<dyn Study>, Instants) {
+/// A motion file of the mechanism, all coordinates with `away` more.
+fn file(away: [f64; 3]) -> String {
     let [_, y, z] = away;
     let points = DESIGN.map(|(name, at)| {
         let at: Vec<f64> = at.iter().zip(away).map(|(x, away)| x + away).collect();
         format!("{name} = {at:?}\n")
     });
     let [bump, steer] = [0.18 + z, 0.34 + y];
-    let text = format!(
+    format!(
         "linkage = \"double_wishbone\"\nunit = \"m\"\n[points]\n{}\n[time]\ninstants = [0.0, 0.5, \
          1.0]\n[drives]\nbump = [{bump:?}, 0.05]\nsteer = [{steer:?}]\n",
         points.concat()
-    );
-    let source = Source::new("a.toml", text);
-    let file = MotionFile::parse(&source).expect("a motion file");
-    let instants = check::instants(&source, &file.time).expect("instants");
-    let study = prepare::<double_wishbone::Model<f64>, 9>(&Task {
-        source: &source,
-        file: &file,
-        linkage: "double_wishbone",
-        first: 0.0,
-    });
-    (study.expect("a mechanism"), instants)
+    )
+}
+
+fn study(away: [f64; 3]) -> (Box<dyn Study>, Instants) {
+    let source = Source::new("a.toml", file(away));
+    load_own::<double_wishbone::Model<f64>, 9>("double_wishbone", &source).expect("a mechanism")
 }
 
 /// By how much a column is more in coordinates with [`AWAY`] more.
@@ -107,6 +101,18 @@ fn rows(study: &dyn Study, instants: &Instants) -> Vec<Vec<f64>> {
     });
     swept.expect("kept");
     rows
+}
+
+#[test]
+fn a_file_for_another_linkage_is_refused() {
+    let other = file([0.0; 3]).replace("double_wishbone", "five_link");
+    let source = Source::new("a.toml", other);
+    let loaded = load_own::<double_wishbone::Model<f64>, 9>("double_wishbone", &source);
+    let refused = loaded.err().expect("a refusal").to_string();
+    assert_eq!(
+        refused,
+        "a.toml:1:11: unknown linkage `five_link`; known are double_wishbone"
+    );
 }
 
 #[test]
