@@ -1,10 +1,9 @@
 //! The paper's own cross-check: the same mechanism in absolute coordinates, the knuckle's
 //! position and a unit quaternion, written without any of the solver's code.
 
-mod support;
-
 use nalgebra::{SMatrix, SVector, Vector3, Vector4};
-use support::Reference;
+
+use crate::support::{self, Reference};
 
 type State = SVector<f64, 7>;
 

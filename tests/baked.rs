@@ -1,11 +1,7 @@
 //! Baked motions against the solver and the 40-digit reference.
 
-mod support;
-
-mod baked {
-    mod curve;
-    mod surface;
-}
+mod curve;
+mod surface;
 
 /// Evenly mixed numbers from 0 to 1, always the same (splitmix64).
 fn mixed(seed: u64) -> impl Iterator<Item = f64> {

@@ -1,13 +1,9 @@
 //! Steps of fixed cost against solutions of their own at each instant, and what they refuse.
 
-mod support;
-
-mod bounded {
-    mod accuracy;
-    mod assemblies;
-    mod attempt;
-    mod case;
-    mod pivots;
-    mod random;
-    mod refusals;
-}
+mod accuracy;
+mod assemblies;
+mod attempt;
+mod case;
+mod pivots;
+mod random;
+mod refusals;

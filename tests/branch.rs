@@ -1,14 +1,13 @@
 //! Which assembly the paper's printed initial guess leads to, and where a motion ends.
 
-mod support;
-
 use nalgebra::{SVector, Vector3};
-use support::Reference;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
     Bounded, Build, GeometryError, Inputs, Linkage, Motion, Named, Newton, Signal, SolveError,
     Still, Tracker, assemble, handedness,
 };
+
+use crate::support::{self, Reference};
 
 /// The signed volume spanned by points 6, 7, 8 and 9: its sign tells a knuckle from its mirror
 /// image.

@@ -1,15 +1,11 @@
 //! Proofs of roots: none is false, and where a root is regular there is one.
 
-mod support;
+mod judge;
+mod random;
+mod refine;
 
-mod certificate {
-    pub(crate) mod judge;
-    pub(crate) mod random;
-    pub(crate) mod refine;
-
-    mod arithmetic;
-    mod far_from_singular;
-    mod hostile;
-    mod near_singular;
-    mod near_turning_points;
-}
+mod arithmetic;
+mod far_from_singular;
+mod hostile;
+mod near_singular;
+mod near_turning_points;

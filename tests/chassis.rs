@@ -1,12 +1,12 @@
 //! A chassis that moves: the same motion in chassis axes and in the world's.
 
-mod support;
-
 use nalgebra::{Isometry3, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
     Bounded, Inputs, Linkage, Motion, Named, Newton, RigidMotion, Signal, Still, Tangent,
 };
+
+use crate::support;
 
 type Carried = [SVector<f64, 15>; 3];
 

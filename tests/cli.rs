@@ -1,20 +1,16 @@
 //! The program, run as a user runs it.
 
-mod support;
-
-mod cli {
-    mod assemblies;
-    mod bad_input;
-    mod bake;
-    mod chart;
-    mod failures;
-    mod files;
-    mod hostile_files;
-    mod led;
-    mod plots;
-    mod program;
-    mod range;
-    mod results;
-    mod signals;
-    mod stops;
-}
+mod assemblies;
+mod bad_input;
+mod bake;
+mod chart;
+mod failures;
+mod files;
+mod hostile_files;
+mod led;
+mod plots;
+mod program;
+mod range;
+mod results;
+mod signals;
+mod stops;

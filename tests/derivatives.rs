@@ -3,11 +3,11 @@
 //! The equations are at most quadratic, so a central difference is exact but for rounding and the
 //! step may be large.
 
-mod support;
-
 use nalgebra::{SVector, Vector3};
 use suspension_core::constraint::{Carried, Distance, Frame, angle_to_coordinate};
 use suspension_core::{Linkage, Named, Real, Signal, measure};
+
+use crate::support;
 
 const STEP: f64 = 0.125;
 

@@ -1,19 +1,16 @@
 //! The fixed order of elimination against LU with partial pivoting, and the way out where its
 //! pivots are unhealthy.
 
-mod support;
+mod carried;
 
-mod elimination {
-    pub(crate) mod carried;
-}
-
-use elimination::carried;
 use nalgebra::{Const, DimMin, SVector, Vector3};
 use proptest::prelude::*;
 use suspension_core::factored::Factored;
 use suspension_core::linkage::Factors as _;
 use suspension_core::lu::Lu;
 use suspension_core::{Build, Linkage, Motion, Named, Newton, Real};
+
+use crate::support;
 
 /// Solves with both factorisations near a design, where its equations need not hold, and compares.
 fn agree<T: Real, L: Build<N, Scalar = T>, const N: usize>(

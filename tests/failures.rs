@@ -1,7 +1,5 @@
 //! The failure map: what is known of each method, as properties of the counts.
 
-mod support;
-
 use std::sync::atomic::AtomicBool;
 
 use suspension::failures::axes::Subject;
@@ -17,6 +15,8 @@ use suspension::output::progress::Progress;
 use suspension::study::Suspension;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Build, Linkage, Named};
+
+use crate::support;
 
 const EFFORT: Effort = Effort {
     starts: 30,

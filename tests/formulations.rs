@@ -1,7 +1,5 @@
 //! The chart's reference has its digits, and every method and formulation finds the same motion.
 
-mod support;
-
 use nalgebra::{Const, DimMin};
 use suspension::chart::course::Course;
 use suspension::chart::double_double::DoubleDouble;
@@ -12,6 +10,8 @@ use suspension::input::polynomial::Polynomial;
 use suspension_core::linkage::Listing;
 use suspension_core::linkages::attia2003;
 use suspension_core::{Build, Linkage, Motion, Newton, Outputs, Signal, assemble};
+
+use crate::support;
 
 /// A decimal number to 32 digits.
 fn decimal(text: &str) -> DoubleDouble {

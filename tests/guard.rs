@@ -1,12 +1,12 @@
 //! Long steps: the right branch or an error, never another assembly in silence.
 
-mod support;
-
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
     Build, Inputs, Linkage, Motion, Named, Real, Signal, SolveError, Still, Tracker,
 };
+
+use crate::support;
 
 /// How steps ended.
 #[derive(Debug, Default)]

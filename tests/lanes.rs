@@ -1,9 +1,5 @@
 //! Lanes against the same steps made alone, and lanes that fail among others that do not.
 
-mod support;
-
-mod lanes {
-    mod agreement;
-    mod failures;
-    pub(crate) mod fleet;
-}
+mod agreement;
+mod failures;
+mod fleet;

@@ -1,11 +1,9 @@
 //! Mechanisms outside the catalogue, written with `linkage!` and proved against closed-form
 //! answers, finite differences, and the published results of another program.
 
-mod mechanisms {
-    pub(crate) mod checks;
-    mod double_wishbone;
-    mod four_bar;
-    mod hinge;
-    mod rocker;
-    mod trailing_arm;
-}
+mod checks;
+mod double_wishbone;
+mod four_bar;
+mod hinge;
+mod rocker;
+mod trailing_arm;

@@ -1,8 +1,6 @@
 //! Random geometries near the published one: a residual at rounding level or an error, never a
 //! panic or a NaN. Failing cases print their values; proptest keeps their seeds.
 
-mod support;
-
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::{SVector, Vector3};
@@ -10,6 +8,8 @@ use proptest::prelude::*;
 use suspension_core::{
     Build, GeometryError, Inputs, Linkage, Motion, Named, Newton, Real, Signal, Tracker, assemble,
 };
+
+use crate::support;
 
 /// Displaces each point by up to 3 cm.
 fn displaced<P: Named<Vector3<T>>, T: Real>(points: &P, by: &[f64]) -> P {

@@ -1,12 +1,11 @@
 //! The solver against Tables 2 and 3 as the paper prints them.
 
-mod support;
-
-use support::Reference;
 use suspension::published::paper::{Column, Paper};
 use suspension_core::linkages::attia2003;
 use suspension_core::wheel::CarrierRotation;
 use suspension_core::{Linkage, Motion};
+
+use crate::support::{self, Reference};
 
 type Model = attia2003::Model<f64>;
 

@@ -1,11 +1,10 @@
 //! Both listings of the published mechanism against its solution in 40-digit arithmetic.
 
-mod support;
-
-use support::{INSTANTS, Reference};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::CarrierRotation;
 use suspension_core::{HasWheel, Inputs, Linkage, Motion, Still, Tracker};
+
+use crate::support::{self, INSTANTS, Reference};
 
 /// What the largest differences may be: positions in m, velocities in m/s, accelerations in
 /// m/s^2, angular velocity in rad/s, angular acceleration in rad/s^2.

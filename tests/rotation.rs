@@ -1,7 +1,5 @@
 //! Angular velocity, acceleration and pose of a body, and the wheel's spin.
 
-mod support;
-
 use nalgebra::{Isometry3, Vector3};
 use suspension_core::body::{
     angular_acceleration, angular_acceleration_eq10, angular_velocity, angular_velocity_eq9, pose,
@@ -12,6 +10,8 @@ use suspension_core::wheel::{
     wheel_angular_velocity,
 };
 use suspension_core::{RigidMotion, Signal};
+
+use crate::support;
 
 /// Three points of a body (m), crooked on purpose.
 fn body() -> [Vector3<f64>; 3] {

@@ -5,7 +5,7 @@ use suspension::assemblies::{Assemblies, Census, Enumerable};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Build, Inputs, Newton, Still};
 
-use crate::random::Random;
+use super::random::Random;
 use crate::support::{self, INSTANTS};
 
 type Vector = SVector<f64, 15>;

@@ -8,7 +8,7 @@ use suspension::assemblies::Assemblies;
 use suspension_core::linkages::five_link;
 use suspension_core::{Build, Inputs, Motion, Newton, Still, Tracker, assemble};
 
-use crate::random::Random;
+use super::random::Random;
 use crate::support;
 
 type Vector = SVector<f64, 15>;

@@ -1,13 +1,13 @@
 //! Curves of one drive.
 
-use crate::support::{self, INSTANTS, Reference, theta};
 use nalgebra::Vector3;
 use suspension::bake::{Baked, Continuity, Exact, Path, TERMS, Wanted, Wish, bake};
 use suspension_core::baked::Curve;
 use suspension_core::linkages::five_link;
 use suspension_core::{Build, HasWheel, Inputs, Named, Real, Still};
 
-use crate::mixed;
+use super::mixed;
+use crate::support::{self, INSTANTS, Reference, theta};
 
 const CONTINUITIES: [Continuity; 3] = [
     Continuity::Position,

@@ -5,7 +5,7 @@ use suspension::bake::{WantedSurface, Wish, bake_surface};
 use suspension_core::baked::Surface;
 use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
 
-use crate::mixed;
+use super::mixed;
 
 linkage! {
     /// A user's own listing, of two drives. Axes as ISO 8855.

@@ -1,8 +1,7 @@
 //! What a motion that runs to its end gives.
 
-use crate::support::{self, Reference};
-
 use super::program::{Rows, edited, example, folder, rows, run, text};
+use crate::support::{self, Reference};
 
 /// What a column of the reference may differ by.
 fn tolerance(column: &str) -> f64 {

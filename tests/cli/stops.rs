@@ -1,8 +1,7 @@
 //! A motion that ends before its last instant.
 
-use crate::support::Reference;
-
 use super::program::{edited, folder, rows, run, text};
+use crate::support::Reference;
 
 const TWO_SECONDS: &str = "start = 0.0\nstop = 2.0\nstep = 0.05";
 

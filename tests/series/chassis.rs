@@ -6,7 +6,7 @@ use suspension_core::{
     Build, InputSeries, Jet, Linkage, Named, Newton, Series, Signal, Tangent, assemble,
 };
 
-use super::support;
+use crate::support;
 
 /// `about + amplitude sin(omega t + phase)` and its Taylor coefficients at `t`.
 fn swing<const K: usize>(about: f64, amplitude: f64, omega: f64, t: f64) -> Jet<f64, K> {

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{InputSeries, Inputs, Jet, Linkage, Motion, Series, Still, Tracker};
 
-use super::support::{self, INSTANTS, Reference};
+use crate::support::{self, INSTANTS, Reference};
 
 /// The series at a position of the published motion.
 fn series<L, const K: usize>(

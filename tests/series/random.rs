@@ -9,7 +9,7 @@ use suspension_core::{
     Tangent, Tracker, assemble,
 };
 
-use super::support;
+use crate::support;
 
 /// The published lengths, each changed by a part of itself.
 fn stretched(by: &[f64]) -> Option<Model<f64>> {

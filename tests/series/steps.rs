@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{InputSeries, Jet, Motion, Newton, Real, SeriesTracker, SolveError, Still};
 
-use super::support::{self, INSTANTS, Reference};
+use crate::support::{self, INSTANTS, Reference};
 
 fn ahead<T: Real, const K: usize>(t: T) -> InputSeries<Still, five_link::Drives<T>, K> {
     InputSeries::still(Jet::of_signal(&support::five_link_inputs(t).drives))

@@ -1,0 +1,49 @@
+//! All tests but two, as modules of one test program: what they have in common is compiled once, and
+//! they run side by side. Those that count allocations stand alone.
+
+mod absolute_coordinates;
+mod assembly;
+mod baked;
+mod bounded;
+mod branch;
+mod certificate;
+mod chassis;
+mod cli;
+mod derivatives;
+mod elimination;
+mod f32;
+mod failures;
+mod formulations;
+mod guard;
+mod hostile;
+mod instructions;
+mod lanes;
+mod mechanisms;
+mod own_motion_file;
+mod path;
+mod properties;
+mod published_tables;
+mod reference;
+mod rigid_fit;
+mod rotation;
+mod series;
+mod support;
+
+/// Or its tests would not run, and nobody would know.
+#[test]
+fn every_file_is_a_module() {
+    let files = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests"));
+    let mut count = 0;
+    for file in files.expect("this folder") {
+        let path = file.expect("a file").path();
+        if path.extension().is_none_or(|extension| extension != "rs") {
+            continue;
+        }
+        let name = path.file_stem().expect("a name").display().to_string();
+        let is_program = ["all", "long_run", "no_alloc"].contains(&&*name);
+        let is_module = include_str!("all.rs").contains(&format!("\nmod {name};\n"));
+        assert!(is_program || is_module, "{name}.rs is in no test program");
+        count += 1;
+    }
+    assert!(count > 20);
+}
