@@ -82,13 +82,13 @@ fn wrong_ones_are_told_and_leave_all_as_it_was() {
     if !native::has("cc", "wrong_ones_are_told_and_leave_all_as_it_was") {
         return;
     }
-    let built = native::cargo(&["rustc", "--lib", "--crate-type", "staticlib,cdylib"]);
+    let built = native::example("catalogue");
     let folder = tempfile::tempdir().expect("a folder");
     for interface in [attia2003_f64::INTERFACE, five_link_f32::INTERFACE] {
         let text = program(&interface);
         let (source, program) = (folder.path().join("main.c"), folder.path().join("main"));
         std::fs::write(&source, text).expect("written");
-        let library = built.join("libsuspension_c.a");
+        let library = built.join("libcatalogue.a");
         let source = source.to_str().expect("a path in text");
         native::compile(source, &["-O0"], &library, &program);
         let printed = native::run(&mut Command::new(&program));

@@ -20,10 +20,10 @@ fn is_used_from_c() {
     let folder = tempfile::tempdir().expect("a folder");
     let header = four_bar_f32::INTERFACE.to_string();
     std::fs::write(folder.path().join("my_four_bar_f32.h"), header).expect("a header");
-    let built = native::cargo(&["build", "--example", "four_bar"]);
+    let built = native::example("four_bar");
     let program = folder.path().join("four_bar");
     let include = format!("-I{}", folder.path().display());
-    let library = built.join("examples/libfour_bar.a");
+    let library = built.join("libfour_bar.a");
     native::compile("four_bar.c", &[&include], &library, &program);
     let printed = native::run(&mut Command::new(program));
     let [angle, rate] = in_rust();

@@ -5,7 +5,7 @@ mod native;
 use std::path::Path;
 use std::process::Command;
 
-use native::{cargo, compile, has, root, run};
+use native::{compile, example, has, root, run};
 
 /// The published motion in a thousand and nine hundred steps: the text that C prints has checksums of
 /// the bits of everything computed, and is that of the same program in Rust over the core.
@@ -14,18 +14,18 @@ fn c_and_rust_compute_the_same_bits() {
     if !has("cc", "c_and_rust_compute_the_same_bits") {
         return;
     }
-    let built = cargo(&["build", "--example", "motion"]);
-    cargo(&["rustc", "--lib", "--crate-type", "staticlib,cdylib"]);
+    let built = example("motion");
+    example("catalogue");
     let folder = tempfile::tempdir().expect("a folder");
     for (number, options, library) in [
-        ("f32", &[][..], "libsuspension_c.a"),
-        ("f64", &["-DDOUBLE"], "libsuspension_c.a"),
-        ("f64", &["-DDOUBLE"], "libsuspension_c.so"),
+        ("f32", &[][..], "libcatalogue.a"),
+        ("f64", &["-DDOUBLE"], "libcatalogue.a"),
+        ("f64", &["-DDOUBLE"], "libcatalogue.so"),
     ] {
         let program = folder.path().join("motion");
         compile("motion.c", options, &built.join(library), &program);
         let by_c = run(Command::new(&program).env("LD_LIBRARY_PATH", &built));
-        let by_rust = run(Command::new(built.join("examples/motion")).arg(number));
+        let by_rust = run(Command::new(built.join("motion")).arg(number));
         assert_eq!(by_c.lines().count(), 22);
         assert_eq!(by_c, by_rust, "{number}, {library}");
     }

@@ -22,20 +22,20 @@ pub(crate) fn has(compiler: &str, test: &str) -> bool {
     false
 }
 
-/// Builds a part of this crate with the features that it has alone, as users do, and returns the
-/// folder where it is.
-pub(crate) fn cargo(arguments: &[&str]) -> PathBuf {
+/// Builds an example of this crate, and returns the folder where it is. `cargo test --workspace` has
+/// built it with the same features: those of the whole workspace, by which elementary functions are
+/// C's. What users link is tested by `.ci/c_interface.sh`.
+pub(crate) fn example(name: &str) -> PathBuf {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR"))
         .parent()
         .expect("a folder of the target's");
-    let (command, rest) = arguments.split_first().expect("a command");
     run(Command::new(env!("CARGO"))
-        .args([command, "--quiet", "--locked", "--package", "suspension-c"])
-        .args(rest)
+        .args(["build", "--quiet", "--locked", "--workspace"])
+        .args(["--example", name])
         .arg("--target-dir")
         .arg(target)
         .current_dir(root()));
-    target.join("debug")
+    target.join("debug/examples")
 }
 
 /// Compiles a program of `examples/c`, with every warning an error.
@@ -55,7 +55,9 @@ pub(crate) fn compile(source: &str, options: &[&str], library: &Path, program: &
         .arg(root().join("examples/c").join(source))
         .arg(library)
         .arg("-o")
-        .arg(program));
+        .arg(program)
+        // In a build of the whole workspace elementary functions are those of C.
+        .arg("-lm"));
 }
 
 /// Runs a command that must succeed, and returns what it prints.

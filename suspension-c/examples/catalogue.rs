@@ -1,0 +1,3 @@
+//! All functions for linkages of the catalogue, as a library for C.
+
+pub use suspension_c::*;
