@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What the solver costs on microcontrollers, and that it reaches no panic there: see
-# tests/firmware/README.md.
+# tests/firmware/README.md. install.sh has brought what this needs.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,6 +1,5 @@
 //! Builds the firmware and the archive of its calls.
 
-use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -21,22 +20,9 @@ pub struct Built {
     pub archive: PathBuf,
 }
 
-/// Builds for all targets side by side, each into a folder of its own.
-pub fn compile<'a>(targets: &[&'a Target]) -> Result<Vec<(&'a Target, Built)>> {
+/// Builds for a target, into a folder of its own.
+pub fn compile(target: &Target) -> Result<Built> {
     let linker = linker()?;
-    std::thread::scope(|scope| {
-        let builds: Vec<_> = targets
-            .iter()
-            .map(|target| scope.spawn(|| Ok((*target, build(target, &linker)?))))
-            .collect();
-        let finished = builds.into_iter().map(|build| build.join());
-        finished
-            .map(|built| built.unwrap_or_else(|panic| resume_unwind(panic)))
-            .collect()
-    })
-}
-
-fn build(target: &Target, linker: &Path) -> Result<Built> {
     let config = |key: &str, value: &str| format!("target.{}.{key}={value}", target.triple);
     let mut flags = vec!["-Zemit-stack-sizes"];
     flags.extend(target.flags);

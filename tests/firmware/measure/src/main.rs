@@ -12,6 +12,7 @@ mod run;
 mod target;
 
 use std::collections::BTreeMap;
+use std::panic::resume_unwind;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
@@ -68,9 +69,7 @@ fn main() -> Result<ExitCode> {
     let host = run::on_host();
     let mut measured = Table::new();
     let mut complaints = Vec::new();
-    for (target, built) in compile::compile(&targets)? {
-        let archive = Archive::read(&built.archive)?;
-        let mut taken = run::on_board(target, &built.firmware)?;
+    for (target, (archive, mut taken)) in targets.iter().zip(side_by_side(&targets)?) {
         taken.retain(|mode, _| options.wants(target.name, mode));
         ensure!(!taken.is_empty(), "{} has no such mode", target.name);
         measured.insert(
@@ -97,6 +96,25 @@ fn main() -> Result<ExitCode> {
         eprintln!("error: {complaint}");
     }
     Ok(ExitCode::from(u8::from(!complaints.is_empty())))
+}
+
+/// Builds for each target and runs the loop on its board, all at the same time.
+fn side_by_side(targets: &[&Target]) -> Result<Vec<(Archive, BTreeMap<String, Taken>)>> {
+    let build_and_run = |target: &Target| {
+        let built = compile::compile(target)?;
+        let taken = run::on_board(target, &built.firmware)?;
+        Ok((Archive::read(&built.archive)?, taken))
+    };
+    std::thread::scope(|scope| {
+        let targets = targets.iter();
+        let begun: Vec<_> = targets
+            .map(|target| scope.spawn(|| build_and_run(target)))
+            .collect();
+        let finished = begun.into_iter().map(|target| target.join());
+        finished
+            .map(|taken| taken.unwrap_or_else(|panic| resume_unwind(panic)))
+            .collect()
+    })
 }
 
 /// The modes of a target.

@@ -1,11 +1,18 @@
 #!/usr/bin/env bash
-# A compiler for bare metal and emulated boards from Debian's packages. The compiler and the source
-# of `core` always match, because both come from one source package; they become rustup's toolchain
-# `debian`, with `core` built for each target.
+# What the tests need beside Rust, from Debian's packages: valgrind, C compilers, a Rust compiler for bare
+# metal, emulated boards. That compiler and the source of `core` always match, because both come from
+# one source package; they become rustup's toolchain `debian`, with `core` built for each target.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-packages=(rustc-web cargo-web rust-web-src qemu-system-arm qemu-system-misc)
+packages=(
+    # tests/instructions.rs, suspension-c/tests
+    valgrind gcc g++
+    # tests/firmware
+    rustc-web cargo-web rust-web-src qemu-system-arm qemu-system-misc
+    # examples/c on a controller
+    gcc-arm-none-eabi libnewlib-arm-none-eabi make
+)
 targets=(thumbv7em-none-eabihf riscv64gc-unknown-none-elf)
 
 as_root() {
