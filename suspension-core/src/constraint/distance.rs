@@ -1,0 +1,60 @@
+//! Two points a constant length apart.
+
+use nalgebra::Vector3;
+
+use crate::scalar::Scalar;
+use crate::vector::{dot, multiple};
+
+/// A constant length `L` between two points, with `d` the vector from one to the other:
+/// `F = (|d|^2 - L^2) / (2 L)`. Attia 2003, eq. (1.1) to (1.14), divided by `2 L`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Distance<T> {
+    length: T,
+    inverse: T,
+}
+
+impl<T: Scalar> Distance<T> {
+    /// A distance of `length`, which must not be zero.
+    #[inline]
+    pub fn new(length: T) -> Self {
+        Self {
+            length,
+            inverse: T::one() / length,
+        }
+    }
+
+    /// The length `L`.
+    #[inline]
+    pub fn length(&self) -> T {
+        self.length
+    }
+
+    /// `F(d)`: to first order the amount by which `d` is too long.
+    #[inline(always)]
+    pub fn residual(&self, d: Vector3<T>) -> T {
+        // The gradient is at hand wherever the equation is solved.
+        (dot(d, self.gradient(d)) - self.length) * T::constant(0.5)
+    }
+
+    /// `dF/dd = d / L`.
+    #[inline(always)]
+    pub fn gradient(&self, d: Vector3<T>) -> Vector3<T> {
+        multiple(d, self.inverse)
+    }
+
+    /// `C(v, w) = v . w / L`, with `v` and `w` changes of `d`.
+    #[inline(always)]
+    pub fn curvature(&self, v: Vector3<T>, w: Vector3<T>) -> T {
+        dot(v, w) * self.inverse
+    }
+
+    /// The same of other numbers.
+    #[inline(always)]
+    pub fn gather<S: Scalar, const K: usize>(
+        distances: [Distance<S>; K],
+        gather: &impl Fn([S; K]) -> T,
+    ) -> Self {
+        // The inverse to all digits of the other number: it is part of the equation.
+        Self::new(gather(distances.map(|distance| distance.length)))
+    }
+}
