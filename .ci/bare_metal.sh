@@ -8,5 +8,6 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # The versions that the workspace is tested with.
 cp "$root/Cargo.lock" "$root/tests/firmware/"
 cd "$root/tests/firmware"
-cargo test --quiet --package measure
-cargo run --quiet --package measure -- "$@"
+# Beside what the workspace's tests have built.
+cargo test --quiet --package measure --target-dir "$root/target"
+cargo run --quiet --package measure --target-dir "$root/target" -- "$@"
