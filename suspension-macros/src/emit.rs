@@ -59,8 +59,11 @@ pub(crate) fn module(system: &System, order: &Order) -> TokenStream {
     }
 }
 
-/// What marks the functions of equations. A step in a release build is straight-line code; a debug
-/// build compiles each function once.
-fn written_out() -> TokenStream {
-    quote!(#[cfg_attr(not(debug_assertions), inline(always))])
+/// A function of equations. In a release build it is written out wherever it is called, so that a step is
+/// straight-line code; a debug build compiles it once.
+fn written_out(function: &TokenStream) -> TokenStream {
+    quote! {
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        #function
+    }
 }

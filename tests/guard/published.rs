@@ -41,36 +41,29 @@ fn published<T: Real, L: Build<15, Scalar = T>>(
     ends
 }
 
+/// The same of both listings.
+fn of_both<T: Real>(bound: f64) -> [[Ends; 3]; 2] {
+    [
+        published::<T, _>(
+            &support::attia_model(),
+            &support::attia_rough(),
+            support::attia_inputs,
+            bound,
+        ),
+        published::<T, _>(
+            &support::five_link_model(),
+            &support::five_link_rough(),
+            support::five_link_inputs,
+            bound,
+        ),
+    ]
+}
+
 #[test]
 fn jumps_of_the_published_motion() {
     // At 1.95 s, near the turning point, an f32 knows the position to 1e-4 m.
-    let cases = [
-        published::<f64, _>(
-            &support::attia_model(),
-            &support::attia_rough(),
-            support::attia_inputs,
-            1e-12,
-        ),
-        published::<f64, _>(
-            &support::five_link_model(),
-            &support::five_link_rough(),
-            support::five_link_inputs,
-            1e-12,
-        ),
-        published::<f32, _>(
-            &support::attia_model(),
-            &support::attia_rough(),
-            support::attia_inputs,
-            2e-4,
-        ),
-        published::<f32, _>(
-            &support::five_link_model(),
-            &support::five_link_rough(),
-            support::five_link_inputs,
-            2e-4,
-        ),
-    ];
-    for ends in cases {
+    let cases = [of_both::<f64>(1e-12), of_both::<f32>(2e-4)];
+    for ends in cases.into_iter().flatten() {
         println!("50 ms, 100 ms, longer: {ends:?}");
         let [fifty, hundred, _] = ends;
         assert!(fifty.refused <= 2, "78 steps of 50 ms: {fifty:?}");

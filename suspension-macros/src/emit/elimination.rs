@@ -100,13 +100,11 @@ pub(super) fn factor(system: &System, order: &Order) -> TokenStream {
         },
     );
     let [q, fixed] = parameters(system, &body);
-    let written_out = written_out();
-    quote! {
-        #written_out
+    written_out(&quote! {
         fn factor(&self, #q, #fixed) -> Factors<T> {
             #body
         }
-    }
+    })
 }
 
 /// An entry of the Jacobian, later of its factors: `row_by_column`.

@@ -168,13 +168,11 @@ fn residual(system: &System) -> TokenStream {
     let q = parameter("q", &quote!(&SVector<T, #n>), &body);
     let fixed = parameter("fixed", &quote!(&Fixed<T>), &body);
     let drives = parameter("drives", &quote!(&Drives<T>), &body);
-    let written_out = written_out();
-    quote! {
-        #written_out
+    written_out(&quote! {
         fn residual(&self, #q, #fixed, #drives) -> SVector<T, #n> {
             #body
         }
-    }
+    })
 }
 
 fn curvature(system: &System) -> TokenStream {
@@ -211,11 +209,9 @@ fn curvature(system: &System) -> TokenStream {
     let body = bind(bindings.collect(), result);
     let vectors = ["v", "w"].map(|name| parameter(name, &quote!(&SVector<T, #n>), &body));
     let fixed = ["v_fixed", "w_fixed"].map(|name| parameter(name, &quote!(&Fixed<T>), &body));
-    let written_out = written_out();
-    quote! {
-        #written_out
+    written_out(&quote! {
         fn curvature(&self, #(#vectors, #fixed),*) -> SVector<T, #n> {
             #body
         }
-    }
+    })
 }

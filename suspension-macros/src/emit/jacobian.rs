@@ -26,13 +26,11 @@ pub(super) fn jacobian(system: &System) -> TokenStream {
         },
     );
     let [q, fixed] = parameters(system, &body);
-    let written_out = written_out();
-    quote! {
-        #written_out
+    written_out(&quote! {
         fn jacobian(&self, #q, #fixed) -> SMatrix<T, #n, #n> {
             #body
         }
-    }
+    })
 }
 
 /// `q` and `fixed`.

@@ -20,13 +20,11 @@ pub(super) fn drive_rate(system: &System) -> TokenStream {
     });
     let [q, fixed, fixed_rate] = parameters(system, &body);
     let drive_rate = parameter("drive_rate", &quote!(&Drives<T>), &body);
-    let written_out = written_out();
-    quote! {
-        #written_out
+    written_out(&quote! {
         fn drive_rate(&self, #q, #fixed, #fixed_rate, #drive_rate) -> SVector<T, #n> {
             #body
         }
-    }
+    })
 }
 
 /// The rows that `drive_rate` fills.
@@ -50,13 +48,11 @@ pub(super) fn chassis_rate(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let body = terms(system, SiteMotion::Anchor, |_| None);
     let [q, fixed, fixed_rate] = parameters(system, &body);
-    let written_out = written_out();
-    quote! {
-        #written_out
+    written_out(&quote! {
         fn chassis_rate(&self, #q, #fixed, #fixed_rate) -> SVector<T, #n> {
             #body
         }
-    }
+    })
 }
 
 fn parameters(system: &System, body: &TokenStream) -> [TokenStream; 3] {

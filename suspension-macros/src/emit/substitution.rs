@@ -15,32 +15,28 @@ use crate::system::System;
 pub(super) fn solve(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStream {
     let all_rows = unrolled.order.steps.iter().map(|step| step.row).collect();
     let statements = down_and_up(unrolled, all_rows);
-    let written_out = written_out();
-    quote! {
-        #written_out
+    written_out(&quote! {
         fn solve(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); #n];
             #(#statements)*
             SVector::from(unknowns)
         }
-    }
+    })
 }
 
 /// For one that is zero but in the rows that drives change.
 pub(super) fn solve_drives(unrolled: &Unrolled<'_>, n: &Literal, system: &System) -> TokenStream {
     let driven = rates::driven_rows(system);
     let statements = down_and_up(unrolled, driven);
-    let written_out = written_out();
-    quote! {
-        #written_out
+    written_out(&quote! {
         fn solve_drives(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
             let [mut rows] = right.data.0;
             let mut unknowns = [T::zero(); #n];
             #(#statements)*
             SVector::from(unknowns)
         }
-    }
+    })
 }
 
 /// `J^T y = right`: first with the transposed upper factor, then with the lower one.
@@ -68,9 +64,7 @@ pub(super) fn solve_transposed(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStr
             quote!(rows[#pivot] = rows[#pivot].minus_product(self.#multiplier, rows[#below]);)
         })
     });
-    let written_out = written_out();
-    quote! {
-        #written_out
+    written_out(&quote! {
         fn solve_transposed(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
             let [mut unknowns] = right.data.0;
             let mut rows = [T::zero(); #n];
@@ -80,7 +74,7 @@ pub(super) fn solve_transposed(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStr
             #(#lower)*
             SVector::from(rows)
         }
-    }
+    })
 }
 
 /// The statements of both substitutions, where only the rows of `live` are not zero at first.
