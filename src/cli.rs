@@ -38,7 +38,8 @@ pub enum Command {
     Motion {
         /// The motion file (TOML): linkage, points, lengths, instants, drives.
         file: PathBuf,
-        /// Write every row as comma-separated values to PATH, or to standard output for `-`.
+        /// Write every row as comma-separated values to PATH, or to standard output for `-`. Missing
+        /// folders are made.
         #[arg(long, value_name = "PATH")]
         csv: Option<PathBuf>,
         /// Draw wheel-centre height, kingpin and camber angle as SVG into the folder DIR.
@@ -120,7 +121,7 @@ const MOTION_NOTES: &str = r#"The file:
   [points]                           # chassis points, free points and markers, each by name
   p1 = [-1.396, -0.025, -0.082]
   p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, off another point
-  [lengths]                          # optional: all lengths; the points are then a rough guess
+  [lengths]                          # optional: all lengths; free points are then but a guess
   d6_1 = 0.445872
   [design]                           # optional: the drives' values at which the mechanism is
   theta = 1.5707963267948966         # assembled and markers are attached; else as the points are

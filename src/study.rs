@@ -74,7 +74,8 @@ pub trait Study {
     /// The points' names.
     fn points(&self) -> PointNames;
 
-    /// Moves the mechanism from instant to instant. The first lies where the file's does.
+    /// Moves the mechanism from instant to instant. The first lies where the file's does. Where the
+    /// mechanism locks or the caller stops, that is the [`End`]: not an error.
     ///
     /// # Errors
     ///

@@ -30,7 +30,45 @@ pub fn load(source: &Source) -> Result<(Box<dyn Study>, Instants), Failure> {
 }
 
 /// Reads a motion file for a linkage of one's own, under the name that the file must give; see
-/// [`load`].
+/// [`load`]. The listing states a `wheel` and a `kingpin`; the file all points and drives, as
+/// `suspension motion --help` explains. Such a program depends on `suspension` and `suspension-core`.
+///
+/// ```no_run
+/// use std::ops::ControlFlow;
+/// use std::path::Path;
+///
+/// use suspension::input::{setup::load_own, source::Source};
+///
+/// suspension_core::linkage! {
+///     mod double_wishbone {
+///         fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
+///         free: lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+///         link lower_fore: lower_front -> lower_ball;
+///         link lower_aft: lower_rear -> lower_ball;
+///         link upper_fore: upper_front -> upper_ball;
+///         link upper_aft: upper_rear -> upper_ball;
+///         link tie_rod: rack -> tie_ball;
+///         body upright: lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+///         drive bump: axle_outer.z;
+///         drive steer: rack.y;
+///         wheel: axle_inner -> axle_outer;
+///         kingpin: lower_ball -> upper_ball;
+///     }
+/// }
+///
+/// # fn main() -> Result<(), suspension::failure::Failure> {
+/// let source = Source::read(Path::new("my.toml"))?; // linkage = "double_wishbone"
+/// let (study, instants) =
+///     load_own::<double_wishbone::Model<f64>, _>("double_wishbone", &source)?;
+/// println!("{}", study.columns().join(","));
+/// let end = study.sweep(&instants, &mut |row| {
+///     println!("{row:?}");
+///     Ok(ControlFlow::Continue(()))
+/// })?;
+/// println!("{end:?}"); // whether the motion went through
+/// # Ok(())
+/// # }
+/// ```
 ///
 /// # Errors
 ///
