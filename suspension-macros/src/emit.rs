@@ -22,8 +22,8 @@ mod types;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::eliminate::Order;
-use crate::system::System;
+use suspension_listing::eliminate::Order;
+use suspension_listing::system::System;
 
 pub(crate) use stub::stub;
 

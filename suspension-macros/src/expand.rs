@@ -2,7 +2,9 @@
 
 use proc_macro2::TokenStream;
 
-use crate::{check, eliminate, emit, lower, parse, sample};
+use suspension_listing::{check, eliminate, lower, parse, sample};
+
+use crate::emit;
 
 /// Expands a listing. Where it has mistakes, all of them are reported, and the types are still
 /// emitted so that code which uses them raises no further errors.

@@ -2,17 +2,8 @@
 //!
 //! Use it through `suspension_core::linkage`, where it is documented by its listings.
 
-mod ast;
-mod check;
-mod cluster;
-mod eliminate;
 mod emit;
-mod errors;
 mod expand;
-mod lower;
-mod parse;
-mod sample;
-mod system;
 #[cfg(test)]
 mod tests;
 

@@ -1,16 +1,9 @@
-//! How listings are lowered, in which order their equations are eliminated, and what the catalogue
-//! expands to.
+//! What the catalogue expands to.
 
-mod elimination;
 mod expansion;
-mod lowering;
-mod sampling;
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
-
-use crate::system::System;
-use crate::{lower, parse};
 
 /// The tokens inside the `linkage! { .. }` of a catalogue file.
 fn catalogue_listing(name: &str) -> TokenStream {
@@ -25,10 +18,4 @@ fn catalogue_listing(name: &str) -> TokenStream {
         _ => None,
     });
     listing.expect("a `linkage!` in the file").to_token_stream()
-}
-
-/// The system of a catalogue file.
-fn catalogue_system(name: &str) -> System {
-    let (listing, _) = parse::listing(catalogue_listing(name)).expect("a listing");
-    lower::system(&listing)
 }

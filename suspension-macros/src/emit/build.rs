@@ -6,8 +6,8 @@ use quote::{format_ident, quote};
 use super::clusters;
 use super::lengths::{self, distances};
 use super::readout;
-use super::terms::{ident, parameter};
-use crate::system::{AXES, Drive, System, carried_name, frame_name};
+use super::terms::{ident, parameter, value_of};
+use suspension_listing::system::{AXES, Drive, System, carried_name, frame_name};
 
 pub(super) fn build_impl(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
@@ -151,9 +151,9 @@ fn fit(system: &System) -> TokenStream {
             quote!(self.#name.position(&self.#frame))
         });
         let sites = || body.frame.iter().chain(&body.carried);
-        let guess = sites().map(|site| site.of(&free, &fixed));
+        let guess = sites().map(|site| value_of(site, &free, &fixed));
         let targets = sites().map(|site| {
-            let target = site.of(&free, &fixed);
+            let target = value_of(site, &free, &fixed);
             if site.is_free() { target } else { quote!(_) }
         });
         quote! {

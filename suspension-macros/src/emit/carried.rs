@@ -10,11 +10,18 @@ use syn::Ident;
 
 use super::elimination::Unrolled;
 use super::terms::ident;
-use crate::eliminate::{Order, Step};
-use crate::system::{AXES, Substituted, System, carried_name, frame_name};
+use suspension_listing::system::{AXES, Substituted, System, carried_name, frame_name};
 
-impl Substituted<'_> {
+/// A substituted point in the generated code.
+pub(super) trait Emitted {
     /// Its constants under their name.
+    fn constants(&self) -> Ident;
+
+    /// Its frame under its name.
+    fn frame_name(&self) -> Ident;
+}
+
+impl Emitted for Substituted<'_> {
     fn constants(&self) -> Ident {
         carried_name(self.body, self.point)
     }
@@ -22,26 +29,11 @@ impl Substituted<'_> {
     fn frame_name(&self) -> Ident {
         frame_name(self.body)
     }
-
-    /// The rows of other equations that depend on it.
-    pub(super) fn rows(&self, order: &Order) -> BTreeSet<usize> {
-        self.steps(order)
-            .flat_map(|step| &step.below)
-            .copied()
-            .collect()
-    }
-
-    /// Its three steps, one an axis.
-    fn steps<'a>(&self, order: &'a Order) -> impl Iterator<Item = &'a Step> {
-        let columns = self.column..self.column + 3;
-        let steps = order.steps.iter();
-        steps.filter(move |step| step.carried && columns.contains(&step.column))
-    }
 }
 
 /// One frame a body.
 pub(super) fn frames(substituted: &[Substituted<'_>]) -> Vec<Ident> {
-    let mut names: Vec<Ident> = substituted.iter().map(Substituted::frame_name).collect();
+    let mut names: Vec<Ident> = substituted.iter().map(Emitted::frame_name).collect();
     names.dedup();
     names
 }
@@ -49,7 +41,7 @@ pub(super) fn frames(substituted: &[Substituted<'_>]) -> Vec<Ident> {
 /// Fields of the factors.
 pub(super) fn fields(system: &System) -> TokenStream {
     let substituted = system.substituted();
-    let constants = substituted.iter().map(Substituted::constants);
+    let constants = substituted.iter().map(Emitted::constants);
     let frames = frames(&substituted);
     quote!(#(#frames: Frame<T>,)* #(#constants: Carried<T>,)*)
 }
@@ -57,7 +49,7 @@ pub(super) fn fields(system: &System) -> TokenStream {
 /// Their values.
 pub(super) fn values(system: &System) -> TokenStream {
     let substituted = system.substituted();
-    let constants: Vec<Ident> = substituted.iter().map(Substituted::constants).collect();
+    let constants: Vec<Ident> = substituted.iter().map(Emitted::constants).collect();
     let frames = frames(&substituted);
     quote!(#(#frames,)* #(#constants: self.#constants,)*)
 }

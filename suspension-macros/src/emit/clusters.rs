@@ -5,8 +5,8 @@ use quote::quote;
 use syn::Ident;
 use syn::ext::IdentExt;
 
-use super::terms::{Binding, bind, ident, parameter};
-use crate::system::{Body, Site, System, carried_name, distance_between, frame_name};
+use super::terms::{Binding, bind, ident, parameter, value_of};
+use suspension_listing::system::{Body, Site, System, carried_name, distance_between, frame_name};
 
 /// A clustered point: the constant's name, the point, and its cluster.
 struct Clustered<'a> {
@@ -116,7 +116,7 @@ pub(super) fn mirrored(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let frames = system.clusters.iter().map(|cluster| {
-        let points = cluster.frame.iter().map(|site| site.of(free, fixed));
+        let points = cluster.frame.iter().map(|site| value_of(site, free, fixed));
         Binding::new(frame_name(&cluster.name), quote!(Frame::new(#(#points),*)))
     });
     let values: Vec<TokenStream> = clustered(system)
@@ -126,7 +126,7 @@ pub(super) fn mirrored(system: &System) -> TokenStream {
                  point,
                  cluster,
              }| {
-                let (point, frame) = (point.of(free, fixed), frame_name(&cluster.name));
+                let (point, frame) = (value_of(point, free, fixed), frame_name(&cluster.name));
                 quote!(self.#constant.mirrored(#point, &#frame))
             },
         )

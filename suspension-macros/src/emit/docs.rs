@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::carried;
-use crate::eliminate::{self, Order};
-use crate::system::{Equation, System};
+use suspension_listing::eliminate::{self, Order};
+use suspension_listing::system::{Equation, System};
 
 /// Operations of straight-line code. A change of sign is none.
 #[derive(Clone, Copy, Default)]

@@ -6,8 +6,8 @@ use syn::Ident;
 
 use super::jacobian::{entries, parameters, with_points};
 use super::{carried, indices, substitution, written_out};
-use crate::eliminate::{Order, Step};
-use crate::system::System;
+use suspension_listing::eliminate::{Order, Step};
+use suspension_listing::system::System;
 
 /// Rows, columns and order of an elimination under their names.
 pub(super) struct Unrolled<'a> {

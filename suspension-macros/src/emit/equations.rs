@@ -5,11 +5,12 @@ use quote::quote;
 use syn::ext::IdentExt;
 
 use super::terms::{
-    Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, vector,
+    Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, value_of,
+    vector,
 };
 use super::{clusters, elimination, jacobian, measures, rates, readout, written_out};
-use crate::eliminate::Order;
-use crate::system::{AXES, Equation, System, carried_name, frame_name};
+use suspension_listing::eliminate::Order;
+use suspension_listing::system::{AXES, Equation, System, carried_name, frame_name};
 
 pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
@@ -134,7 +135,7 @@ fn residual(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let carried = carried(system, |body, point| {
-        let (point, frame) = (point.of(free, fixed), frame_name(&body.name));
+        let (point, frame) = (value_of(point, free, fixed), frame_name(&body.name));
         quote!(residual(#point, &#frame))
     });
     let assignments = system.equations.iter().map(|equation| match equation {
@@ -153,8 +154,8 @@ fn residual(system: &System) -> TokenStream {
             of,
             minus,
         } => {
-            let (axis, of) = (ident(AXES[*axis]), of.of(free, fixed));
-            let minus = minus.as_ref().map(|minus| minus.of(free, fixed));
+            let (axis, of) = (ident(AXES[*axis]), value_of(of, free, fixed));
+            let minus = minus.as_ref().map(|minus| value_of(minus, free, fixed));
             let minus = minus.map(|minus| quote!(- #minus.#axis));
             assign(drive, &quote!(#of.#axis #minus - drives.#drive))
         }

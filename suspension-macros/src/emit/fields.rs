@@ -4,7 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Attribute, Ident};
 
-use crate::system::{AXES, Body, Drive, Equation, Measure, Measured, System, pair_name};
+use suspension_listing::system::{
+    AXES, Body, Drive, Equation, Measure, Measured, System, pair_name,
+};
 
 /// A field of a generated struct.
 pub(super) struct Field {
@@ -112,7 +114,7 @@ pub(super) fn length_fields(system: &System) -> Vec<Field> {
             && !system
                 .bodies
                 .iter()
-                .any(|body| body.frame_lengths().any(|name| name == named.name))
+                .any(|body| frame_lengths(body).any(|name| name == named.name))
         {
             fields.push(Field::new(
                 &named.docs,
@@ -140,10 +142,8 @@ pub(super) fn length_fields(system: &System) -> Vec<Field> {
     fields
 }
 
-impl Body {
-    fn frame_lengths(&self) -> impl Iterator<Item = Ident> {
-        self.frame_pairs()
-            .into_iter()
-            .map(|[a, b]| pair_name(&self.name, &a.name, &b.name))
-    }
+fn frame_lengths(body: &Body) -> impl Iterator<Item = Ident> {
+    body.frame_pairs()
+        .into_iter()
+        .map(|[a, b]| pair_name(&body.name, &a.name, &b.name))
 }

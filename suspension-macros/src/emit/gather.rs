@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::types::constants;
-use crate::system::System;
+use suspension_listing::system::System;
 
 pub(super) fn listing(system: &System) -> TokenStream {
     let fixed = system.fixed.iter().map(|point| {

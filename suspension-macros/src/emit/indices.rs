@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 use syn::Ident;
 use syn::ext::IdentExt;
 
-use crate::system::{AXES, System};
+use suspension_listing::system::{AXES, System};
 
 pub(super) fn modules(system: &System) -> TokenStream {
     let equations = constants(&system.rows());

@@ -6,7 +6,7 @@ use syn::Ident;
 
 use super::terms::{Binding, bind, frames, ident, parameter, vector};
 use super::{indices, written_out};
-use crate::system::{AXES, Equation, Site, System, carried_name, frame_name};
+use suspension_listing::system::{AXES, Equation, Site, System, carried_name, frame_name};
 
 /// Writes an entry: its row, its column, its value.
 type Write<'a> = dyn Fn(&Ident, &Ident, TokenStream) -> TokenStream + 'a;

@@ -5,7 +5,7 @@ use quote::quote;
 use syn::Ident;
 
 use super::{clusters, fields};
-use crate::system::{Body, Equation, System, carried_name, frame_name, pair_name};
+use suspension_listing::system::{Body, Equation, System, carried_name, frame_name, pair_name};
 
 /// The distances that equations keep, with the points between which they stand.
 pub(super) fn distances(system: &System) -> Vec<(Ident, [Ident; 2])> {

@@ -5,7 +5,7 @@ use quote::quote;
 use syn::Ident;
 
 use super::terms::{ident, parameter};
-use crate::system::{AXES, Measure, Measured, System};
+use suspension_listing::system::{AXES, Measure, Measured, System};
 
 /// `const MEASURE_KINDS`.
 pub(super) fn kinds(system: &System) -> TokenStream {

@@ -10,7 +10,9 @@ use super::terms::{
     Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, vector,
 };
 use super::written_out;
-use crate::system::{AXES, Equation, Site, SiteMotion, System, carried_name, frame_name};
+use suspension_listing::system::{
+    AXES, Equation, Site, SiteMotion, System, carried_name, frame_name,
+};
 
 /// Of the drives, and of the chassis points that they move.
 pub(super) fn drive_rate(system: &System) -> TokenStream {

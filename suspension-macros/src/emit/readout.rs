@@ -4,8 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::Ident;
 
-use super::terms::{ident, parameter};
-use crate::system::{Marker, System, Wheel};
+use super::terms::{ident, parameter, value_of};
+use suspension_listing::system::{Marker, System, Wheel};
 
 /// `points`, `velocities`, `accelerations` and `unknowns` of `impl Linkage`.
 pub(super) fn points(system: &System) -> TokenStream {
@@ -92,7 +92,10 @@ fn all_points(
     let on_chassis = system.fixed.iter().map(|point| &point.name);
     let unknown = system.free.iter().map(|point| &point.name);
     let markers = system.markers.iter().map(|marker| {
-        let points = marker.frame.iter().map(|site| site.of(&free, &fixed));
+        let points = marker
+            .frame
+            .iter()
+            .map(|site| value_of(site, &free, &fixed));
         let name = &marker.named.name;
         let call = method(marker, quote!(Frame::new(#(#points),*)));
         quote!(#name: self.#name.#call)

@@ -10,8 +10,8 @@ use syn::Ident;
 use super::fields::{self, Field};
 use super::types;
 use super::{gather, indices};
-use crate::ast::Listing;
-use crate::system::System;
+use suspension_listing::ast::Listing;
+use suspension_listing::system::System;
 
 /// The errors and the stand-in.
 pub(crate) fn stub(listing: &Listing, system: &System, error: &syn::Error) -> TokenStream {

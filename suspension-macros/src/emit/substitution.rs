@@ -8,8 +8,8 @@ use quote::quote;
 
 use super::elimination::Unrolled;
 use super::{carried, rates, written_out};
-use crate::eliminate::Step;
-use crate::system::System;
+use suspension_listing::eliminate::Step;
+use suspension_listing::system::System;
 
 /// For any right-hand side.
 pub(super) fn solve(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStream {

@@ -5,27 +5,25 @@ use quote::{format_ident, quote};
 use syn::Ident;
 
 use super::indices;
-use crate::system::{AXES, Body, Site, System, carried_name, frame_name};
+use suspension_listing::system::{AXES, Body, Site, System, carried_name, frame_name};
 
 pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, proc_macro2::Span::call_site())
 }
 
-impl Site {
-    /// The point's value in one of two structs, by where it belongs.
-    pub(super) fn of(&self, free: &Ident, fixed: &Ident) -> TokenStream {
-        let Self { name, .. } = self;
-        if self.is_free() {
-            quote!(#free.#name)
-        } else {
-            quote!(#fixed.#name)
-        }
+/// A point's value in one of two structs, by where it belongs.
+pub(super) fn value_of(site: &Site, free: &Ident, fixed: &Ident) -> TokenStream {
+    let name = &site.name;
+    if site.is_free() {
+        quote!(#free.#name)
+    } else {
+        quote!(#fixed.#name)
     }
 }
 
 /// `to - from`.
 pub(super) fn vector(from: &Site, to: &Site, free: &Ident, fixed: &Ident) -> TokenStream {
-    let (from, to) = (from.of(free, fixed), to.of(free, fixed));
+    let (from, to) = (value_of(from, free, fixed), value_of(to, free, fixed));
     quote!(difference(#to, #from))
 }
 
@@ -126,7 +124,7 @@ pub(super) fn frames<'a>(
 ) -> impl Iterator<Item = Binding> {
     let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
     bodies.map(move |body| {
-        let points = body.frame.iter().map(|site| site.of(free, fixed));
+        let points = body.frame.iter().map(|site| value_of(site, free, fixed));
         Binding::new(
             format_ident!("{}{suffix}", frame_name(&body.name)),
             quote!(Frame::new(#(#points),*)),

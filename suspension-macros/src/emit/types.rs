@@ -10,7 +10,7 @@ use super::fields::{
     Field, drive_fields, fixed_fields, length_fields, measure_fields, point_fields,
 };
 use super::lengths::distances;
-use crate::system::{AXES, System, carried_name, frame_name};
+use suspension_listing::system::{AXES, System, carried_name, frame_name};
 
 pub(super) fn all(system: &System) -> TokenStream {
     let points = named(

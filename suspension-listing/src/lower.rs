@@ -12,7 +12,7 @@ use crate::system::{
 };
 
 /// Lowers a listing; of one with mistakes, what can be told.
-pub(crate) fn system(listing: &Listing) -> System {
+pub fn system(listing: &Listing) -> System {
     let mut lowering = Lowering {
         listing,
         bodies: Vec::new(),

@@ -19,7 +19,7 @@ const LARGEST_RATE: f64 = 6.0;
 const MOST_UNKNOWNS: usize = 60;
 
 /// The design position, where all of it is stated, and others that the drives lead to from there.
-pub(crate) fn positions(system: &System) -> Vec<Design> {
+pub fn positions(system: &System) -> Vec<Design> {
     let points = system.free.iter().chain(&system.fixed);
     let is_stated = points.map(|point| point.name.to_string());
     if !is_stated

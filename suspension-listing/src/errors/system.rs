@@ -6,7 +6,7 @@ use syn::{Error, Ident};
 use super::at;
 use crate::system::Body;
 
-pub(crate) fn no_such_link(from: &Ident, to: &Ident) -> Error {
+pub fn no_such_link(from: &Ident, to: &Ident) -> Error {
     at(
         from,
         format!(
@@ -17,7 +17,7 @@ pub(crate) fn no_such_link(from: &Ident, to: &Ident) -> Error {
 }
 
 /// The distance of two points of a body is none of its frame's.
-pub(crate) fn angle_beside_frame(ends: [&Ident; 2], body: &Body) -> Error {
+pub fn angle_beside_frame(ends: [&Ident; 2], body: &Body) -> Error {
     let [from, to] = ends;
     let Body { name, frame, .. } = body;
     let [a, b, c] = frame.each_ref().map(|site| &site.name);
@@ -42,7 +42,7 @@ pub(crate) fn angle_beside_frame(ends: [&Ident; 2], body: &Body) -> Error {
     )
 }
 
-pub(crate) fn drive_moves_nothing(point: &Ident) -> Error {
+pub fn drive_moves_nothing(point: &Ident) -> Error {
     at(
         point,
         format!(
@@ -52,7 +52,7 @@ pub(crate) fn drive_moves_nothing(point: &Ident) -> Error {
     )
 }
 
-pub(crate) fn unused_chassis_point(point: &Ident) -> Error {
+pub fn unused_chassis_point(point: &Ident) -> Error {
     at(
         point,
         format!(
@@ -61,14 +61,14 @@ pub(crate) fn unused_chassis_point(point: &Ident) -> Error {
     )
 }
 
-pub(crate) fn nothing_declared(module: &Ident, keyword: &str) -> Error {
+pub fn nothing_declared(module: &Ident, keyword: &str) -> Error {
     at(
         module,
         format!("`{module}` has no `{keyword}` statement; a linkage needs at least one"),
     )
 }
 
-pub(crate) fn wrong_count(
+pub fn wrong_count(
     span: Span,
     unknowns: usize,
     [links, bodies, drives]: [usize; 3],
@@ -101,7 +101,7 @@ pub(crate) fn wrong_count(
     )
 }
 
-pub(crate) fn redundant_equation(name: &Ident) -> Error {
+pub fn redundant_equation(name: &Ident) -> Error {
     at(
         name,
         format!(
@@ -110,7 +110,7 @@ pub(crate) fn redundant_equation(name: &Ident) -> Error {
     )
 }
 
-pub(crate) fn undetermined(point: &Ident, axis: &str) -> Error {
+pub fn undetermined(point: &Ident, axis: &str) -> Error {
     at(
         point,
         format!(
@@ -119,7 +119,7 @@ pub(crate) fn undetermined(point: &Ident, axis: &str) -> Error {
     )
 }
 
-pub(crate) fn closed_twice(body: &Ident, a: &Ident, b: &Ident) -> Error {
+pub fn closed_twice(body: &Ident, a: &Ident, b: &Ident) -> Error {
     at(
         body,
         format!(

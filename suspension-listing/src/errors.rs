@@ -8,27 +8,27 @@ use std::fmt::Display;
 
 use syn::{Error, Ident};
 
-pub(crate) use names::*;
-pub(crate) use syntax::*;
-pub(crate) use system::*;
+pub use names::*;
+pub use syntax::*;
+pub use system::*;
 
 /// Errors gathered so that all of them are reported at once.
 #[derive(Default)]
-pub(crate) struct Errors(Option<Error>);
+pub struct Errors(Option<Error>);
 
 impl Errors {
-    pub(crate) fn push(&mut self, error: Error) {
+    pub fn push(&mut self, error: Error) {
         match &mut self.0 {
             Some(first) => first.combine(error),
             None => self.0 = Some(error),
         }
     }
 
-    pub(crate) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.0.is_none()
     }
 
-    pub(crate) fn into_result(self) -> Result<(), Error> {
+    pub fn into_result(self) -> Result<(), Error> {
         self.0.map_or(Ok(()), Err)
     }
 }

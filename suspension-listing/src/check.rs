@@ -7,9 +7,9 @@ mod uses;
 use syn::Ident;
 use syn::ext::IdentExt;
 
-pub(crate) use determined::determined;
-pub(crate) use names::names;
-pub(crate) use uses::{angles, chassis_points};
+pub use determined::determined;
+pub use names::names;
+pub use uses::{angles, chassis_points};
 
 /// Fields of the generated model and its factors, variables of its methods, and names that a pattern
 /// does not bind.

@@ -12,7 +12,7 @@ use crate::ast::{Constraint, Listing};
 use crate::errors::{self, Errors};
 
 /// Checks every name and operand of the listing.
-pub(crate) fn names(listing: &Listing, errors: &mut Errors) {
+pub fn names(listing: &Listing, errors: &mut Errors) {
     let mut check = Check {
         listing,
         taken: BTreeMap::new(),

@@ -5,7 +5,7 @@ use super::{DIVISION, Entry, Order, Step};
 
 /// A pivot must be at least this part of the largest entry of its column in the design position,
 /// so that multipliers stay below 5 there.
-pub(crate) const THRESHOLD: f64 = 0.2;
+pub const THRESHOLD: f64 = 0.2;
 
 /// The same in the other positions of the motion.
 const THRESHOLD_OF_MOTION: f64 = 0.05;
@@ -79,7 +79,7 @@ impl Partial {
     }
 
     /// Eliminates to the end; `None` where no entry is large enough for a pivot.
-    pub(super) fn eliminate(mut self, attempt: u64) -> Option<Order> {
+    pub(crate) fn eliminate(mut self, attempt: u64) -> Option<Order> {
         let mut preference = Preference::of(attempt);
         let carried = self.carried();
         for step in 0..self.cells.len() {

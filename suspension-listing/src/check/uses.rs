@@ -9,7 +9,7 @@ use crate::errors::{self, Errors};
 use crate::system::System;
 
 /// Checks that an equation keeps the distance of the two points of each angle.
-pub(crate) fn angles(listing: &Listing, system: &System, errors: &mut Errors) {
+pub fn angles(listing: &Listing, system: &System, errors: &mut Errors) {
     if listing.incomplete {
         return;
     }
@@ -40,7 +40,7 @@ pub(crate) fn angles(listing: &Listing, system: &System, errors: &mut Errors) {
 }
 
 /// Checks that something depends on each chassis point.
-pub(crate) fn chassis_points(listing: &Listing, errors: &mut Errors) {
+pub fn chassis_points(listing: &Listing, errors: &mut Errors) {
     let used = used_points(listing);
     for point in listing.fixed.iter().map(|point| &point.name) {
         if used.contains(point) {

@@ -14,62 +14,62 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use partial::Partial;
 #[cfg(test)]
-pub(crate) use partial::THRESHOLD;
+pub use partial::THRESHOLD;
 
 /// One entry of the Jacobian.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Entry {
-    pub(crate) row: usize,
-    pub(crate) column: usize,
+pub struct Entry {
+    pub row: usize,
+    pub column: usize,
     /// Its values in the design position and in others of the motion; none where the design is not
     /// known.
-    pub(crate) values: Vec<f64>,
+    pub values: Vec<f64>,
     /// Whether it is 1 in every position: a pivot that cannot go bad.
-    pub(crate) unit: bool,
+    pub unit: bool,
     /// Whether it is a coordinate of a point in the equation that ties the point to a frame: such
     /// pivots come first, because what they do is known in closed form and need not be multiplied
     /// out (see `emit::substitution`).
-    pub(crate) carried: bool,
+    pub carried: bool,
 }
 
 /// The steps of an elimination.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Order {
-    pub(crate) steps: Vec<Step>,
+pub struct Order {
+    pub steps: Vec<Step>,
     /// Entries that the matrix does not have but its factors do.
-    pub(crate) fill: BTreeSet<(usize, usize)>,
+    pub fill: BTreeSet<(usize, usize)>,
     /// Multiplications and divisions of one factorisation, beside those of carried points, which are
     /// the same in every order.
-    pub(crate) operations: usize,
+    pub operations: usize,
     /// The longest chain of operations of which each needs the one before.
-    pub(crate) chain: usize,
+    pub chain: usize,
     /// The largest multiplier or inverse of a pivot in any of the positions; zero where nothing is
     /// known.
-    pub(crate) growth: f64,
+    pub growth: f64,
 }
 
 /// Row and column of a pivot, and what the step does.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Step {
-    pub(crate) row: usize,
-    pub(crate) column: usize,
+pub struct Step {
+    pub row: usize,
+    pub column: usize,
     /// Whether the pivot is 1 in every position.
-    pub(crate) unit: bool,
+    pub unit: bool,
     /// See [`Entry::carried`].
-    pub(crate) carried: bool,
+    pub carried: bool,
     /// Columns of the pivot row to the right of the pivot.
-    pub(crate) right: Vec<usize>,
+    pub right: Vec<usize>,
     /// Rows below the pivot that have an entry in its column.
-    pub(crate) below: Vec<usize>,
+    pub below: Vec<usize>,
 }
 
 /// A division takes as long as this many multiplications.
-pub(crate) const DIVISION: usize = 4;
+pub const DIVISION: usize = 4;
 
 /// The best order found for an `n x n` matrix of full structural rank. Where none has large pivots
 /// in all positions, it is chosen by the design position; where that is singular, by structure
 /// alone.
-pub(crate) fn order(n: usize, entries: &[Entry]) -> Order {
+pub fn order(n: usize, entries: &[Entry]) -> Order {
     let first = |positions: usize| {
         let entries = entries.iter().map(|entry| Entry {
             values: entry.values.iter().copied().take(positions).collect(),
@@ -100,7 +100,7 @@ fn attempts(n: usize) -> u64 {
 impl Order {
     /// Whether the order of rows and columns changes the sign of the product of the pivots
     /// against that of the determinant: by the cycles of the permutation from rows to columns.
-    pub(crate) fn is_odd(&self) -> bool {
+    pub fn is_odd(&self) -> bool {
         let steps = self.steps.iter();
         let mut column_of: BTreeMap<usize, usize> =
             steps.map(|step| (step.row, step.column)).collect();
@@ -116,7 +116,7 @@ impl Order {
 
     /// Entries of the factors that are stored, each a multiplication of a solution; of carried points
     /// the multipliers alone.
-    pub(crate) fn non_zeros(&self) -> usize {
+    pub fn non_zeros(&self) -> usize {
         let of_step = |step: &Step| {
             let right = if step.carried { 0 } else { step.right.len() };
             step.below.len() + right + usize::from(!step.unit)
@@ -134,7 +134,7 @@ impl Order {
     }
 
     /// The longest chain of one solution.
-    pub(crate) fn substitution_chain(&self) -> usize {
+    pub fn substitution_chain(&self) -> usize {
         let n = self.steps.len();
         let (mut row_ready, mut unknown_ready) = (vec![0; n], vec![0; n]);
         for step in &self.steps {

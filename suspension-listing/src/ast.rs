@@ -3,57 +3,57 @@
 use proc_macro2::Span;
 use syn::{Attribute, Ident, Visibility};
 
-pub(crate) struct Listing {
-    pub(crate) docs: Vec<Attribute>,
-    pub(crate) vis: Visibility,
-    pub(crate) name: Ident,
-    pub(crate) fixed: Vec<Named>,
-    pub(crate) free: Vec<Named>,
+pub struct Listing {
+    pub docs: Vec<Attribute>,
+    pub vis: Visibility,
+    pub name: Ident,
+    pub fixed: Vec<Named>,
+    pub free: Vec<Named>,
     /// Design positions, of the points that state one.
-    pub(crate) design: Vec<(Ident, [f64; 3])>,
+    pub design: Vec<(Ident, [f64; 3])>,
     /// Where the free points are declared: the token for messages about counts.
-    pub(crate) free_span: Span,
-    pub(crate) constraints: Vec<Constraint>,
-    pub(crate) drives: Vec<Drive>,
-    pub(crate) measures: Vec<Measure>,
-    pub(crate) markers: Vec<Marker>,
-    pub(crate) wheel: Vec<Axis>,
-    pub(crate) kingpin: Vec<Axis>,
+    pub free_span: Span,
+    pub constraints: Vec<Constraint>,
+    pub drives: Vec<Drive>,
+    pub measures: Vec<Measure>,
+    pub markers: Vec<Marker>,
+    pub wheel: Vec<Axis>,
+    pub kingpin: Vec<Axis>,
     /// Whether a statement could not be read, so that names may be missing through no other fault.
-    pub(crate) incomplete: bool,
+    pub incomplete: bool,
 }
 
 #[derive(Clone)]
-pub(crate) struct Named {
-    pub(crate) docs: Vec<Attribute>,
-    pub(crate) name: Ident,
+pub struct Named {
+    pub docs: Vec<Attribute>,
+    pub name: Ident,
 }
 
-pub(crate) enum Constraint {
+pub enum Constraint {
     Link(Link),
     Body(Body),
 }
 
 /// `link name: from -> to;`
-pub(crate) struct Link {
-    pub(crate) named: Named,
-    pub(crate) from: Ident,
-    pub(crate) to: Ident,
+pub struct Link {
+    pub named: Named,
+    pub from: Ident,
+    pub to: Ident,
 }
 
 /// `body name: points;`
-pub(crate) struct Body {
-    pub(crate) named: Named,
-    pub(crate) points: Vec<Ident>,
+pub struct Body {
+    pub named: Named,
+    pub points: Vec<Ident>,
 }
 
 /// `drive name: quantity;`
-pub(crate) struct Drive {
-    pub(crate) named: Named,
-    pub(crate) quantity: Quantity,
+pub struct Drive {
+    pub named: Named,
+    pub quantity: Quantity,
 }
 
-pub(crate) enum Quantity {
+pub enum Quantity {
     /// `of.axis` or `of.axis - minus.axis`.
     Coordinate {
         of: Coordinate,
@@ -64,45 +64,45 @@ pub(crate) enum Quantity {
 }
 
 /// `measure name: quantity;`
-pub(crate) struct Measure {
-    pub(crate) named: Named,
-    pub(crate) measured: Measured,
+pub struct Measure {
+    pub named: Named,
+    pub measured: Measured,
 }
 
-pub(crate) enum Measured {
+pub enum Measured {
     /// A coordinate or an angle, as a drive would prescribe it.
     Quantity(Quantity),
     /// `length(from -> to)`.
     Length { from: Ident, to: Ident },
 }
 
-pub(crate) struct Coordinate {
-    pub(crate) point: Ident,
-    pub(crate) axis: Ident,
+pub struct Coordinate {
+    pub point: Ident,
+    pub axis: Ident,
 }
 
 /// `point name: body;` or `point name: a, b, c;`
-pub(crate) struct Marker {
-    pub(crate) named: Named,
-    pub(crate) carriers: Vec<Ident>,
+pub struct Marker {
+    pub named: Named,
+    pub carriers: Vec<Ident>,
 }
 
 /// `wheel: from -> to;` or `kingpin: from -> to;`
-pub(crate) struct Axis {
-    pub(crate) keyword: Ident,
-    pub(crate) from: Ident,
-    pub(crate) to: Ident,
+pub struct Axis {
+    pub keyword: Ident,
+    pub from: Ident,
+    pub to: Ident,
 }
 
 impl Constraint {
-    pub(crate) fn name(&self) -> &Ident {
+    pub fn name(&self) -> &Ident {
         match self {
             Self::Link(link) => &link.named.name,
             Self::Body(body) => &body.named.name,
         }
     }
 
-    pub(crate) fn points(&self) -> impl Iterator<Item = &Ident> {
+    pub fn points(&self) -> impl Iterator<Item = &Ident> {
         let (link, body) = match self {
             Self::Link(link) => (Some([&link.from, &link.to]), None),
             Self::Body(body) => (None, Some(&body.points)),
@@ -113,7 +113,7 @@ impl Constraint {
 
 impl Drive {
     /// What it prescribes, as text: equal for two drives of the same coordinate.
-    pub(crate) fn prescribes(&self) -> [String; 3] {
+    pub fn prescribes(&self) -> [String; 3] {
         match &self.quantity {
             Quantity::Coordinate { of, minus } => {
                 let minus = minus
@@ -136,7 +136,7 @@ impl Drive {
 
 impl Measured {
     /// The points that it is measured by.
-    pub(crate) fn points(&self) -> [Option<&Ident>; 2] {
+    pub fn points(&self) -> [Option<&Ident>; 2] {
         match self {
             Self::Quantity(Quantity::Coordinate { of, minus }) => {
                 [Some(&of.point), minus.as_ref().map(|minus| &minus.point)]
@@ -149,7 +149,7 @@ impl Measured {
 }
 
 impl Listing {
-    pub(crate) fn body(&self, name: &Ident) -> Option<&Body> {
+    pub fn body(&self, name: &Ident) -> Option<&Body> {
         self.constraints
             .iter()
             .find_map(|constraint| match constraint {
@@ -181,7 +181,7 @@ impl Listing {
     }
 
     /// The points of the body that carries both `a` and `b`: three or more.
-    pub(crate) fn carrier_of(&self, a: &Ident, b: &Ident) -> Option<&[Ident]> {
+    pub fn carrier_of(&self, a: &Ident, b: &Ident) -> Option<&[Ident]> {
         let carries = |points: &[Ident], point: &Ident| {
             points.contains(point) || self.carriers(point).any(|carriers| carriers == points)
         };

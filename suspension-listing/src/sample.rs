@@ -9,16 +9,16 @@ use syn::Ident;
 
 use crate::system::{Equation, Site};
 
-pub(crate) use path::positions;
+pub use path::positions;
 
 type Vector = [f64; 3];
 
 /// The design position of each point that has one.
-pub(crate) type Design = BTreeMap<String, Vector>;
+pub type Design = BTreeMap<String, Vector>;
 
 /// `dF/d point.axis` of one row of an equation; `None` where a position is missing, or the
 /// geometry is degenerate.
-pub(crate) fn derivative(
+pub fn derivative(
     equation: &Equation,
     row: usize,
     point: &Ident,

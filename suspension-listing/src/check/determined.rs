@@ -9,7 +9,7 @@ use crate::system::{AXES, Equation, System, carried_name, frame_name, pair_name}
 
 /// Checks that no generated name stands for two things, that there are as many equations as
 /// unknowns, and that each equation can be given an unknown of its own (structural rank).
-pub(crate) fn determined(system: &System, errors: &mut Errors) {
+pub fn determined(system: &System, errors: &mut Errors) {
     generated_names(system, errors);
     for [body, a, b] in &system.closed_twice {
         errors.push(errors::closed_twice(body, a, b));

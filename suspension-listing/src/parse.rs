@@ -13,7 +13,7 @@ use crate::ast::{
 use crate::errors::{self, Errors};
 
 /// Reads a listing and the errors of the statements that could not be read.
-pub(crate) fn listing(tokens: TokenStream) -> syn::Result<(Listing, Errors)> {
+pub fn listing(tokens: TokenStream) -> syn::Result<(Listing, Errors)> {
     parse_listing.parse2(tokens)
 }
 

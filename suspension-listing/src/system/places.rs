@@ -1,19 +1,21 @@
 //! Where the Jacobian is not always zero, and what of it elimination takes out first.
 
+use std::collections::BTreeSet;
+
 use syn::Ident;
 
 use super::{Equation, Site, System};
-use crate::eliminate::Entry;
+use crate::eliminate::{Entry, Order, Step};
 use crate::sample::{Design, derivative};
 
 /// An entry of the Jacobian: which row of which equation depends on which coordinate.
-pub(crate) struct Place<'a> {
-    pub(crate) equation: &'a Equation,
-    pub(crate) row_of_equation: usize,
-    pub(crate) point: &'a Ident,
-    pub(crate) axis: usize,
-    pub(crate) row: usize,
-    pub(crate) column: usize,
+pub struct Place<'a> {
+    pub equation: &'a Equation,
+    pub row_of_equation: usize,
+    pub point: &'a Ident,
+    pub axis: usize,
+    pub row: usize,
+    pub column: usize,
     /// Whether it is 1 in every position.
     unit: bool,
     /// See [`Entry::carried`].
@@ -21,13 +23,30 @@ pub(crate) struct Place<'a> {
 }
 
 /// A point that elimination takes out first: where the frame that carries it goes, it goes.
-pub(crate) struct Substituted<'a> {
-    pub(crate) body: &'a Ident,
-    pub(crate) point: &'a Ident,
+pub struct Substituted<'a> {
+    pub body: &'a Ident,
+    pub point: &'a Ident,
     /// The column of its first coordinate.
-    pub(crate) column: usize,
+    pub column: usize,
     /// Those of the frame's points, where they are free.
-    pub(crate) frame: [Option<usize>; 3],
+    pub frame: [Option<usize>; 3],
+}
+
+impl Substituted<'_> {
+    /// The rows of other equations that depend on it.
+    pub fn rows(&self, order: &Order) -> BTreeSet<usize> {
+        self.steps(order)
+            .flat_map(|step| &step.below)
+            .copied()
+            .collect()
+    }
+
+    /// Its three steps, one an axis.
+    pub fn steps<'a>(&self, order: &'a Order) -> impl Iterator<Item = &'a Step> {
+        let columns = self.column..self.column + 3;
+        let steps = order.steps.iter();
+        steps.filter(move |step| step.carried && columns.contains(&step.column))
+    }
 }
 
 /// That a row depends on a coordinate of a free point.
@@ -91,7 +110,7 @@ impl Equation {
 
 impl System {
     /// The column of each entry of each row that is not always zero.
-    pub(crate) fn pattern(&self) -> Vec<Vec<usize>> {
+    pub fn pattern(&self) -> Vec<Vec<usize>> {
         let mut pattern = vec![Vec::new(); self.rows().len()];
         for place in self.places() {
             pattern[place.row].push(place.column);
@@ -100,7 +119,7 @@ impl System {
     }
 
     /// The entries of the Jacobian that are not always zero, with their values in some positions.
-    pub(crate) fn entries(&self, positions: &[Design]) -> Vec<Entry> {
+    pub fn entries(&self, positions: &[Design]) -> Vec<Entry> {
         let places = self.places();
         let entries = places.iter().map(|place| {
             let &Place {
@@ -131,7 +150,7 @@ impl System {
     }
 
     /// The free points that one frame carries and that carry no others.
-    pub(crate) fn substituted(&self) -> Vec<Substituted<'_>> {
+    pub fn substituted(&self) -> Vec<Substituted<'_>> {
         let carried = self.equations.iter().filter_map(|equation| match equation {
             Equation::Carried { body, point, frame } => Some((body, point, frame)),
             _ => None,
@@ -161,7 +180,7 @@ impl System {
     }
 
     /// Where the Jacobian is not always zero.
-    pub(crate) fn places(&self) -> Vec<Place<'_>> {
+    pub fn places(&self) -> Vec<Place<'_>> {
         let mut places = Vec::new();
         let substituted = self.substituted();
         let mut first_row = 0;

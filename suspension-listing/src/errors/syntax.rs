@@ -6,14 +6,14 @@ use syn::{Attribute, Error, Ident, Lit};
 
 use super::at;
 
-pub(crate) fn not_a_doc_comment(attribute: &Attribute) -> Error {
+pub fn not_a_doc_comment(attribute: &Attribute) -> Error {
     Error::new(
         attribute.span(),
         "only doc comments are allowed on statements; remove the attribute",
     )
 }
 
-pub(crate) fn unknown_statement(keyword: &Ident) -> Error {
+pub fn unknown_statement(keyword: &Ident) -> Error {
     at(
         keyword,
         format!(
@@ -23,14 +23,14 @@ pub(crate) fn unknown_statement(keyword: &Ident) -> Error {
     )
 }
 
-pub(crate) fn no_points(keyword: &Ident) -> Error {
+pub fn no_points(keyword: &Ident) -> Error {
     at(
         keyword,
         format!("`{keyword}` lists no points; name one, or remove the statement"),
     )
 }
 
-pub(crate) fn unknown_quantity(function: &Ident) -> Error {
+pub fn unknown_quantity(function: &Ident) -> Error {
     at(
         function,
         format!(
@@ -39,7 +39,7 @@ pub(crate) fn unknown_quantity(function: &Ident) -> Error {
     )
 }
 
-pub(crate) fn unknown_measure(function: &Ident) -> Error {
+pub fn unknown_measure(function: &Ident) -> Error {
     at(
         function,
         format!(
@@ -49,27 +49,27 @@ pub(crate) fn unknown_measure(function: &Ident) -> Error {
     )
 }
 
-pub(crate) fn not_a_position(keyword: &Ident) -> Error {
+pub fn not_a_position(keyword: &Ident) -> Error {
     at(
         keyword,
         format!("unexpected `{keyword}`; write `,`, or a design position: `at [x, y, z]`"),
     )
 }
 
-pub(crate) fn not_three_coordinates(span: Span, count: usize) -> Error {
+pub fn not_three_coordinates(span: Span, count: usize) -> Error {
     Error::new(
         span,
         format!("a design position has three coordinates, {count} are given; write `[x, y, z]`"),
     )
 }
 
-pub(crate) fn not_a_number(literal: &Lit) -> Error {
+pub fn not_a_number(literal: &Lit) -> Error {
     Error::new(
         literal.span(),
         "a coordinate is a number, for example `-1.25`",
     )
 }
 
-pub(crate) fn behind_the_listing(span: Span) -> Error {
+pub fn behind_the_listing(span: Span) -> Error {
     Error::new(span, "nothing may follow the listing; remove it")
 }

@@ -9,7 +9,7 @@ use syn::Ident;
 use crate::system::{Body, Equation, Site, SiteMotion, distance_between};
 
 /// The clusters among the sites. Each four points are in one of them at most.
-pub(crate) fn clusters(sites: &[Site], equations: &[Equation]) -> Vec<Body> {
+pub fn clusters(sites: &[Site], equations: &[Equation]) -> Vec<Body> {
     let mut clusters = Vec::new();
     let mut seen = BTreeSet::new();
     for frame in triangles(sites, equations) {

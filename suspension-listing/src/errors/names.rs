@@ -4,28 +4,28 @@ use syn::{Error, Ident};
 
 use super::at;
 
-pub(crate) fn duplicate_name(name: &Ident, first: &str) -> Error {
+pub fn duplicate_name(name: &Ident, first: &str) -> Error {
     at(
         name,
         format!("the name `{name}` is already taken by a {first}; choose another"),
     )
 }
 
-pub(crate) fn reserved_name(name: &Ident) -> Error {
+pub fn reserved_name(name: &Ident) -> Error {
     at(
         name,
         format!("the name `{name}` is used by the generated code; choose another"),
     )
 }
 
-pub(crate) fn unknown_point(name: &Ident) -> Error {
+pub fn unknown_point(name: &Ident) -> Error {
     at(
         name,
         format!("there is no point `{name}`; declare it under `fixed:` or `free:`"),
     )
 }
 
-pub(crate) fn marker_in_constraint(name: &Ident) -> Error {
+pub fn marker_in_constraint(name: &Ident) -> Error {
     at(
         name,
         format!(
@@ -34,28 +34,28 @@ pub(crate) fn marker_in_constraint(name: &Ident) -> Error {
     )
 }
 
-pub(crate) fn same_point_twice(name: &Ident) -> Error {
+pub fn same_point_twice(name: &Ident) -> Error {
     at(
         name,
         format!("point `{name}` is listed twice; name another point or remove it"),
     )
 }
 
-pub(crate) fn all_fixed(name: &Ident, kind: &str) -> Error {
+pub fn all_fixed(name: &Ident, kind: &str) -> Error {
     at(
         name,
         format!("{kind} `{name}` joins chassis points only; give it a free point or remove it"),
     )
 }
 
-pub(crate) fn too_few_points(name: &Ident) -> Error {
+pub fn too_few_points(name: &Ident) -> Error {
     at(
         name,
         format!("body `{name}` needs two points or more; list them, or remove the body"),
     )
 }
 
-pub(crate) fn immovable_body(name: &Ident) -> Error {
+pub fn immovable_body(name: &Ident) -> Error {
     at(
         name,
         format!(
@@ -65,7 +65,7 @@ pub(crate) fn immovable_body(name: &Ident) -> Error {
     )
 }
 
-pub(crate) fn length_stated_twice(name: &Ident, other: &str) -> Error {
+pub fn length_stated_twice(name: &Ident, other: &str) -> Error {
     at(
         name,
         format!(
@@ -74,7 +74,7 @@ pub(crate) fn length_stated_twice(name: &Ident, other: &str) -> Error {
     )
 }
 
-pub(crate) fn shared_triangle(name: &Ident, other: &Ident) -> Error {
+pub fn shared_triangle(name: &Ident, other: &Ident) -> Error {
     at(
         name,
         format!(
@@ -83,28 +83,28 @@ pub(crate) fn shared_triangle(name: &Ident, other: &Ident) -> Error {
     )
 }
 
-pub(crate) fn unknown_axis(axis: &Ident) -> Error {
+pub fn unknown_axis(axis: &Ident) -> Error {
     at(
         axis,
         format!("there is no axis `{axis}`; write `x`, `y` or `z`"),
     )
 }
 
-pub(crate) fn different_axes(axis: &Ident, expected: &Ident) -> Error {
+pub fn different_axes(axis: &Ident, expected: &Ident) -> Error {
     at(
         axis,
         format!("both coordinates must be along one axis; write `.{expected}`"),
     )
 }
 
-pub(crate) fn coordinate_driven_twice(name: &Ident, other: &Ident) -> Error {
+pub fn coordinate_driven_twice(name: &Ident, other: &Ident) -> Error {
     at(
         name,
         format!("drive `{other}` prescribes this coordinate already; remove one of them"),
     )
 }
 
-pub(crate) fn bad_carriers(marker: &Ident, carriers: &[Ident]) -> Error {
+pub fn bad_carriers(marker: &Ident, carriers: &[Ident]) -> Error {
     let message = match carriers {
         [one] => format!("there is no body `{one}` with three points or more to carry `{marker}`"),
         _ => format!(
@@ -115,11 +115,11 @@ pub(crate) fn bad_carriers(marker: &Ident, carriers: &[Ident]) -> Error {
     at(carriers.first().unwrap_or(marker), message)
 }
 
-pub(crate) fn role_stated_twice(keyword: &Ident) -> Error {
+pub fn role_stated_twice(keyword: &Ident) -> Error {
     at(keyword, format!("`{keyword}` is stated twice; remove one"))
 }
 
-pub(crate) fn wheel_without_carrier(from: &Ident, to: &Ident) -> Error {
+pub fn wheel_without_carrier(from: &Ident, to: &Ident) -> Error {
     at(
         from,
         format!(
@@ -129,7 +129,7 @@ pub(crate) fn wheel_without_carrier(from: &Ident, to: &Ident) -> Error {
     )
 }
 
-pub(crate) fn body_bent(drive: &Ident, point: &Ident, body: &Ident) -> Error {
+pub fn body_bent(drive: &Ident, point: &Ident, body: &Ident) -> Error {
     at(
         drive,
         format!(
