@@ -35,7 +35,7 @@ where
         rough: &L::Points,
         inputs: fn(T) -> Inputs<Still, L::Drives>,
     ) -> Self {
-        let mut q = L::unknowns(rough);
+        let mut q = model.unknowns(rough);
         assemble(&Newton::from_afar(), &model, &inputs(T::zero()), &mut q).expect("assembles");
         let mut motion = suspension_core::Motion::at_rest(q);
         Tracker::default()

@@ -12,8 +12,9 @@ mod timing;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
+use nalgebra::Vector3;
 use suspension_core::linkage::Listing;
-use suspension_core::{Build, HasKingpin, HasWheel, Linkage};
+use suspension_core::{Build, HasKingpin, HasWheel, Linkage, Named, Parts};
 use toml::Spanned;
 
 use crate::assemblies::{OnListed, Wish};
@@ -35,16 +36,36 @@ pub use timing::Timing;
 
 /// A linkage that this program can run: it carries a wheel on a kingpin.
 pub trait Suspension<const N: usize>:
-    Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
-    + Linkage<N, Listing: Listing<N, Model<f64> = Self, Model<f32>: Build<N, Scalar = f32>>>
-    + 'static
+    Build<N, Scalar = f64, Lengths: Named<f64>>
+    + Linkage<
+        N,
+        Points: HasWheel<f64> + HasKingpin<f64> + Named<Vector3<f64>>,
+        Fixed: Named<Vector3<f64>>,
+        Drives: Named<f64>,
+        Measures: Named<f64>,
+    > + Linkage<
+        N,
+        Listing: Parts
+                     + Default
+                     + Listing<N, Model<f64> = Self, Model<f32>: Build<N, Scalar = f32>>,
+    > + 'static
 {
 }
 
 impl<L, const N: usize> Suspension<N> for L where
-    L: Build<N, Scalar = f64, Points: HasWheel<f64> + HasKingpin<f64>>
-        + Linkage<N, Listing: Listing<N, Model<f64> = L, Model<f32>: Build<N, Scalar = f32>>>
-        + 'static
+    L: Build<N, Scalar = f64, Lengths: Named<f64>>
+        + Linkage<
+            N,
+            Points: HasWheel<f64> + HasKingpin<f64> + Named<Vector3<f64>>,
+            Fixed: Named<Vector3<f64>>,
+            Drives: Named<f64>,
+            Measures: Named<f64>,
+        > + Linkage<
+            N,
+            Listing: Parts
+                         + Default
+                         + Listing<N, Model<f64> = L, Model<f32>: Build<N, Scalar = f32>>,
+        > + 'static
 {
 }
 

@@ -4,7 +4,7 @@ use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
     Bounded, Build, GeometryError, Inputs, Linkage, Motion, Named, Newton, Signal, SolveError,
-    Still, Tracker, assemble, handedness,
+    Still, Tracker, Values, assemble, handedness,
 };
 
 use crate::support::{self, Reference};
@@ -221,7 +221,7 @@ fn no_velocity_beside_a_fold() {
             second_rate: drives(0.0),
         };
         let inputs = Inputs::still(drives);
-        let mut q = Model::unknowns(&design);
+        let mut q = model.unknowns(&design);
         if Newton::from_afar().solve(&model, &inputs, &mut q).is_ok() {
             let tangent = suspension_core::Tangent::new(&model, &inputs, &q);
             assert!(
@@ -283,7 +283,7 @@ fn a_singular_drive_is_an_error() {
         value: drives,
         ..Signal::default()
     });
-    let mut motion = Motion::at_rest(attia2003::Model::unknowns(&design));
+    let mut motion = Motion::at_rest(model.unknowns(&design));
     let error = Tracker::default()
         .step(&model, &inputs, 0.0, &mut motion)
         .expect_err("singular");

@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Bounded, Inputs, Linkage, Motion, Named, Newton, RigidMotion, Signal, Still, Tangent,
+    Bounded, Inputs, Linkage, Motion, Named, Newton, RigidMotion, Signal, Still, Tangent, Values,
 };
 
 use crate::support;

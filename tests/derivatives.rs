@@ -5,7 +5,7 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::constraint::{Carried, Distance, Frame, angle_to_coordinate};
-use suspension_core::{Linkage, Named, Real, Signal, measure};
+use suspension_core::{Linkage, Named, Real, Signal, Values, measure};
 
 use crate::support;
 
@@ -236,7 +236,7 @@ fn measures() {
                 of(terms(name))
             })
         };
-        Model::<f64>::measures(&Signal {
+        model.measures(&Signal {
             value: points(&|[a, b, c, d]| a + (b + (c + d * t) * t) * t),
             rate: points(&|[_, b, c, d]| b + (c * 2.0 + d * 3.0 * t) * t),
             second_rate: points(&|[_, _, c, d]| c * 2.0 + d * 6.0 * t),

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use suspension_core::factored::Factored;
 use suspension_core::linkage::Factors as _;
 use suspension_core::lu::Lu;
-use suspension_core::{Build, Linkage, Motion, Named, Newton, Real};
+use suspension_core::{Build, Linkage, Motion, Newton, Real, Values};
 
 use crate::support;
 
@@ -26,7 +26,7 @@ where
     let Ok(model) = L::new(&displaced) else {
         return Ok(());
     };
-    let q = L::unknowns(&displaced).map(|x| x + next());
+    let q = model.unknowns(&displaced).map(|x| x + next());
     let jacobian = model.jacobian(&q, model.fixed());
     let right = SVector::<T, N>::from_fn(|row, _| T::constant(0.1 + row as f64));
     let fixed = model.factor(&q, model.fixed());
@@ -72,19 +72,21 @@ fn drive_terms<T: Real, L: Build<N, Scalar = T>, const N: usize>(
     model: &L,
     q: &SVector<T, N>,
 ) -> SVector<T, N> {
-    let rate = L::Drives::from_fn(|_| T::constant(0.7));
+    let rate = L::Drives::from_values(std::iter::repeat(T::constant(0.7)));
     model.drive_rate(q, model.fixed(), &L::Fixed::default(), &rate)
 }
 
 /// A struct of points with each replaced.
-trait MapEach<V>: Named<V> {
+trait MapEach<V>: Values<V> {
     fn map_each(&self, mut value: impl FnMut(V) -> V) -> Self {
         let mut values = self.values();
-        Self::from_fn(|_| value(values.next().expect("a value for each name")))
+        Self::from_values(std::iter::repeat_with(|| {
+            value(values.next().expect("a value for each name"))
+        }))
     }
 }
 
-impl<V, S: Named<V>> MapEach<V> for S {}
+impl<V, S: Values<V>> MapEach<V> for S {}
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
@@ -115,7 +117,7 @@ fn carried_points_are_eliminated_with_healthy_pivots() {
     fn growth<L: Build<N, Scalar = f64>, const N: usize>() -> f64 {
         let design = carried::scattered();
         let model = L::new(&design).expect("a geometry");
-        let factors = model.factor(&L::unknowns(&design), model.fixed());
+        let factors = model.factor(&model.unknowns(&design), model.fixed());
         factors.growth_squared().sqrt()
     }
     let growths = [
@@ -138,7 +140,7 @@ fn a_zero_pivot_is_seen_and_solved_with_pivoting() {
         let p6 = design.p1 + link;
         let square = Points { p6, ..design };
         let model = Model::new(&square).expect("a geometry");
-        let q = Model::unknowns(&square);
+        let q = model.unknowns(&square);
         let jacobian = model.jacobian(&q, model.fixed());
         let factored = Factored::new(&model, &q, model.fixed()).expect("regular");
         let x = SVector::<f64, 15>::from_fn(|row, _| 1.0 + row as f64);

@@ -14,7 +14,7 @@ use suspension::input::polynomial::Polynomial;
 use suspension::output::progress::Progress;
 use suspension::study::Suspension;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Build, Linkage, Named};
+use suspension_core::{Build, Linkage, Values};
 
 use crate::support;
 
@@ -158,7 +158,9 @@ fn long_steps() {
 fn a_long_run_that_fails_says_where_and_why() {
     let rough = support::five_link_rough::<f64>();
     let mut points = rough.values();
-    let twice = five_link::Points::from_fn(|_| points.next().expect("a point") * 2.0);
+    let twice = five_link::Points::from_values(std::iter::repeat_with(|| {
+        points.next().expect("a point") * 2.0
+    }));
     let other = five_link::Model::new(&twice).expect("a geometry");
     let effort = Effort {
         long_run: 5000,

@@ -91,7 +91,7 @@ where
 {
     let laws = DriveLaws::new([Polynomial::new(vec![0.7, 0.5, 0.125])]);
     let course = Course::<L::Drives>::new(&laws, [0.0, 1.9], 5e-3);
-    let mut q = L::unknowns(rough);
+    let mut q = model.unknowns(rough);
     let first = laws.inputs(0.0);
     assemble(&Newton::from_afar(), model, &first, &mut q).expect("assembles");
     let start = Motion::at_rest(q);

@@ -5,7 +5,7 @@ mod published;
 mod random;
 mod turning_points;
 
-use suspension_core::{Inputs, Linkage, Motion, Named, Real, Signal, Still, Tracker};
+use suspension_core::{Inputs, Linkage, Motion, Real, Signal, Still, Tracker, Values};
 
 /// How steps ended.
 #[derive(Debug, Default)]
@@ -50,16 +50,18 @@ struct Drive {
 }
 
 impl Drive {
-    fn inputs<D: Named<f64>>(&self, t: f64) -> Inputs<Still, D> {
+    fn inputs<D: Values<f64>>(&self, t: f64) -> Inputs<Still, D> {
         let &Self {
             start,
             rate,
             second_rate,
         } = self;
         Inputs::still(Signal {
-            value: D::from_fn(|_| start + rate * t + second_rate * t * t / 2.0),
-            rate: D::from_fn(|_| rate + second_rate * t),
-            second_rate: D::from_fn(|_| second_rate),
+            value: D::from_values(std::iter::repeat_with(|| {
+                start + rate * t + second_rate * t * t / 2.0
+            })),
+            rate: D::from_values(std::iter::repeat_with(|| rate + second_rate * t)),
+            second_rate: D::from_values(std::iter::repeat(second_rate)),
         })
     }
 }

@@ -53,7 +53,7 @@ where
     }
 
     fn first_configuration(&self) -> SVector<T, 15> {
-        let mut q = L::unknowns(&self.rough);
+        let mut q = model.unknowns(&self.rough);
         let inputs = (self.inputs)(T::zero());
         without_allocating("assemble", || {
             assemble(&Newton::from_afar(), &self.model, &inputs, &mut q)
@@ -119,10 +119,14 @@ where
     fn readings(&self, motion: &Motion<T, 15>) {
         let inputs = (self.inputs)(T::constant(0.5));
         let points = without_allocating("points", || motion.points(&self.model, &inputs));
-        without_allocating("Wheel", || Wheel::of(&points.value)).expect("a spin axis");
-        without_allocating("Kingpin", || Kingpin::of(&points.value));
-        without_allocating("CarrierRotation", || CarrierRotation::of(&points))
-            .expect("a rigid carrier");
+        without_allocating("Wheel", || Wheel::of(points.value.wheel())).expect("a spin axis");
+        without_allocating("Kingpin", || {
+            Kingpin::of(points.value.kingpin(), points.value.wheel())
+        });
+        without_allocating("CarrierRotation", || {
+            CarrierRotation::of(&points.map(|points| points.carrier()))
+        })
+        .expect("a rigid carrier");
     }
 
     fn moving_chassis(&self, motion: &Motion<T, 15>) {

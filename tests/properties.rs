@@ -6,18 +6,18 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 use suspension_core::{
-    Build, GeometryError, Inputs, Linkage, Motion, Named, Newton, Real, Signal, Tracker, assemble,
+    Build, GeometryError, Inputs, Linkage, Motion, Newton, Real, Signal, Tracker, Values, assemble,
 };
 
 use crate::support;
 
 /// Displaces each point by up to 3 cm.
-fn displaced<P: Named<Vector3<T>>, T: Real>(points: &P, by: &[f64]) -> P {
+fn displaced<P: Values<Vector3<T>>, T: Real>(points: &P, by: &[f64]) -> P {
     let mut values = points.values().zip(by.chunks_exact(3));
-    P::from_fn(|_| match values.next() {
+    P::from_values(std::iter::repeat_with(|| match values.next() {
         Some((point, by)) => point + Vector3::new(by[0], by[1], by[2]).map(T::constant),
         None => Vector3::zeros(),
-    })
+    }))
 }
 
 /// Builds, assembles and drives a displaced geometry; whatever succeeds must be a root. Tells
@@ -33,7 +33,7 @@ fn check<T: Real, L: Build<15, Scalar = T>>(
         Err(GeometryError::Collinear { .. } | GeometryError::Flat { .. }) => return Ok(false),
         Err(error) => return Err(TestCaseError::fail(error.to_string())),
     };
-    let drives = |theta: f64| L::Drives::from_fn(|_| T::constant(theta));
+    let drives = |theta: f64| L::Drives::from_values(std::iter::repeat(T::constant(theta)));
     let inputs = |t: T| {
         let speed = T::constant(0.5);
         let value = drives(theta).map(|theta| theta + speed * t);
@@ -43,7 +43,7 @@ fn check<T: Real, L: Build<15, Scalar = T>>(
             second_rate: drives(0.0),
         })
     };
-    let guess = L::unknowns(rough);
+    let guess = model.unknowns(rough);
     let mut q = guess;
     let newton = Newton::from_afar();
     match assemble(&newton, &model, &inputs(T::zero()), &mut q) {
@@ -131,7 +131,7 @@ proptest! {
         let design = displaced(&support::five_link_rough::<f64>(), &by);
         if let Ok(model) = Model::new(&design) {
             let inputs = support::five_link_inputs(0.5);
-            let mut q = Model::unknowns(&support::five_link_rough());
+            let mut q = model.unknowns(&support::five_link_rough());
             let start = q;
             match assemble(&Newton::from_afar(), &model, &inputs, &mut q) {
                 Ok(_) => is_root(&model, &inputs, &q)?,

@@ -27,7 +27,8 @@ fn units(column: &Column, ours: impl Iterator<Item = f64>) -> Vec<f64> {
 
 fn knuckle_rotation(t: f64, motion: &Motion<f64, 15>) -> [f64; 6] {
     let points = motion.points(&support::attia_model::<f64>(), &support::attia_inputs(t));
-    let turning = CarrierRotation::of(&points).expect("the knuckle is a triangle");
+    let turning = CarrierRotation::of(&points.map(|points| points.carrier()))
+        .expect("the knuckle is a triangle");
     let [alpha, omega] = [turning.alpha, turning.omega];
     [alpha.x, alpha.y, alpha.z, omega.x, omega.y, omega.z]
 }

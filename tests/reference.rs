@@ -22,7 +22,8 @@ where
     let mut worst = [0.0_f64; 5];
     for (instant, motion) in motions.iter().enumerate() {
         let points = motion.points(model, &inputs(INSTANTS[instant]));
-        let rotation = CarrierRotation::of(&points).expect("points 6 to 8 form a triangle");
+        let rotation = CarrierRotation::of(&points.map(|points| points.carrier()))
+            .expect("points 6 to 8 form a triangle");
         let CarrierRotation { omega, alpha } = rotation;
         let found = [
             (motion.position - reference.unknowns(instant, "")).amax(),

@@ -37,7 +37,7 @@ where
         rough: &G::Points<T>,
         inputs: fn(T) -> InputsOf<G, T>,
     ) -> Self {
-        let mut q = G::Model::<T>::unknowns(rough);
+        let mut q = model.unknowns(rough);
         assemble(&Newton::from_afar(), &model, &inputs(T::zero()), &mut q).expect("assembles");
         let mut start = Motion::at_rest(q);
         Tracker::default()

@@ -1,7 +1,7 @@
 //! The equations of a linkage among their neighbours: `F(q; u) = c` over complex numbers.
 
 use nalgebra::{Complex, Const, DimMin, LU, SVector};
-use suspension_core::{Inputs, Linkage, Listing, Named, Still};
+use suspension_core::{Inputs, Kind, Linkage, Listing, Part, Parts, Still, Values};
 
 use crate::assemblies::Enumerable;
 
@@ -69,10 +69,12 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
     ) -> Line<'_, G, N> {
         let ends = from.drives.values().zip(to.drives.values());
         let change = Member {
-            drives: Named::from_values(ends.map(|(from, to)| to - from)),
+            drives: Values::from_values(ends.map(|(from, to)| to - from)),
             right: to.right - from.right,
         };
-        let fixed_rate = G::Model::drive_anchors(Fixed::<G, N>::default(), &change.drives);
+        let fixed_rate = self
+            .model
+            .drive_anchors(Fixed::<G, N>::default(), &change.drives);
         Line {
             family: self,
             from,
@@ -81,8 +83,18 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         }
     }
 
+    /// The first equation that is a drive.
+    pub(crate) fn driven_row(&self) -> Option<usize> {
+        let model = &self.model;
+        let is_drive = |row: &usize| {
+            let mut drives = (0..model.count(Kind::Drive)).map(Part::Drive);
+            drives.any(|drive| model.name(drive) == model.name(Part::Equation(*row)))
+        };
+        (0..model.count(Kind::Unknown)).find(is_drive)
+    }
+
     fn fixed(&self, drives: &Drives<G, N>) -> Fixed<G, N> {
-        G::Model::drive_anchors(*self.model.fixed(), drives)
+        self.model.drive_anchors(*self.model.fixed(), drives)
     }
 }
 
@@ -92,7 +104,7 @@ pub(crate) fn complex<L: Enumerable<N>, const N: usize>(
     inputs: &Inputs<Still, L::Drives>,
 ) -> Drives<L::Listing, N> {
     let coordinates = model.coordinates(&inputs.drives).value;
-    Named::from_values(coordinates.values().map(Complex::from))
+    Values::from_values(coordinates.values().map(Complex::from))
 }
 
 /// Members `from + s change`, with `s` from 0 to 1.
@@ -111,7 +123,7 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
 
     fn drives(&self, s: f64) -> Drives<G, N> {
         let ends = self.from.drives.values().zip(self.change.drives.values());
-        Named::from_values(ends.map(|(from, change)| from + change * s))
+        Values::from_values(ends.map(|(from, change)| from + change * s))
     }
 
     /// `F(q; u(s)) - c(s)`.

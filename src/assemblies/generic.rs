@@ -1,7 +1,7 @@
 //! All complex roots of one generic member of a family.
 
 use nalgebra::{Complex, Const, DimMin, SVector};
-use suspension_core::{Linkage, Listing, Named};
+use suspension_core::Listing;
 
 use crate::assemblies::family::{Drives, Family, Line, Member, Vector};
 use crate::assemblies::parallel;
@@ -147,9 +147,7 @@ where
 
     /// The trace test along the first drive of a free point.
     fn bend(&mut self) -> Option<f64> {
-        let names = <Drives<G, N> as Named<Complex<f64>>>::NAMES;
-        let equations = <G::Model<f64> as Linkage<N>>::EQUATIONS;
-        let row = equations.iter().position(|name| names.contains(name))?;
+        let row = self.family.driven_row()?;
         let shift = self.random.vector::<1>(self.family.size).x;
         let sums = [1.0, 2.0].map(|steps| {
             let mut member = self.member;

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use nalgebra::{Const, DimMin, SVector};
 use suspension_core::lu::Lu;
 use suspension_core::wheel::Wheel;
-use suspension_core::{DriveKind, Inputs, Motion, Named, Signal, Still};
+use suspension_core::{DriveKind, HasWheel, Inputs, Motion, Named, Parts, Signal, Still, Values};
 
 use crate::assemblies::{Assemblies, Census, Tally};
 use crate::failure::Failure;
@@ -120,7 +120,7 @@ fn with<L: Suspension<N>, const N: usize>(
     value: f64,
     offset: f64,
 ) -> Result<Inputs<Still, L::Drives>, Failure> {
-    let angle = L::DRIVE_KINDS.get(drive) == Some(&DriveKind::Angle);
+    let angle = L::Listing::default().drive_kind(drive) == DriveKind::Angle;
     if !value.is_finite() || angle && !(0.0..=PI).contains(&value) {
         let bound = if angle {
             "the angle of a link from an axis lies between 0 and pi"
@@ -167,17 +167,19 @@ fn assembly<L: Suspension<N>, const N: usize>(
         .map(|shift| shift.iter().map(|x| x * x).sum::<f64>().sqrt())
         .fold(0.0, f64::max);
     let points = Motion::at_rest(*q).points(model, inputs).value;
-    let fixed = L::drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
+    let fixed = model.drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
     let factored = Lu::factor(&model.jacobian(q, &fixed));
-    let sides = L::LINKED.iter().zip(model.mirrored(q, &fixed));
+    let sides = model.linked().zip(model.mirrored(q, &fixed));
     let mirrored = sides.filter(|(_, mirrored)| *mirrored > 0.5);
     let chassis = model.fixed().values().count();
     Assembly {
         distance: moved.norm(),
         farthest,
         smallest_pivot: factored.map_or(0.0, |lu| lu.smallest_pivot().1),
-        mirrored: mirrored.map(|(point, _)| *point).collect(),
-        wheel: Wheel::of(&points).map(|wheel| Wheel {
+        mirrored: mirrored
+            .map(|(point, _)| <L::Points as Named<nalgebra::Vector3<f64>>>::NAMES[point])
+            .collect(),
+        wheel: Wheel::of(points.wheel()).map(|wheel| Wheel {
             centre: wheel.centre + assembled.origin.position(),
             ..wheel
         }),

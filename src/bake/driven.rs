@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 use suspension_core::{
-    Build, HasWheel, Inputs, Motion, Named, Signal, SolveError, Still, Stopped, Tangent, Tracker,
+    Build, HasWheel, Inputs, Kind, Motion, Part, Signal, SolveError, Still, Stopped, Tangent,
+    Tracker, Values,
 };
 
 /// Which points are wanted.
@@ -15,10 +16,10 @@ pub enum Wish {
 }
 
 /// Three coordinates of a curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Output {
     /// A point's position.
-    Point(&'static str),
+    Point(String),
     /// The wheel centre's position.
     WheelCentre,
     /// The spin axis, of unit length, outboard.
@@ -27,7 +28,7 @@ pub enum Output {
 
 impl Output {
     /// Its name: a point's, or what it is of the wheel.
-    pub fn name(self) -> &'static str {
+    pub fn name(&self) -> &str {
         match self {
             Self::Point(name) => name,
             Self::WheelCentre => "wheel_centre",
@@ -37,7 +38,7 @@ impl Output {
 
     /// What a difference of one in it counts as, in lengths, where a metre is `metre`: a spin axis
     /// counts as a point one metre from the wheel centre.
-    pub fn lever(self, metre: f64) -> f64 {
+    pub fn lever(&self, metre: f64) -> f64 {
         match self {
             Self::SpinAxis => metre,
             Self::Point(_) | Self::WheelCentre => 1.0,
@@ -109,7 +110,7 @@ impl<L> Driven<'_, L> {
                 let each = by_order.map(|points| points.values().collect::<Vec<_>>());
                 let count = each[0].len();
                 let point = |point: usize| [0, 1, 2].map(|order| each[order][point]);
-                (first_free::<L, N>()..count).map(point).collect()
+                (first_free(self.model)..count).map(point).collect()
             }
         })
     }
@@ -122,20 +123,22 @@ impl<L> Driven<'_, L> {
         match self.wish {
             Wish::Wheel => vec![Output::WheelCentre, Output::SpinAxis],
             Wish::AllPoints => {
-                let names = <L::Points as Named<Vector3<f64>>>::NAMES;
-                let free = names[first_free::<L, N>()..].iter();
-                free.map(|name| Output::Point(name)).collect()
+                let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
+                let count = kinds.map(|kind| self.model.count(kind)).iter().sum();
+                let free = first_free(self.model)..count;
+                free.map(|point| Output::Point(self.model.name(Part::Point(point)).to_owned()))
+                    .collect()
             }
         }
     }
 }
 
 /// Chassis points come first, then all that moves.
-fn first_free<L: Build<N, Scalar = f64>, const N: usize>() -> usize {
-    <L::Fixed as Named<Vector3<f64>>>::NAMES.len()
+fn first_free<L: Build<N, Scalar = f64>, const N: usize>(model: &L) -> usize {
+    model.count(Kind::ChassisPoint)
 }
 
-fn moving<D: Named<f64> + Default>(value: D, rate: D) -> Inputs<Still, D> {
+fn moving<D: Values<f64> + Default>(value: D, rate: D) -> Inputs<Still, D> {
     Inputs::still(Signal {
         value,
         rate,
@@ -144,6 +147,6 @@ fn moving<D: Named<f64> + Default>(value: D, rate: D) -> Inputs<Still, D> {
 }
 
 /// Two sets of drives, name by name.
-fn combined<D: Named<f64>>(a: &D, b: &D, with: impl Fn(f64, f64) -> f64) -> D {
+fn combined<D: Values<f64>>(a: &D, b: &D, with: impl Fn(f64, f64) -> f64) -> D {
     D::from_values(a.values().zip(b.values()).map(|(a, b)| with(a, b)))
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use suspension_core::{DriveKind, Inputs, Named, Still};
+use suspension_core::{DriveKind, Inputs, Named, Still, Values};
 
 use crate::bake::driven::Wish;
 use crate::bake::fit::{Baked, MOST_SEGMENTS, Unmet, Wanted, bake};
@@ -73,7 +73,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
             file: self.file.to_owned(),
             linkage: linkage.to_owned(),
             drive: names[drive].to_owned(),
-            drive_unit: unit_of(L::DRIVE_KINDS[drive], unit),
+            drive_unit: unit_of(self.assembled.model.drive_kind(drive), unit),
             unit: unit.symbol(),
             held: held.join(", "),
         })
@@ -106,7 +106,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
                 "{in_words} is no range; --from must be less than --to"
             )));
         }
-        let angle = L::DRIVE_KINDS.get(drive) == Some(&DriveKind::Angle);
+        let angle = self.assembled.model.drive_kind(drive) == DriveKind::Angle;
         if angle && !(0.0 <= range[0] && range[1] <= PI) {
             return Err(self.refuse(&format!(
                 "{in_words}: the angle of a link from an axis lies between 0 and pi"
@@ -200,7 +200,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
 
     fn in_words(&self, drive: usize, value: f64) -> String {
         let name = <L::Drives as Named<f64>>::NAMES[drive];
-        let unit = unit_of(L::DRIVE_KINDS[drive], self.assembled.unit);
+        let unit = unit_of(self.assembled.model.drive_kind(drive), self.assembled.unit);
         format!("{name} = {} {unit}", number(value))
     }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use suspension_core::{Build, HasWheel, Linkage, Motion, Named, SolveError, Stopped};
+use suspension_core::{Build, HasWheel, Linkage, Motion, SolveError, Stopped, Values};
 
 use crate::bake::driven::{Derivatives, Driven, Output, Wish};
 use crate::number::number;

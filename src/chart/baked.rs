@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::baked::{Curve, Split};
-use suspension_core::{Named, Real, Signal};
+use suspension_core::{Kind, Real, Signal, Values};
 
 use super::course::{Course, Given, cast};
 use super::formulation::{first_drive, to_f64};
@@ -42,11 +42,11 @@ impl<const N: usize> Tables<N> {
 
 /// Baked curves of a motion by name; none where it has several drives, or a tolerance is out of
 /// reach.
-pub fn tables<L: Suspension<N>, D: Named<f64>, const N: usize>(
+pub fn tables<L: Suspension<N>, D: Values<f64>, const N: usize>(
     assembled: &Assembled<L, N>,
     course: &Course<D>,
 ) -> Vec<(&'static str, Tables<N>)> {
-    if D::NAMES.len() != 1 {
+    if assembled.model.count(Kind::Drive) != 1 {
         return Vec::new();
     }
     let metre = assembled.unit.metre();
@@ -55,7 +55,7 @@ pub fn tables<L: Suspension<N>, D: Named<f64>, const N: usize>(
     baked.into_iter().flatten().collect()
 }
 
-fn table<L: Suspension<N>, D: Named<f64>, const N: usize>(
+fn table<L: Suspension<N>, D: Values<f64>, const N: usize>(
     assembled: &Assembled<L, N>,
     course: &Course<D>,
     tolerance: f64,
@@ -112,7 +112,7 @@ pub struct Baked<'a, T, const N: usize>(pub Curve<'a, T, N, TERMS>);
 impl<T, D, const N: usize> Method<D, N> for Baked<'_, T, N>
 where
     T: Real + Split,
-    D: Named<f64>,
+    D: Values<f64>,
 {
     type Input = Signal<T>;
     type State = [[T; N]; 3];

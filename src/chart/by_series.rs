@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use suspension_core::linkage::Linkage;
 use suspension_core::series::{InputSeries, Jet, SeriesTracker};
-use suspension_core::{Motion, Named, Real, Still};
+use suspension_core::{Motion, Real, Still, Values};
 
 use super::course::{Given, cast};
 use super::formulation::to_f64;
@@ -16,7 +16,7 @@ pub struct BySeries<R, const K: usize>(pub R);
 impl<T, D, L, const N: usize, const K: usize> Method<D, N> for BySeries<&L, K>
 where
     T: Real,
-    D: Named<f64>,
+    D: Values<f64>,
     L: Linkage<N, Scalar = T>,
 {
     type Input = InputSeries<Still, L::Drives, K>;

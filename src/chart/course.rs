@@ -1,6 +1,6 @@
 //! The motion that all methods go through: instants and what is prescribed at them.
 
-use suspension_core::{Named, Scalar, Signal};
+use suspension_core::{Scalar, Signal, Values};
 
 use crate::input::drives::DriveLaws;
 
@@ -30,7 +30,7 @@ pub const ORDERS: usize = 8;
 /// Of a step: how far a number may lie from a multiple of it and still be one.
 const SLACK: f64 = 1e-6;
 
-impl<D: Named<f64>> Course<D> {
+impl<D: Values<f64>> Course<D> {
     /// From the first to the last of `ends`, either way, `spacing` seconds apart. What is left at
     /// the end is not gone through.
     pub fn new(laws: &DriveLaws, ends: [f64; 2], spacing: f64) -> Self {
@@ -63,13 +63,12 @@ impl<D: Named<f64>> Course<D> {
 }
 
 /// The same numbers in another type, under the same names.
-pub fn cast<T: Scalar, D: Named<f64>, E: Named<T>>(numbers: &D) -> E {
-    let mut values = numbers.values();
-    E::from_fn(|_| values.next().map_or_else(T::zero, T::constant))
+pub fn cast<T: Scalar, D: Values<f64>, E: Values<T>>(numbers: &D) -> E {
+    E::from_values(numbers.values().map(T::constant))
 }
 
 /// The same drives in another number type.
-pub fn cast_drives<T: Scalar, D: Named<f64>, E: Named<T>>(drives: &Signal<D>) -> Signal<E> {
+pub fn cast_drives<T: Scalar, D: Values<f64>, E: Values<T>>(drives: &Signal<D>) -> Signal<E> {
     Signal {
         value: cast(&drives.value),
         rate: cast(&drives.rate),

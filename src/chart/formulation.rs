@@ -6,7 +6,7 @@ pub mod points;
 pub mod relative;
 
 use nalgebra::{SMatrix, SVector};
-use suspension_core::{Named, Real, Signal};
+use suspension_core::{Real, Signal, Values};
 
 /// Position, velocity and acceleration of `M` coordinates.
 pub type State<T, const M: usize> = [SVector<T, M>; 3];
@@ -54,7 +54,7 @@ pub fn to_f64<T: Real, const N: usize>(vector: SVector<T, N>) -> SVector<f64, N>
 }
 
 /// The first drive, in another number type.
-pub fn first_drive<T: Real, D: Named<f64>>(drives: &Signal<D>) -> Signal<T> {
+pub fn first_drive<T: Real, D: Values<f64>>(drives: &Signal<D>) -> Signal<T> {
     let first = |drives: &D| T::constant(drives.values().next().unwrap_or_default());
     Signal {
         value: first(&drives.value),

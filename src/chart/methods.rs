@@ -1,7 +1,7 @@
 //! The table of methods: one row each.
 
 use nalgebra::{Const, DimMin, SVector};
-use suspension_core::{Build, Linkage, Listing, Named, Real};
+use suspension_core::{Build, Linkage, Listing, Real, Values};
 
 use super::baked::{Baked, Tables};
 use super::by_series::BySeries;
@@ -23,7 +23,7 @@ pub struct Methods<'a, D, const N: usize> {
     pub rows: Vec<Box<dyn Candidate<'a, D, N> + 'a>>,
 }
 
-impl<'a, D: Named<f64> + 'a, const N: usize> Methods<'a, D, N> {
+impl<'a, D: Values<f64> + 'a, const N: usize> Methods<'a, D, N> {
     /// The methods that work on one suspension, in the number type of `model`. `position` are the
     /// coordinates at the first instant.
     pub fn add_scalar<T, L, M>(

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use suspension_core::lu::Lu;
 use suspension_core::motion::Prescribed;
-use suspension_core::{DriveKind, Inputs, Linkage, Motion, Named, Signal, SolveError, Tracker};
+use suspension_core::{DriveKind, Inputs, Linkage, Motion, Signal, SolveError, Tracker, Values};
 
 use super::course::{Course, Given, cast_drives};
 use super::double_double::DoubleDouble;
@@ -33,7 +33,7 @@ impl<const N: usize> Reference<N> {
     where
         L: Linkage<N, Scalar = f64>,
         M: Linkage<N, Scalar = DoubleDouble>,
-        D: Named<f64>,
+        D: Values<f64>,
     {
         let mut motion = *start;
         let mut last = course.times.first().copied().unwrap_or_default();
@@ -96,10 +96,8 @@ where
     M: Linkage<N, Scalar = DoubleDouble>,
 {
     let Prescribed { fixed, drives } = prescribed(exact, drives);
-    let nearest = L::Fixed::from_fn({
-        let mut points = fixed.value.values();
-        move |_| points.next().unwrap_or_default().map(DoubleDouble::nearest)
-    });
+    let points = fixed.value.values();
+    let nearest = L::Fixed::from_values(points.map(|point| point.map(DoubleDouble::nearest)));
     let lu = Lu::factor(&model.jacobian(&near.position, &nearest))?;
     let corrected = |from: &SVector<f64, N>, residual: &dyn Fn(&SVector<_, N>) -> SVector<_, N>| {
         let mut x = from.map(DoubleDouble::from);
@@ -138,8 +136,8 @@ where
     let mut coordinates = Vec::new();
     let each = lengths.values().zip(drives.value.values());
     let rates = drives.rate.values().zip(drives.second_rate.values());
-    for (((length, value), (rate, second_rate)), kind) in each.zip(rates).zip(M::DRIVE_KINDS) {
-        coordinates.push(match kind {
+    for (drive, ((length, value), (rate, second_rate))) in each.zip(rates).enumerate() {
+        coordinates.push(match exact.drive_kind(drive) {
             DriveKind::Coordinate => [value, rate, second_rate],
             DriveKind::Angle => {
                 let (sine, cosine) = value.sine_cosine();
@@ -153,9 +151,9 @@ where
     let at_rest = M::Fixed::default();
     Prescribed {
         fixed: Signal {
-            value: M::drive_anchors(*exact.fixed(), &value),
-            rate: M::drive_anchors(at_rest, &rate),
-            second_rate: M::drive_anchors(at_rest, &second_rate),
+            value: exact.drive_anchors(*exact.fixed(), &value),
+            rate: exact.drive_anchors(at_rest, &rate),
+            second_rate: exact.drive_anchors(at_rest, &second_rate),
         },
         drives: Signal {
             value,

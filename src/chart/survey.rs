@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use suspension_core::Named;
+use suspension_core::Values;
 
 use super::course::Course;
 use super::latency::{Latencies, under_load};
@@ -86,7 +86,7 @@ pub struct Plan<'a, D, const N: usize> {
     pub interrupted: &'a AtomicBool,
 }
 
-impl<'a, D: Named<f64>, const N: usize> Plan<'a, D, N> {
+impl<'a, D: Values<f64>, const N: usize> Plan<'a, D, N> {
     /// Puts every method through the motion at every time step, then times all of them.
     pub fn survey(&self) -> Survey {
         let steps = self.effort.steps.len();

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::bounded::Bounded;
-use suspension_core::{Inputs, Linkage, Motion, Named, Real, Still, Tracker};
+use suspension_core::{Inputs, Linkage, Motion, Real, Still, Tracker, Values};
 
 use super::course::{Given, cast_drives};
 use super::formulation::to_f64;
@@ -87,7 +87,7 @@ impl<const SWEEPS: usize> Stepper for InSweeps<SWEEPS> {
 impl<T, D, L, S, const N: usize> Method<D, N> for Tracked<&L, S>
 where
     T: Real,
-    D: Named<f64>,
+    D: Values<f64>,
     L: Linkage<N, Scalar = T>,
     S: Stepper,
 {

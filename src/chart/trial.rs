@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 use std::sync::atomic::AtomicBool;
 
 use hdrhistogram::Histogram;
-use suspension_core::Named;
+use suspension_core::Values;
 
 use super::course::Course;
 use super::latency::latencies;
@@ -142,7 +142,7 @@ fn follow<M: Method<D, N>, D, const N: usize>(
 impl<'a, M, D, const N: usize> Candidate<'a, D, N> for Entry<M, D>
 where
     M: Method<D, N> + Copy + 'a,
-    D: Named<f64> + 'a,
+    D: Values<f64> + 'a,
 {
     fn label(&self) -> &Label {
         &self.label

@@ -2,7 +2,7 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Build, GeometryError, Linkage, Named};
+use suspension_core::{Build, GeometryError, Linkage, Values};
 
 use crate::chart::double_double::DoubleDouble;
 use crate::chart::formulation::five_links::FiveLinks;
@@ -35,17 +35,17 @@ impl Closures {
 
     fn built(links: &FiveLinks<f64>) -> Result<Self, GeometryError> {
         let points: attia2003::Points<f64> = points(links);
-        let start = attia2003::Model::unknowns(&points);
+        let nine_distances = attia2003::Model::new(&points)?;
         Ok(Self {
-            nine_distances: attia2003::Model::new(&points)?,
+            start: nine_distances.unknowns(&points),
+            nine_distances,
             rigid_body: five_link::Model::new(&self::points(links))?,
-            start,
         })
     }
 }
 
 /// Chassis ends, knuckle ends and the wheel centre, which both listings have in this order.
-fn points<P: Named<Vector3<f64>>>(links: &FiveLinks<f64>) -> P {
+fn points<P: Values<Vector3<f64>>>(links: &FiveLinks<f64>) -> P {
     let knuckle = links.knuckle.map(|point| links.origin + point);
     // The wheel centre moves nothing.
     let wheel_centre = knuckle[2] + Vector3::y() * links.size();

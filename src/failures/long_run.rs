@@ -4,7 +4,7 @@ use std::fmt::LowerExp;
 use std::marker::PhantomData;
 
 use serde::{Deserialize, Serialize};
-use suspension_core::{Inputs, Linkage, Motion, Named, Real, SolveError, Still, Tracker};
+use suspension_core::{Inputs, Linkage, Motion, Real, SolveError, Still, Tracker, Values};
 
 use super::integration::runge_kutta;
 use super::method::Method;
@@ -70,7 +70,7 @@ pub struct Stretch {
 
 impl<'a, D, M, T, const N: usize> LongRun<'a, D, M, T, N>
 where
-    D: Named<f64>,
+    D: Values<f64>,
     T: Real,
     M: Linkage<N, Scalar = T>,
 {
@@ -187,7 +187,7 @@ pub fn add<D, M, T, const N: usize>(
 ) where
     T: Real + LowerExp,
     M: Linkage<N, Scalar = T>,
-    D: Named<f64>,
+    D: Values<f64>,
 {
     for stop in milestones(survey.effort.long_run) {
         let mut all = Stretch::default();
@@ -200,7 +200,7 @@ pub fn add<D, M, T, const N: usize>(
             all.drift = all.drift.max(stretch.drift);
             survey.progress.step();
             if let Some(error) = &run.failed {
-                let place = error.culprit(&M::EQUATIONS, &M::UNKNOWNS);
+                let place = error.culprit(run.model);
                 ended = format!("no further step, {place}: {error}");
             } else if survey.is_interrupted() {
                 "interrupted".clone_into(&mut ended);

@@ -1,7 +1,7 @@
 //! A trial: a method, from a known configuration towards another one.
 
 use nalgebra::SVector;
-use suspension_core::{Build, Inputs, Motion, Named, Real, Still};
+use suspension_core::{Build, Inputs, Motion, Real, Still, Values};
 
 use super::marquardt::Number;
 use super::method::{Method, Step};
@@ -32,7 +32,7 @@ impl<const N: usize> Trial<'_, N> {
     where
         T: Number,
         M: Build<N, Scalar = T>,
-        D: Named<f64>,
+        D: Values<f64>,
     {
         let start = cast(&self.start);
         match step::<_, _, D, N>(method, model, self.drives, self.times, &start) {
@@ -113,7 +113,7 @@ fn step<T, M, D, const N: usize>(
 where
     T: Number,
     M: Build<N, Scalar = T>,
-    D: Named<f64>,
+    D: Values<f64>,
 {
     let inputs = |t: T| inputs::<_, D, _>(drives, t);
     let step = Step {
@@ -126,7 +126,7 @@ where
 }
 
 /// The drives at a time, computed in `f64`.
-pub fn inputs<T: Real, D: Named<f64>, E: Named<T>>(drives: &DriveLaws, t: T) -> Inputs<Still, E> {
+pub fn inputs<T: Real, D: Values<f64>, E: Values<T>>(drives: &DriveLaws, t: T) -> Inputs<Still, E> {
     let exact = drives.inputs::<D>(t.to_subset_unchecked());
     Inputs::still(cast_drives(&exact.drives))
 }

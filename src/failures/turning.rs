@@ -1,7 +1,7 @@
 //! Turning points of the first drive.
 
 use suspension_core::path::{Continuation, Curve};
-use suspension_core::{DriveKind, Motion, Named, Newton, Real};
+use suspension_core::{DriveKind, Motion, Newton, Parts, Real, Values};
 
 use super::trial::Trial;
 use super::truth::Truth;
@@ -152,16 +152,16 @@ fn tolerated<T: Real, L: Suspension<N>, const N: usize>(model: &L, motion: &Moti
     let epsilon: f64 = T::EPSILON.to_subset_unchecked();
     let tolerance: f64 = Newton::<f64>::near_by().tolerance;
     let residual = FEW * tolerance * epsilon * size.max(motion.position.amax());
-    match L::DRIVE_KINDS.first() {
-        Some(DriveKind::Angle) => residual / size,
-        _ => residual,
+    match L::Listing::default().drive_kind(0) {
+        DriveKind::Angle => residual / size,
+        DriveKind::Coordinate => residual,
     }
 }
 
 /// The unit of distances along the first drive, and what it is in the unit of the motion.
 pub fn unit_of_first_drive<L: Suspension<N>, const N: usize>(metre: f64) -> (&'static str, f64) {
-    match L::DRIVE_KINDS.first() {
-        Some(DriveKind::Angle) => ("rad", 1.0),
-        _ => ("m", metre),
+    match L::Listing::default().drive_kind(0) {
+        DriveKind::Angle => ("rad", 1.0),
+        DriveKind::Coordinate => ("m", metre),
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use suspension_core::{Build, DriveKind, Inputs, Linkage, LocalOrigin, Named, Signal, Still};
+use suspension_core::{Build, DriveKind, Inputs, LocalOrigin, Named, Parts, Signal, Still, Values};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -10,6 +10,7 @@ use crate::input::file::{Table, Unit};
 use crate::input::polynomial::Polynomial;
 use crate::input::source::Source;
 use crate::number::number;
+use crate::study::Suspension;
 
 /// A quantity over time: a polynomial with its first and second derivative.
 #[derive(Clone, Debug)]
@@ -49,7 +50,7 @@ impl DriveLaws {
     }
 
     /// Taylor coefficients of the drives at time `t`, order 1 first.
-    pub fn terms<D: Named<f64>, const K: usize>(&self, t: f64) -> [D; K] {
+    pub fn terms<D: Values<f64>, const K: usize>(&self, t: f64) -> [D; K] {
         let mut derivatives: Vec<Polynomial> =
             self.laws.iter().map(|law| law.0[0].clone()).collect();
         let mut factorial = 1.0;
@@ -58,16 +59,16 @@ impl DriveLaws {
             for derivative in &mut derivatives {
                 *derivative = derivative.derivative();
             }
-            let mut values = derivatives.iter().map(|derivative| derivative.at(t));
-            D::from_fn(|_| values.next().unwrap_or_default() / factorial)
+            let values = derivatives.iter().map(|derivative| derivative.at(t));
+            D::from_values(values.map(|value| value / factorial))
         })
     }
 
     /// The inputs at time `t`, the chassis at rest.
-    pub fn inputs<D: Named<f64>>(&self, t: f64) -> Inputs<Still, D> {
+    pub fn inputs<D: Values<f64>>(&self, t: f64) -> Inputs<Still, D> {
         let [value, rate, second_rate] = [0, 1, 2].map(|order| {
-            let mut laws = self.laws.iter();
-            D::from_fn(|_| laws.next().map_or(0.0, |law| law.0[order].at(t)))
+            let laws = self.laws.iter();
+            D::from_values(laws.map(|law| law.0[order].at(t)))
         });
         Inputs::still(Signal {
             value,
@@ -84,8 +85,8 @@ pub fn given<L: Build<N, Scalar = f64>, const N: usize>(
     local: &L::Drives,
 ) -> L::Drives {
     let offsets = origin.of_drives(model);
-    let mut each = local.values().zip(offsets.values());
-    L::Drives::from_fn(|_| each.next().map_or(0.0, |(local, offset)| local + offset))
+    let each = local.values().zip(offsets.values());
+    L::Drives::from_values(each.map(|(local, offset)| local + offset))
 }
 
 /// Checks that driving angles lie where a link's angle from an axis can lie, from 0 to pi.
@@ -93,14 +94,15 @@ pub fn given<L: Build<N, Scalar = f64>, const N: usize>(
 /// # Errors
 ///
 /// [`Failure::Input`] at the first that does not, in the table `places`.
-pub fn check_angles<L: Linkage<N, Scalar = f64>, V, const N: usize>(
+pub fn check_angles<L: Suspension<N>, V, const N: usize>(
     source: &Source,
     drives: &L::Drives,
     places: &Table<V>,
 ) -> Result<(), Failure> {
     let names = <L::Drives as Named<f64>>::NAMES;
-    for ((name, value), kind) in names.iter().zip(drives.values()).zip(L::DRIVE_KINDS) {
-        if *kind == DriveKind::Angle && !(0.0..=PI).contains(&value) {
+    for (drive, (name, value)) in names.iter().zip(drives.values()).enumerate() {
+        let kind = L::Listing::default().drive_kind(drive);
+        if kind == DriveKind::Angle && !(0.0..=PI).contains(&value) {
             let place = places.get_ref().get(*name).map(Spanned::span);
             let message = format!(
                 "drive `{name}` begins at {} rad; the angle of a link from an axis lies between 0 and pi",
@@ -121,20 +123,20 @@ pub fn unit_of(kind: DriveKind, unit: Unit) -> &'static str {
 }
 
 /// The drives' values in words, as `theta = 0.7 rad`.
-pub fn in_words<L: Linkage<N, Scalar = f64>, const N: usize>(
-    drives: &L::Drives,
-    unit: Unit,
-) -> String {
+pub fn in_words<L: Suspension<N>, const N: usize>(drives: &L::Drives, unit: Unit) -> String {
     each_in_words::<L, N>(drives, unit).join(", ")
 }
 
 /// Each drive's value in words.
-pub fn each_in_words<L: Linkage<N, Scalar = f64>, const N: usize>(
+pub fn each_in_words<L: Suspension<N>, const N: usize>(
     drives: &L::Drives,
     unit: Unit,
 ) -> Vec<String> {
     let names = <L::Drives as Named<f64>>::NAMES;
-    let each = names.iter().zip(drives.values()).zip(L::DRIVE_KINDS);
-    each.map(|((name, value), kind)| format!("{name} = {} {}", number(value), unit_of(*kind, unit)))
-        .collect()
+    let each = names.iter().zip(drives.values()).enumerate();
+    each.map(|(drive, (name, value))| {
+        let kind = L::Listing::default().drive_kind(drive);
+        format!("{name} = {} {}", number(value), unit_of(kind, unit))
+    })
+    .collect()
 }

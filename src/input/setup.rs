@@ -6,7 +6,9 @@ mod start;
 
 use nalgebra::{Const, DimMin, SVector, Vector3};
 use suspension_core::wheel::Wheel;
-use suspension_core::{GeometryError, Linkage, LocalOrigin, Named, Newton, assemble, parts};
+use suspension_core::{
+    GeometryError, HasWheel, Linkage, LocalOrigin, Named, Newton, Parts, Values, assemble, parts,
+};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -35,8 +37,8 @@ where
 {
     let stand_in = check_names::<L, N>(task)?;
     let given = guess::<L, N>(task);
-    parts::finite(&given).map_err(|error| refuse_geometry(task, &error))?;
-    let origin = LocalOrigin::among(&given);
+    parts::finite(given.values()).map_err(|error| refuse_geometry::<L, N>(task, &error))?;
+    let origin = LocalOrigin::among(given.values());
     let file = task.file.seen_from(origin.position().into());
     let guess = guess::<L, N>(&Task {
         file: &file,
@@ -120,7 +122,7 @@ fn model<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     guess: &L::Points,
 ) -> Result<L, Failure> {
-    let model = L::new(guess).map_err(|error| refuse_geometry(task, &error))?;
+    let model = L::new(guess).map_err(|error| refuse_geometry::<L, N>(task, &error))?;
     match &task.file.lengths {
         None => Ok(model),
         Some(lengths) => {
@@ -128,26 +130,34 @@ fn model<L: Suspension<N>, const N: usize>(
             let lengths = L::Lengths::from_fn(|name| *table[name].get_ref());
             model
                 .with_lengths(&lengths)
-                .map_err(|error| refuse_geometry(task, &error))
+                .map_err(|error| refuse_geometry::<L, N>(task, &error))
         }
     }
 }
 
 /// Points out, in the file, what makes a linkage impossible to build.
-fn refuse_geometry(task: &Task<'_>, error: &GeometryError) -> Failure {
+fn refuse_geometry<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    error: &GeometryError,
+) -> Failure {
     let Task { source, file, .. } = task;
     let points = file.points.get_ref();
     let lengths = file.lengths.as_ref();
+    let listing = L::Listing::default();
+    let name = listing.name(error.part());
     let span = match error {
-        GeometryError::NotFinite { point }
-        | GeometryError::Collinear { point }
-        | GeometryError::Flat { point } => points.get(*point).map(Spanned::span),
-        GeometryError::BadLength { length } => lengths
-            .and_then(|lengths| lengths.get_ref().get(*length))
+        GeometryError::NotFinite { .. }
+        | GeometryError::Collinear { .. }
+        | GeometryError::Flat { .. } => points.get(name).map(Spanned::span),
+        GeometryError::BadLength { .. } => lengths
+            .and_then(|lengths| lengths.get_ref().get(name))
             .map(Spanned::span),
         GeometryError::NotClosed { .. } => lengths.map(Spanned::span),
     };
-    source.refuse(&span.unwrap_or_else(|| file.points.span()), error)
+    source.refuse(
+        &span.unwrap_or_else(|| file.points.span()),
+        error.named(&listing),
+    )
 }
 
 /// The configuration in which markers are attached.
@@ -175,19 +185,19 @@ fn at_design<L: Suspension<N>, const N: usize>(
     };
     let at_rest = DriveLaws::new(design.values().map(|value| Polynomial::new(vec![value])));
     let inputs = at_rest.inputs::<L::Drives>(0.0);
-    let mut q = L::unknowns(guess);
+    let mut q = model.unknowns(guess);
     if file.lengths.is_some() || file.design.is_some() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
             let at = in_words::<L, N>(&drives::given(&origin, &model, &design), file.unit);
             unassembled(task, &at, &cause::<L, N>(&error, file.unit))
         })?;
     }
-    let fixed = L::drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
+    let fixed = model.drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
     let points = place_markers::<L, N>(task, &model.points(&q, &fixed));
     let model = model
         .with_markers(&points)
-        .map_err(|error| refuse_geometry(task, &error))?;
-    match Wheel::of(&points) {
+        .map_err(|error| refuse_geometry::<L, N>(task, &error))?;
+    match Wheel::of(points.wheel()) {
         Some(_) => Ok(Design {
             origin,
             model,

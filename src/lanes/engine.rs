@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 use nalgebra::SVector;
 use suspension_core::bounded::{Measures, Step};
 use suspension_core::motion::Prescribed;
-use suspension_core::{Inputs, Listing, Motion, Named, Outputs, Real, Signal, Still};
+use suspension_core::{Inputs, Listing, Motion, Outputs, Real, Signal, Still, Values};
 
 use super::number::{Number, Vector};
 
@@ -110,13 +110,13 @@ fn packed_drives<G: Listing<N>, V: Vector<Lane: Real>, const N: usize, const LAN
     lanes: [&G::Drives<V::Lane>; LANES],
 ) -> G::Drives<Number<V>> {
     let mut values = lanes.map(|drives| drives.values());
-    G::Drives::from_fn(|_| {
+    G::Drives::from_values(std::iter::repeat_with(|| {
         packed(
             values
                 .each_mut()
                 .map(|values| values.next().unwrap_or_default()),
         )
-    })
+    }))
 }
 
 impl<G, V, const N: usize, const LANES: usize, const SWEEPS: usize, const ORDER: usize>

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use suspension_core::path::{Continuation, Curve, End, Place};
-use suspension_core::{DriveKind, Inputs, Named, Still};
+use suspension_core::{DriveKind, Inputs, Named, Still, Values};
 
 use crate::failure::Failure;
 use crate::range::station::{Station, station};
@@ -102,7 +102,7 @@ impl<L: Suspension<N>, const N: usize> Assembled<L, N> {
         Ok(DriveRange {
             name: <L::Drives as Named<f64>>::NAMES[index],
             index,
-            kind: L::DRIVE_KINDS[index],
+            kind: self.model.drive_kind(index),
             start,
             ends,
             usable,

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::path::{Continuation, Curve};
-use suspension_core::{Inputs, Named, Still};
+use suspension_core::{Inputs, Named, Still, Values};
 
 use crate::study::Suspension;
 

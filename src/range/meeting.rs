@@ -1,6 +1,6 @@
 //! When a motion meets an end of a drive's range.
 
-use suspension_core::{Linkage, Named};
+use suspension_core::{Linkage, Values};
 
 use crate::input::drives::DriveLaws;
 use crate::input::instants::Instants;

@@ -2,7 +2,7 @@
 
 use suspension_core::path::{Curve, Place};
 use suspension_core::wheel::{Kingpin, Wheel};
-use suspension_core::{DriveKind, HasWheel, LocalOrigin, Named, Signal};
+use suspension_core::{DriveKind, HasKingpin, HasWheel, LocalOrigin, Named, Parts, Signal, Values};
 
 use crate::input::drives::unit_of;
 use crate::input::file::Unit;
@@ -26,9 +26,12 @@ pub struct Station {
 /// The columns' names, in the order of the numbers of a [`Station`]'s row.
 pub fn names<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
     let points = PointNames::of::<L, N>();
-    let drives = <L::Drives as Named<f64>>::NAMES.iter().zip(L::DRIVE_KINDS);
+    let drives = <L::Drives as Named<f64>>::NAMES.iter().enumerate();
     let mut columns = vec!["freed".to_owned(), "turns".to_owned()];
-    columns.extend(drives.map(|(name, kind)| format!("{name}_{}", unit_of(*kind, unit))));
+    columns.extend(drives.map(|(drive, name)| {
+        let kind = L::Listing::default().drive_kind(drive);
+        format!("{name}_{}", unit_of(kind, unit))
+    }));
     columns.push(format!("speed_{}", unit_of(DriveKind::Coordinate, unit)));
     for name in points.free.iter().chain(&points.markers) {
         columns.extend(["x", "y", "z"].map(|axis| format!("{name}_{axis}")));
@@ -73,8 +76,8 @@ pub fn station<L: Suspension<N>, const N: usize>(
             .skip(chassis)
             .flat_map(|point| [point.x, point.y, point.z]),
     );
-    let kingpin = Kingpin::of(&points);
-    let wheel = Wheel::of(&points);
+    let kingpin = Kingpin::of(points.kingpin(), points.wheel());
+    let wheel = Wheel::of(points.wheel());
     let [camber, toe] = wheel.map_or([f64::NAN; 2], |wheel| [wheel.camber, wheel.toe]);
     row.extend([kingpin.angle, kingpin.caster, camber, toe, place.residual]);
     Station {

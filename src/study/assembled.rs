@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::{Const, DimMin};
-use suspension_core::{Advanced, LocalOrigin, Motion, Named, Stopped, Tracker};
+use suspension_core::{Advanced, Kind, LocalOrigin, Motion, Stopped, Tracker, Values};
 use toml::Spanned;
 
 use crate::assemblies::{self, OnListed, Wish};
@@ -150,7 +150,7 @@ where
         interrupted: &AtomicBool,
     ) -> Result<Vec<DriveRange>, Failure> {
         let [first, _] = instants.ends();
-        let drives = 0..L::DRIVE_KINDS.len();
+        let drives = 0..self.model.count(Kind::Drive);
         drives
             .map(|index| self.range(first, index, interrupted))
             .collect()

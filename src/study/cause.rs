@@ -11,7 +11,8 @@ pub(crate) fn cause<L: Suspension<N>, const N: usize>(
     error: &SolveError<f64>,
     unit: Unit,
 ) -> String {
-    let name = error.culprit(&L::EQUATIONS, &L::UNKNOWNS);
+    let listing = L::Listing::default();
+    let name = error.culprit(&listing);
     let unit = unit.symbol();
     match error {
         SolveError::NotFinite { .. } => {

@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
-use suspension_core::{Advanced, HasKingpin, HasWheel, Inputs, MeasureKind, Motion, Named, Still};
+use suspension_core::{
+    Advanced, HasKingpin, HasWheel, Inputs, MeasureKind, Motion, Named, Parts, Still, Values,
+};
 
 use crate::input::drives::unit_of;
 use crate::input::file::Unit;
@@ -45,9 +47,12 @@ impl PointNames {
 /// velocities in rad/s, angular accelerations in rad/s^2.
 pub fn names<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
     let points = PointNames::of::<L, N>();
-    let drives = <L::Drives as Named<f64>>::NAMES.iter().zip(L::DRIVE_KINDS);
+    let drives = <L::Drives as Named<f64>>::NAMES.iter().enumerate();
     let mut columns = vec!["t_s".to_owned()];
-    columns.extend(drives.map(|(name, kind)| format!("{name}_{}", unit_of(*kind, unit))));
+    columns.extend(drives.map(|(drive, name)| {
+        let kind = L::Listing::default().drive_kind(drive);
+        format!("{name}_{}", unit_of(kind, unit))
+    }));
     for kind in ["", "v", "a"] {
         columns.extend(points.free.iter().flat_map(|name| triple(name, kind)));
     }
@@ -66,9 +71,12 @@ pub fn names<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
 /// The columns of what the linkage measures.
 pub fn measures<L: Suspension<N>, const N: usize>(unit: Unit) -> Vec<String> {
     let names = <L::Measures as Named<f64>>::NAMES.iter();
-    let measures = names.zip(L::MEASURE_KINDS);
-    measures
-        .map(|(name, kind)| format!("{name}_{}", unit_of_measure(*kind, unit)))
+    names
+        .enumerate()
+        .map(|(measure, name)| {
+            let kind = L::Listing::default().measure_kind(measure);
+            format!("{name}_{}", unit_of_measure(kind, unit))
+        })
         .collect()
 }
 
@@ -102,7 +110,7 @@ pub fn row<L: Suspension<N>, const N: usize>(
     row.extend(&motion.velocity);
     row.extend(&motion.acceleration);
     let undefined = Vector3::repeat(f64::NAN);
-    let turning = CarrierRotation::of(&points);
+    let turning = CarrierRotation::of(&points.map(|points| points.carrier()));
     let [omega, alpha] = turning.map_or([undefined; 2], |turning| [turning.omega, turning.alpha]);
     row.extend(&omega);
     row.extend(&alpha);
@@ -118,12 +126,12 @@ pub fn row<L: Suspension<N>, const N: usize>(
             row.extend(point.map(|point| point + origin).iter().flatten());
         }
     }
-    let kingpin = Kingpin::of(&points.value);
-    let wheel = Wheel::of(&points.value);
+    let kingpin = Kingpin::of(points.value.kingpin(), points.value.wheel());
+    let wheel = Wheel::of(points.value.wheel());
     let [camber, toe] = wheel.map_or([f64::NAN; 2], |wheel| [wheel.camber, wheel.toe]);
     row.extend([kingpin.angle, kingpin.caster, camber, toe]);
-    let measures = L::measures(&points).value;
-    let offsets = assembled.origin.of_measures::<L, N>();
+    let measures = assembled.model.measures(&points).value;
+    let offsets = assembled.origin.of_measures(&assembled.model);
     row.extend(
         measures
             .values()

@@ -1,7 +1,7 @@
 //! A motion that a measure of the linkage leads in place of one of the drives.
 
 use suspension_core::path::{Leader, Led, measured};
-use suspension_core::{Advanced, Inputs, Linkage, Named, Signal, SolveError, Still, Stopped};
+use suspension_core::{Advanced, Inputs, Parts, Signal, SolveError, Still, Stopped, Values};
 
 use crate::input::drives::{DriveLaws, Law, each_in_words};
 use crate::input::file::Unit;
@@ -36,7 +36,7 @@ impl<const N: usize> Lead<N> {
             max_steps: MAX_STEPS,
             ..Leader::default()
         };
-        let Some(quantity) = measured::<f64, L, N>(self.stand_in.measure) else {
+        let Some(quantity) = measured(model, self.stand_in.measure) else {
             let [reached, _] = times;
             return Err(Stopped {
                 reached,
@@ -69,7 +69,7 @@ impl<const N: usize> Lead<N> {
     }
 
     /// What leads at time `t` in words, as `height = 50 mm`, the measure in place of its drive.
-    pub(crate) fn in_words<L: Linkage<N, Scalar = f64>>(
+    pub(crate) fn in_words<L: Suspension<N>>(
         &self,
         drives: &L::Drives,
         t: f64,
@@ -102,9 +102,9 @@ impl<const N: usize> Lead<N> {
         self.stand_in.key.get_ref()
     }
 
-    fn value_in_words<L: Linkage<N, Scalar = f64>>(&self, value: f64, unit: Unit) -> String {
-        let kind = L::MEASURE_KINDS.get(self.stand_in.measure);
-        let unit = kind.map_or("", |kind| unit_of_measure(*kind, unit));
+    fn value_in_words<L: Suspension<N>>(&self, value: f64, unit: Unit) -> String {
+        let kind = L::Listing::default().measure_kind(self.stand_in.measure);
+        let unit = unit_of_measure(kind, unit);
         format!("{} {unit}", number(value + self.offset))
     }
 }

@@ -9,7 +9,7 @@ use suspension_core::linkages::five_link::{Drives, Lengths, Model, Points};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel, camber_to_ground};
 use suspension_core::{
-    Bounded, Build, Inputs, Linkage, Motion, Named, Newton, Real, Signal, Still, Tracker, assemble,
+    Bounded, Build, Inputs, Linkage, Motion, Newton, Real, Signal, Still, Tracker, Values, assemble,
 };
 
 const STEPS: usize = 1900;
@@ -103,16 +103,19 @@ fn inputs_at<T: Number>(t: T) -> Inputs<Still, Drives<T>> {
 /// The model, and the motion at `t = 0`.
 fn set_up<T: Number>() -> Result<(Model<T>, Motion<T, 15>), Box<dyn Error>> {
     let (mut points, mut lengths) = (GUESS.into_iter(), LENGTHS.into_iter());
-    let guess =
-        Points::from_fn(|_| Vector3::from(points.next().unwrap_or_default()).map(T::constant));
-    let lengths = Lengths::from_fn(|_| T::constant(lengths.next().unwrap_or_default()));
+    let guess = Points::from_values(std::iter::repeat_with(|| {
+        Vector3::from(points.next().unwrap_or_default()).map(T::constant)
+    }));
+    let lengths = Lengths::from_values(std::iter::repeat_with(|| {
+        T::constant(lengths.next().unwrap_or_default())
+    }));
     let theta = T::constant(FRAC_PI_2);
     let level = Inputs::still(Signal {
         value: Drives { theta },
         ..Signal::default()
     });
     let model = Model::new(&guess)?.with_lengths(&lengths)?;
-    let mut unknowns = Model::unknowns(&guess);
+    let mut unknowns = model.unknowns(&guess);
     assemble(&Newton::from_afar(), &model, &level, &mut unknowns)?;
     let mut motion = Motion::at_rest(unknowns);
     let mut points = motion.points(&model, &level).value;
@@ -132,10 +135,11 @@ fn read_wheel<T: Number>(
     checksum: &mut u64,
 ) -> Result<String, Box<dyn Error>> {
     let points = motion.points(model, inputs);
-    let measures = Model::measures(&points);
-    let wheel = Wheel::of(&points.value).ok_or("no spin axis")?;
-    let rotation = CarrierRotation::of(&points).ok_or("no rotation")?;
-    let kingpin = Kingpin::of(&points.value);
+    let measures = model.measures(&points);
+    let wheel = Wheel::of(points.value.wheel()).ok_or("no spin axis")?;
+    let rotation =
+        CarrierRotation::of(&points.map(|points| points.carrier())).ok_or("no rotation")?;
+    let kingpin = Kingpin::of(points.value.kingpin(), points.value.wheel());
     for points in [&points.value, &points.rate, &points.second_rate] {
         points.values().for_each(|point| add(&point, checksum));
     }

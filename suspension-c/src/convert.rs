@@ -4,7 +4,7 @@ use core::mem::MaybeUninit;
 
 use suspension_core::Advanced;
 use suspension_core::nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
-use suspension_core::{HasKingpin, HasWheel, Real, Signal, assemble, bounded, newton, wheel};
+use suspension_core::{Real, Signal, assemble, bounded, newton, wheel};
 
 use crate::shared::{Assembly, CarrierRotation, Converged, Kingpin, RigidMotion, Settled, Wheel};
 use crate::status::Status;
@@ -62,9 +62,9 @@ impl<T: Real> From<assemble::Assembly<T>> for Assembly<T> {
     }
 }
 
-/// The wheel of points.
-pub fn wheel_of<T: Real>(points: &impl HasWheel<T>) -> Result<Wheel<T>, Status> {
-    let found = wheel::Wheel::of(points).ok_or(Status::NoDirection)?;
+/// The wheel on a spin axis.
+pub fn wheel_of<T: Real>(axis: [Vector3<T>; 2]) -> Result<Wheel<T>, Status> {
+    let found = wheel::Wheel::of(axis).ok_or(Status::NoDirection)?;
     Ok(Wheel {
         centre: found.centre.into(),
         axis: found.axis.into(),
@@ -75,8 +75,8 @@ pub fn wheel_of<T: Real>(points: &impl HasWheel<T>) -> Result<Wheel<T>, Status> 
 }
 
 /// How the carrier of the wheel turns.
-pub fn rotation_of<T: Real, P: HasWheel<T>>(
-    points: &Signal<P>,
+pub fn rotation_of<T: Real>(
+    points: &Signal<[Vector3<T>; 3]>,
 ) -> Result<CarrierRotation<T>, Status> {
     let found = wheel::CarrierRotation::of(points).ok_or(Status::NoDirection)?;
     Ok(CarrierRotation {
@@ -85,15 +85,15 @@ pub fn rotation_of<T: Real, P: HasWheel<T>>(
     })
 }
 
-/// The kingpin of points.
-pub fn kingpin_of<T: Real, P: HasKingpin<T> + HasWheel<T>>(
-    points: &P,
+/// The kingpin between two points, beside the wheel's spin axis.
+pub fn kingpin_of<T: Real>(
+    [lower, upper]: [Vector3<T>; 2],
+    axis: [Vector3<T>; 2],
 ) -> Result<Kingpin<T>, Status> {
     // Which side is outboard is the wheel's to say.
-    wheel_of(points)?;
-    let [lower, upper] = points.kingpin();
+    wheel_of(axis)?;
     check_direction((upper - lower).norm()).ok_or(Status::NoDirection)?;
-    let found = wheel::Kingpin::of(points);
+    let found = wheel::Kingpin::of([lower, upper], axis);
     Ok(Kingpin {
         angle: found.angle,
         caster: found.caster,

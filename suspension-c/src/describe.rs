@@ -1,5 +1,7 @@
 //! What a header is written from: functions and structs in words.
 
+use suspension_core::Part;
+
 use crate::names::{Table, Text};
 
 /// A C function.
@@ -82,14 +84,16 @@ pub struct Names {
 }
 
 impl Names {
-    /// The name of a point or a length as C reads it.
-    pub fn find(&self, name: &str) -> Text {
-        let Self {
-            points, lengths, ..
-        } = self;
-        points
-            .find(name)
-            .or(lengths.find(name))
-            .unwrap_or(Text::NONE)
+    /// The name of a part as C reads it; NULL where there is none.
+    pub fn of(&self, part: Part) -> Text {
+        let (table, index) = match part {
+            Part::Equation(index) => (self.equations, index),
+            Part::Unknown(index) => (self.unknowns, index),
+            Part::Point(index) => (self.points, index),
+            Part::Drive(index) => (self.drives, index),
+            Part::Measure(index) => (self.measures, index),
+            Part::Length(index) => (self.lengths, index),
+        };
+        table.at(index)
     }
 }

@@ -53,8 +53,8 @@ macro_rules! export {
             use super::*;
             use $listing as listing;
             use $crate::private::{
-                Build as _, In, InOut, Linkage as _, Named, Names, Object, Out, PhantomData, Rates, Status,
-                Text, Trouble, Values, Vector3, answer, fill, kingpin_of, named, named_points, outputs_of, respond,
+                Build as _, HasKingpin as _, HasWheel as _, In, InOut, Linkage as _, Names, Object, Out, PhantomData, Rates, Status,
+                Text, Trouble, Values, answer, fill, kingpin_of, named, named_points, outputs_of, respond,
                 room, rotation_of, shared, signal, solver, values, values_of_points, wheel_of,
             };
 
@@ -63,17 +63,17 @@ macro_rules! export {
             type Linkage = listing::Model<Number>;
             const UNKNOWNS: usize = $crate::private::unknowns(PhantomData::<Linkage>);
 
-            const POINTS: &[&str] = <listing::Points<Number> as Named<Vector3<Number>>>::NAMES;
-            const FIXED: &[&str] = <listing::Fixed<Number> as Named<Vector3<Number>>>::NAMES;
-            const DRIVES: &[&str] = <listing::Drives<Number> as Named<Number>>::NAMES;
-            const MEASURES: &[&str] = <listing::Measures<Number> as Named<Number>>::NAMES;
-            const LENGTHS: &[&str] = <listing::Lengths<Number> as Named<Number>>::NAMES;
+            const POINTS: &[&str] = listing::Listing::PARTS.points;
+            const FIXED: &[&str] = listing::Listing::PARTS.chassis;
+            const DRIVES: &[&str] = listing::Listing::PARTS.drives;
+            const MEASURES: &[&str] = listing::Listing::PARTS.measures;
+            const LENGTHS: &[&str] = listing::Listing::PARTS.lengths;
 
             $crate::names! {
                 NAMES {
                     points: POINTS, drives: DRIVES, measures: MEASURES, lengths: LENGTHS,
-                    equations: &<Linkage as solver::Linkage<UNKNOWNS>>::EQUATIONS,
-                    unknowns: &<Linkage as solver::Linkage<UNKNOWNS>>::UNKNOWNS,
+                    equations: listing::Listing::PARTS.equations,
+                    unknowns: listing::Listing::PARTS.unknowns,
                 }
             }
 

@@ -92,15 +92,15 @@ fn tell<T: Real>(trouble: Trouble<T>, names: &Names) -> Failure<T> {
 }
 
 fn geometry<T: Real>(error: GeometryError, names: &Names) -> Failure<T> {
-    let (status, name) = match error {
-        GeometryError::NotFinite { point } => (Status::PointNotFinite, point),
-        GeometryError::BadLength { length } => (Status::BadLength, length),
-        GeometryError::Collinear { point } => (Status::Collinear, point),
-        GeometryError::Flat { point } => (Status::Flat, point),
-        GeometryError::NotClosed { point } => (Status::NotClosed, point),
+    let status = match error {
+        GeometryError::NotFinite { .. } => Status::PointNotFinite,
+        GeometryError::BadLength { .. } => Status::BadLength,
+        GeometryError::Collinear { .. } => Status::Collinear,
+        GeometryError::Flat { .. } => Status::Flat,
+        GeometryError::NotClosed { .. } => Status::NotClosed,
     };
     Failure {
-        culprit: names.find(name),
+        culprit: names.of(error.part()),
         ..Failure::of(status)
     }
 }
@@ -125,21 +125,5 @@ fn solve<T: Real>(error: SolveError<T>, names: &Names) -> Failure<T> {
             ..
         } => (Status::NotConverged, residual, tolerance),
     };
-    Failure::compared(status, culprit(&error, names), value, bound)
-}
-
-fn culprit<T>(error: &SolveError<T>, names: &Names) -> Text {
-    match error {
-        SolveError::NotFinite { equation } | SolveError::NotConverged { equation, .. } => {
-            names.equations.at(*equation)
-        }
-        SolveError::Overflow { unknown }
-        | SolveError::CrossedSingularity { unknown }
-        | SolveError::Singular { unknown, .. }
-        | SolveError::Diverging { unknown, .. }
-        | SolveError::TooFar { unknown, .. }
-        | SolveError::StepTooLong { unknown, .. }
-        | SolveError::TurningPoint { unknown, .. } => names.unknowns.at(*unknown),
-        SolveError::Mirrored { point } => names.find(point),
-    }
+    Failure::compared(status, names.of(error.part()), value, bound)
 }

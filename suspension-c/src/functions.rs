@@ -53,10 +53,11 @@ macro_rules! functions_of_a_linkage {
 
         /// Makes a motion: at rest, the free points where they stand among `points`. `size` is
         /// `sizeof *motion`.
-        fn motion_at_rest(motion: Out<Motion>, size: usize, points: In<Points>) -> Status {
+        fn motion_at_rest(model: In<Model>, motion: Out<Motion>, size: usize, points: In<Points>) -> Status {
             answer(|| {
-                let (motion, points) = (motion.place(size)?, points.get()?);
-                motion.put(solver::Motion::at_rest(Linkage::unknowns(&points_of(points))));
+                let (model, motion) = (model.object()?, motion.place(size)?);
+                let points = points_of(points.get()?);
+                motion.put(solver::Motion::at_rest(model.unknowns(&points)));
                 Ok(())
             })
         }
@@ -68,7 +69,7 @@ macro_rules! functions_of_a_linkage {
             respond(failure, &NAMES, || {
                 let (model, inputs, guess) = (model.object()?, inputs.get()?, guess.get()?);
                 let (motion, assembly) = (motion.place(size)?, assembly.optional()?);
-                let mut unknowns = Linkage::unknowns(&points_of(guess));
+                let mut unknowns = model.unknowns(&points_of(guess));
                 let inputs = still(inputs);
                 let newton = solver::Newton::from_afar();
                 let found = solver::assemble(&newton, model, &inputs, &mut unknowns)?;
@@ -138,10 +139,11 @@ macro_rules! functions_of_a_linkage {
 
         /// What the listing measures, with rates. A rate is NaN where a measured length is zero, or a
         /// measured angle 0 or pi.
-        fn read_measures(points: In<PointRates>, measures: Out<MeasureRates>) -> Status {
+        fn read_measures(model: In<Model>, points: In<PointRates>, measures: Out<MeasureRates>) -> Status {
             answer(|| {
-                let (points, measures) = (points.get()?, measures.get()?);
-                let found = Linkage::measures(&signal(points, points_of));
+                let (model, points) = (model.object()?, points.get()?);
+                let measures = measures.get()?;
+                let found = model.measures(&signal(points, points_of));
                 measures.write(Rates::from_signal(&found, values));
                 Ok(())
             })
@@ -239,7 +241,7 @@ macro_rules! functions_of_a_part {
             fn read_wheel(points: In<Points>, wheel: Out<Wheel>) -> Status {
                 answer(|| {
                     let (points, wheel) = (points.get()?, wheel.get()?);
-                    wheel.write(wheel_of(&points_of(points))?);
+                    wheel.write(wheel_of(points_of(points).wheel())?);
                     Ok(())
                 })
             }
@@ -248,7 +250,7 @@ macro_rules! functions_of_a_part {
             fn read_rotation(points: In<PointRates>, rotation: Out<CarrierRotation>) -> Status {
                 answer(|| {
                     let (points, rotation) = (points.get()?, rotation.get()?);
-                    rotation.write(rotation_of(&signal(points, points_of))?);
+                    rotation.write(rotation_of(&signal(points, |points| points_of(points).carrier()))?);
                     Ok(())
                 })
             }
@@ -260,7 +262,8 @@ macro_rules! functions_of_a_part {
             fn read_kingpin(points: In<Points>, kingpin: Out<Kingpin>) -> Status {
                 answer(|| {
                     let (points, kingpin) = (points.get()?, kingpin.get()?);
-                    kingpin.write(kingpin_of(&points_of(points))?);
+                    let points = points_of(points);
+                    kingpin.write(kingpin_of(points.kingpin(), points.wheel())?);
                     Ok(())
                 })
             }

@@ -36,13 +36,6 @@ impl Table {
             _ => Text::NONE,
         }
     }
-
-    /// The same name, closed by a zero.
-    pub fn find(self, name: &str) -> Option<Text> {
-        let mut names = self.0.split(|byte| *byte == 0);
-        let index = names.position(|other| other == name.as_bytes())?;
-        Some(self.at(index))
-    }
 }
 
 /// How many bytes [`terminated`] takes.

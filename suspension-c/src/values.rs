@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use suspension_core::nalgebra::Vector3;
-use suspension_core::{Linkage, Named, Outputs, Signal};
+use suspension_core::{Linkage, Outputs, Signal};
 
 use crate::status::Status;
 
@@ -56,9 +56,10 @@ pub fn signal<V, S>(rates: &Rates<V>, convert: impl Fn(&V) -> S) -> Signal<S> {
 
 /// Numbers under their names.
 #[inline(always)]
-pub fn named<T: Copy + Default, S: Named<T>, const COUNT: usize>(values: &Values<T, COUNT>) -> S {
-    let mut each = values.values.iter();
-    S::from_fn(|_| each.next().copied().unwrap_or_default())
+pub fn named<T: Copy + Default, S: suspension_core::Values<T>, const COUNT: usize>(
+    values: &Values<T, COUNT>,
+) -> S {
+    S::from_values(values.values.iter().copied())
 }
 
 /// Points under their names.
@@ -66,15 +67,16 @@ pub fn named<T: Copy + Default, S: Named<T>, const COUNT: usize>(values: &Values
 pub fn named_points<T, S, const COUNT: usize>(values: &Values<[T; 3], COUNT>) -> S
 where
     T: Copy + Default + suspension_core::Scalar,
-    S: Named<Vector3<T>>,
+    S: suspension_core::Values<Vector3<T>>,
 {
-    let mut each = values.values.iter();
-    S::from_fn(|_| Vector3::from(each.next().copied().unwrap_or_default()))
+    S::from_values(values.values.iter().copied().map(Vector3::from))
 }
 
 /// Numbers in a row.
 #[inline(always)]
-pub fn values<T: Copy + Default, S: Named<T>, const COUNT: usize>(named: &S) -> Values<T, COUNT> {
+pub fn values<T: Copy + Default, S: suspension_core::Values<T>, const COUNT: usize>(
+    named: &S,
+) -> Values<T, COUNT> {
     let mut each = named.values();
     Values {
         values: core::array::from_fn(|_| each.next().unwrap_or_default()),
@@ -86,7 +88,7 @@ pub fn values<T: Copy + Default, S: Named<T>, const COUNT: usize>(named: &S) -> 
 pub fn values_of_points<T, S, const COUNT: usize>(named: &S) -> Values<[T; 3], COUNT>
 where
     T: suspension_core::Scalar,
-    S: Named<Vector3<T>>,
+    S: suspension_core::Values<Vector3<T>>,
 {
     let mut each = named.values();
     Values {

@@ -98,7 +98,7 @@ fn in_rust() -> [f32; 2] {
             second_rate: Drives::default(),
         })
     };
-    let mut unknowns = Model::unknowns(&design);
+    let mut unknowns = model.unknowns(&design);
     assemble(&Newton::from_afar(), &model, &inputs(0.5), &mut unknowns).expect("an assembly");
     let mut motion = Motion::at_rest(unknowns);
     for step in 0..=1000_u16 {
@@ -109,6 +109,6 @@ fn in_rust() -> [f32; 2] {
             .step(&model, &inputs, dt, &mut motion)
             .expect("a step");
     }
-    let measures = Model::measures(&motion.points(&model, &inputs(1.5)));
+    let measures = model.measures(&motion.points(&model, &inputs(1.5)));
     [measures.value.double, measures.rate.double]
 }

@@ -10,8 +10,8 @@ use std::process::ExitCode;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::{
-    Bounded, Build, Inputs, Linkage, Motion, Named, Real, Scalar, Settled, Signal, SolveError,
-    Still,
+    Bounded, Build, Inputs, Linkage, Motion, Real, Scalar, Settled, Signal, SolveError, Still,
+    Values,
 };
 
 const STEPS: usize = 1000;
@@ -56,13 +56,13 @@ where
     L: Build<15, Scalar = T>,
 {
     let mut points = POINTS.iter();
-    let design = L::Points::from_fn(|_| {
+    let design = L::Points::from_values(std::iter::repeat_with(|| {
         let point = points.next().copied().unwrap_or_default();
         Vector3::from(point).map(T::constant)
-    });
+    }));
     let model = L::new(&design).map_err(|error| error.to_string())?;
     let start = model.drives_at(&design);
-    let mut motion = Motion::at_rest(L::unknowns(&design));
+    let mut motion = Motion::at_rest(model.unknowns(&design));
     let failed = |error: SolveError<T>| error.to_string();
     let set_off = inputs::<L>(&start, 0);
     Bounded::<T>::default()

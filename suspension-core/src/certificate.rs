@@ -32,7 +32,8 @@ use nalgebra::SVector;
 
 use crate::error::SolveError;
 use crate::factored::with_factors;
-use crate::linkage::{DriveKind, Linkage, Listing, Named};
+use crate::linkage::{Linkage, Listing, Values};
+use crate::listing::DriveKind;
 use crate::magnitude::magnitude;
 use crate::motion::Prescribed;
 use crate::scalar::Real;
@@ -137,8 +138,8 @@ where
     {
         let drives = self.coordinates(&inputs.drives.value);
         let chassis = inputs.chassis.signal(self.linkage.fixed()).value;
-        let fixed = Enclosing::<L, N>::drive_anchors(
-            Named::from_values(chassis.values().map(|point| point.map(Enclosed::exact))),
+        let fixed = self.enclosing.drive_anchors(
+            Values::from_values(chassis.values().map(|point| point.map(Enclosed::exact))),
             &drives,
         );
         let [position] = q.data.0;
@@ -157,15 +158,15 @@ where
     /// The coordinates that drives prescribe.
     #[inline(always)]
     fn coordinates(&self, drives: &L::Drives) -> <Enclosing<L, N> as Linkage<N>>::Drives {
-        let exact = Named::from_values(drives.values().map(Enclosed::exact));
+        let exact = Values::from_values(drives.values().map(Enclosed::exact));
         let computed = self.enclosing.coordinates(&Signal {
             value: exact,
             ..Signal::default()
         });
-        let each = computed.value.values().zip(drives.values());
-        Named::from_values(each.zip(L::DRIVE_KINDS).map(|((coordinate, drive), kind)| {
+        let each = computed.value.values().zip(drives.values()).enumerate();
+        Values::from_values(each.map(|(index, (coordinate, drive))| {
             let is_covered = drive.abs() <= T::constant(LARGEST_ANGLE);
-            match kind {
+            match self.linkage.drive_kind(index) {
                 DriveKind::Coordinate => coordinate,
                 DriveKind::Angle if is_covered => {
                     coordinate.widened(self.linkage.size() * T::constant(FORMULA_ERROR))

@@ -8,7 +8,7 @@
 
 use nalgebra::{Isometry3, Vector3};
 
-use crate::linkage::Named;
+use crate::linkage::Values;
 use crate::scalar::Real;
 use crate::signal::Signal;
 
@@ -46,7 +46,7 @@ impl<T: Real> RigidMotion<T> {
     }
 
     /// Chassis points that rest in body axes, as inputs of a linkage solved in world axes.
-    pub fn anchors<F: Named<Vector3<T>>>(&self, at_rest: &F) -> Signal<F> {
+    pub fn anchors<F: Values<Vector3<T>>>(&self, at_rest: &F) -> Signal<F> {
         let carry = |point| {
             self.carry(Signal {
                 value: point,

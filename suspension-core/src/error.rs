@@ -1,10 +1,43 @@
 //! What can go wrong, as `Copy` values.
 //!
-//! A [`SolveError`] holds row and column numbers, which the name tables of the linkage
-//! ([`Linkage::EQUATIONS`](crate::Linkage::EQUATIONS),
-//! [`Linkage::UNKNOWNS`](crate::Linkage::UNKNOWNS)) turn into the user's names.
+//! They hold numbers of equations, unknowns, points and lengths, which the model turns into the
+//! user's names: [`Parts::name`](crate::Parts::name).
 
 use core::fmt;
+
+use crate::listing::{Kind, Part, Parts};
+
+/// An error that concerns a part of a listing.
+trait Failure {
+    /// The message, with the name or the number of the part.
+    fn write(&self, f: &mut fmt::Formatter<'_>, name: &dyn fmt::Display) -> fmt::Result;
+
+    /// The message with the names of a listing, or with numbers.
+    fn of(&self, parts: Option<&dyn Parts>, f: &mut fmt::Formatter<'_>) -> fmt::Result;
+}
+
+/// An error with the names of a listing, to be printed.
+#[derive(Clone, Copy)]
+pub struct WithNames<'a, E> {
+    error: &'a E,
+    parts: &'a dyn Parts,
+}
+
+#[allow(private_bounds, reason = "the two errors of this module")]
+impl<E: Failure> fmt::Display for WithNames<'_, E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.error.of(Some(self.parts), f)
+    }
+}
+
+/// A name in a message.
+struct Quoted<'a>(&'a str);
+
+impl fmt::Display for Quoted<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}`", self.0)
+    }
+}
 
 /// Why no configuration was found. The state that was passed in is unchanged.
 ///
@@ -42,8 +75,8 @@ pub enum SolveError<T> {
     /// The point stands on the wrong side of the three that links join it to: the lengths are kept,
     /// and the part that they make is the mirror image of the model's.
     Mirrored {
-        /// The point, one of [`Linkage::LINKED`](crate::Linkage::LINKED).
-        point: &'static str,
+        /// The point, one of [`Linkage::linked`](crate::Linkage::linked).
+        point: usize,
     },
     /// `step > bound`: the correction of this unknown did not shrink as it does near a root, so
     /// the root, if any, might belong to another assembly.
@@ -99,11 +132,11 @@ pub enum SolveError<T> {
 }
 
 impl<T> SolveError<T> {
-    /// The name of the equation, unknown or point concerned, from the linkage's name tables.
-    pub fn culprit<'a>(&self, equations: &'a [&'a str], unknowns: &'a [&'a str]) -> &'a str {
-        let (table, index, beyond) = match self {
+    /// The equation, unknown or point concerned.
+    pub fn part(&self) -> Part {
+        match *self {
             Self::NotFinite { equation } | Self::NotConverged { equation, .. } => {
-                (equations, equation, "the leading quantity")
+                Part::Equation(equation)
             }
             Self::Overflow { unknown }
             | Self::CrossedSingularity { unknown }
@@ -111,149 +144,189 @@ impl<T> SolveError<T> {
             | Self::Diverging { unknown, .. }
             | Self::TooFar { unknown, .. }
             | Self::StepTooLong { unknown, .. }
-            | Self::TurningPoint { unknown, .. } => (unknowns, unknown, "the free drive"),
-            Self::Mirrored { point } => return point,
-        };
-        match table.get(*index) {
-            Some(name) => name,
-            None if *index == table.len() => beyond,
-            None => "?",
+            | Self::TurningPoint { unknown, .. } => Part::Unknown(unknown),
+            Self::Mirrored { point } => Part::Point(point),
+        }
+    }
+
+    /// The name of the equation, unknown or point concerned.
+    pub fn culprit<'a>(&self, parts: &'a dyn Parts) -> &'a str {
+        let unknowns = parts.count(Kind::Unknown);
+        match self.part() {
+            Part::Equation(index) if index >= unknowns => "the leading quantity",
+            Part::Unknown(index) if index >= unknowns => "the free drive",
+            part => parts.name(part),
         }
     }
 }
 
-impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl<T: fmt::LowerExp> Failure for SolveError<T> {
+    fn write(&self, f: &mut fmt::Formatter<'_>, name: &dyn fmt::Display) -> fmt::Result {
         match self {
-            Self::NotFinite { equation } => {
-                write!(
-                    f,
-                    "the residual of equation {equation} is not a finite number"
-                )
+            Self::NotFinite { .. } => {
+                write!(f, "the residual of equation {name} is not a finite number")
             }
-            Self::Overflow { unknown } => {
-                write!(f, "the change of unknown {unknown} is not a finite number")
+            Self::Overflow { .. } => {
+                write!(f, "the change of unknown {name} is not a finite number")
             }
-            Self::CrossedSingularity { unknown } => write!(
+            Self::CrossedSingularity { .. } => write!(
                 f,
-                "a singularity was crossed: unknown {unknown} moved to another assembly"
+                "a singularity was crossed: unknown {name} moved to another assembly"
             ),
-            Self::Mirrored { point } => write!(
+            Self::Mirrored { .. } => write!(
                 f,
-                "point `{point}` is mirrored: it stands on the wrong side of the points that links join it to"
+                "point {name} is mirrored: it stands on the wrong side of the points that links join it to"
             ),
             Self::Singular {
-                unknown,
-                pivot,
-                threshold,
+                pivot, threshold, ..
             } => write!(
                 f,
-                "unknown {unknown} is not determined: pivot {pivot:.1e}, needed more than {threshold:.1e}"
+                "unknown {name} is not determined: pivot {pivot:.1e}, needed more than {threshold:.1e}"
             ),
-            Self::Diverging {
-                unknown,
-                step,
-                bound,
-            } => write!(
+            Self::Diverging { step, bound, .. } => write!(
                 f,
-                "no root near by: the correction of unknown {unknown} grew to {step:.1e}, allowed {bound:.1e}"
+                "no root near by: the correction of unknown {name} grew to {step:.1e}, allowed {bound:.1e}"
             ),
-            Self::TooFar {
-                unknown,
-                change,
-                bound,
-            } => write!(
+            Self::TooFar { change, bound, .. } => write!(
                 f,
-                "the step is too long to tell assemblies apart: the Jacobian changes it by {change:.1e} at unknown {unknown}, allowed {bound:.1e}"
+                "the step is too long to tell assemblies apart: the Jacobian changes it by {change:.1e} at unknown {name}, allowed {bound:.1e}"
             ),
-            Self::StepTooLong {
-                unknown,
-                step,
-                bound,
-            } => write!(
+            Self::StepTooLong { step, bound, .. } => write!(
                 f,
-                "the series of unknown {unknown} is good for a step of {bound:.1e}, not of {step:.1e}"
+                "the series of unknown {name} is good for a step of {bound:.1e}, not of {step:.1e}"
             ),
             Self::TurningPoint { asked, extreme, .. } => write!(
                 f,
                 "the leading quantity turns at {extreme:.15e}, on the way to {asked:.15e}"
             ),
             Self::NotConverged {
-                equation,
                 residual,
                 tolerance,
                 iterations,
+                ..
             } => write!(
                 f,
-                "equation {equation} is off by {residual:.1e} after {iterations} iterations, allowed {tolerance:.1e}"
+                "equation {name} is off by {residual:.1e} after {iterations} iterations, allowed {tolerance:.1e}"
             ),
         }
+    }
+
+    fn of(&self, parts: Option<&dyn Parts>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match parts {
+            Some(parts) => self.write(f, &Quoted(self.culprit(parts))),
+            None => self.write(f, &self.part().index()),
+        }
+    }
+}
+
+impl<T: fmt::LowerExp> SolveError<T> {
+    /// The error with the names of a listing, to be printed.
+    pub fn named<'a>(&'a self, parts: &'a dyn Parts) -> WithNames<'a, Self> {
+        WithNames { error: self, parts }
+    }
+}
+
+impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.of(None, f)
     }
 }
 
 impl<T: fmt::Debug + fmt::LowerExp> core::error::Error for SolveError<T> {}
 
-/// Why a linkage cannot be built. Names are those of the listing.
+/// Why a linkage cannot be built. Numbers are those of the listing's points and lengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GeometryError {
     /// A coordinate of the point is NaN or infinite.
     NotFinite {
         /// The point.
-        point: &'static str,
+        point: usize,
     },
     /// The length is zero, negative, NaN or infinite.
     BadLength {
         /// The length.
-        length: &'static str,
+        length: usize,
     },
     /// The three points that should carry the point lie in line.
     Collinear {
         /// The point carried, or the last of the three.
-        point: &'static str,
+        point: usize,
     },
     /// The point lies in the plane of the three that links join it to, or too near to tell its sides
     /// apart: the distances are singular there. A `body` is not.
     Flat {
         /// The point.
-        point: &'static str,
+        point: usize,
     },
     /// No rigid body has the given lengths: they break the triangle inequality, or its like in
     /// space, at this point.
     NotClosed {
         /// The point.
-        point: &'static str,
+        point: usize,
     },
+}
+
+impl GeometryError {
+    /// The error with the names of a listing, to be printed.
+    pub fn named<'a>(&'a self, parts: &'a dyn Parts) -> WithNames<'a, Self> {
+        WithNames { error: self, parts }
+    }
+
+    /// The point or length concerned.
+    pub fn part(&self) -> Part {
+        match *self {
+            Self::NotFinite { point }
+            | Self::Collinear { point }
+            | Self::Flat { point }
+            | Self::NotClosed { point } => Part::Point(point),
+            Self::BadLength { length } => Part::Length(length),
+        }
+    }
+}
+
+impl Failure for GeometryError {
+    fn write(&self, f: &mut fmt::Formatter<'_>, name: &dyn fmt::Display) -> fmt::Result {
+        match self {
+            Self::NotFinite { .. } => write!(
+                f,
+                "point {name} has a coordinate that is not a finite number, or too large to compute with"
+            ),
+            Self::BadLength { .. } => {
+                write!(f, "length {name} is not a positive finite number")
+            }
+            Self::Collinear { .. } => {
+                write!(
+                    f,
+                    "the points that carry {name} lie in line; three that form a triangle are needed"
+                )
+            }
+            Self::Flat { .. } => {
+                write!(
+                    f,
+                    "point {name} lies in the plane of the points that links join it to, where their lengths do not hold it; state these points as a `body`"
+                )
+            }
+            Self::NotClosed { .. } => {
+                write!(
+                    f,
+                    "the lengths to point {name} do not fit together in any rigid body"
+                )
+            }
+        }
+    }
+
+    fn of(&self, parts: Option<&dyn Parts>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let part = self.part();
+        match parts {
+            Some(parts) => self.write(f, &Quoted(parts.name(part))),
+            None => self.write(f, &part.index()),
+        }
+    }
 }
 
 impl fmt::Display for GeometryError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite { point } => write!(
-                f,
-                "point `{point}` has a coordinate that is not a finite number, or too large to compute with"
-            ),
-            Self::BadLength { length } => {
-                write!(f, "length `{length}` is not a positive finite number")
-            }
-            Self::Collinear { point } => {
-                write!(
-                    f,
-                    "the points that carry `{point}` lie in line; three that form a triangle are needed"
-                )
-            }
-            Self::Flat { point } => {
-                write!(
-                    f,
-                    "point `{point}` lies in the plane of the points that links join it to, where their lengths do not hold it; state these points as a `body`"
-                )
-            }
-            Self::NotClosed { point } => {
-                write!(
-                    f,
-                    "the lengths to point `{point}` do not fit together in any rigid body"
-                )
-            }
-        }
+        self.of(None, f)
     }
 }
 

@@ -7,9 +7,10 @@ pub use crate::constraint::{Carried, Distance, Frame, angle_to_coordinate};
 pub use crate::error::GeometryError;
 pub use crate::handedness::Linked;
 pub use crate::linkage::{
-    Build, DriveKind, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage,
-    Listing as AnyNumber, MeasureKind, Named,
+    Build, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage, Listing as AnyNumber, Named,
+    Values,
 };
+pub use crate::listing::{DriveKind, Kind, MeasureKind, Names, Part, Parts};
 pub use crate::magnitude::sum_of_squares;
 pub use crate::measure;
 pub use crate::parts;

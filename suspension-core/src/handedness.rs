@@ -71,7 +71,7 @@ fn volume<T: Scalar>(point: Vector3<T>, frame: &Frame<T>) -> T {
     dot(difference(point, frame.origin), cross(frame.u, frame.v))
 }
 
-/// How many of [`Linkage::LINKED`] are mirrored: where the distances are kept, a whole number to
+/// How many of [`Linkage::linked`] are mirrored: where the distances are kept, a whole number to
 /// rounding.
 #[inline(always)]
 pub fn count_mirrored<L, const N: usize>(
@@ -92,19 +92,19 @@ pub fn is_right<T: Real>(count: T) -> bool {
     count < T::constant(0.5)
 }
 
-/// The point of a position that is mirrored most, by name.
+/// The point of a position that is mirrored most, by index.
 #[cold]
 pub(crate) fn most_mirrored<T, L, const N: usize>(
     linkage: &L,
     q: &SVector<T, N>,
     fixed: &L::Fixed,
-) -> &'static str
+) -> usize
 where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    let points = L::LINKED.iter().zip(linkage.mirrored(q, fixed));
-    let most = points.fold(("", T::zero()), |most, (point, mirrored)| {
+    let points = linkage.linked().zip(linkage.mirrored(q, fixed));
+    let most = points.fold((0, T::zero()), |most, (point, mirrored)| {
         if mirrored > most.1 {
             (point, mirrored)
         } else {

@@ -3,32 +3,24 @@
 use nalgebra::{SMatrix, SVector, Vector3};
 
 use crate::error::GeometryError;
+use crate::listing::Parts;
 use crate::scalar::{Real, Scalar};
 use crate::signal::Signal;
 
-/// A struct whose fields have names: points, drives or lengths of a linkage.
-pub trait Named<V>: Copy {
-    /// The fields' names, in order.
-    const NAMES: &'static [&'static str];
-
-    /// Fills each field from its name.
-    fn from_fn(value: impl FnMut(&'static str) -> V) -> Self;
-
-    /// The fields' values, in the order of [`NAMES`](Self::NAMES).
-    fn values(&self) -> impl Iterator<Item = V>;
-
-    /// Fills the fields in the order of [`NAMES`](Self::NAMES), with defaults where values are
-    /// missing.
-    #[inline(always)]
+/// A fixed number of values in a known order: points, drives, measures or lengths of a linkage.
+///
+/// There may be room for more values than a model has; those beyond are zero. What is what says the
+/// model: [`Parts::name`], [`Parts::count`].
+pub trait Values<V>: Copy {
+    /// Takes as many values as there is room for, and defaults where they run out.
     fn from_values(values: impl IntoIterator<Item = V>) -> Self
     where
-        V: Default,
-    {
-        let mut values = values.into_iter();
-        Self::from_fn(|_| values.next().unwrap_or_default())
-    }
+        V: Default;
 
-    /// The same names with other values.
+    /// The values in order.
+    fn values(&self) -> impl Iterator<Item = V>;
+
+    /// Other values in the same order.
     #[inline(always)]
     fn map(&self, value: impl Fn(V) -> V) -> Self
     where
@@ -48,23 +40,14 @@ pub trait Named<V>: Copy {
     }
 }
 
-/// What a drive's value measures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DriveKind {
-    /// A coordinate of a point, or the difference of two, in the unit of the hardpoints.
-    Coordinate,
-    /// The angle in radians, from 0 to pi, between a link and the positive direction of an axis.
-    /// Only its cosine enters: an angle beyond that range acts as the one within that has the same.
-    Angle,
-}
+/// Values that are the fields of a struct which `linkage!` writes. Code over any linkage asks the
+/// model for names instead.
+pub trait Named<V>: Values<V> {
+    /// The fields' names, in order.
+    const NAMES: &'static [&'static str];
 
-/// What a measure is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MeasureKind {
-    /// A length, a coordinate or the difference of two, in the unit of the hardpoints.
-    Length,
-    /// An angle in radians, from 0 to pi.
-    Angle,
+    /// Fills each field from its name.
+    fn from_fn(value: impl FnMut(&'static str) -> V) -> Self;
 }
 
 /// A factored Jacobian.
@@ -101,14 +84,14 @@ pub trait Listing<const N: usize>: Copy {
         > + Copy
         + Send
         + Sync;
-    /// Chassis points, named.
-    type Fixed<T: Scalar>: Named<Vector3<T>> + Default + Send + Sync;
-    /// Drives, named.
-    type Drives<T: Scalar>: Named<T> + Default + Send + Sync;
-    /// Measures, named.
-    type Measures<T: Scalar>: Named<T> + Default + Send + Sync;
-    /// Chassis points, free points and markers, named.
-    type Points<T: Scalar>: Named<Vector3<T>> + Default + Send + Sync;
+    /// Chassis points.
+    type Fixed<T: Scalar>: Values<Vector3<T>> + Default + Send + Sync;
+    /// Drives.
+    type Drives<T: Scalar>: Values<T> + Default + Send + Sync;
+    /// Measures.
+    type Measures<T: Scalar>: Values<T> + Default + Send + Sync;
+    /// Chassis points, free points and markers.
+    type Points<T: Scalar>: Values<Vector3<T>> + Default + Send + Sync;
 
     /// One model of many: each of its numbers is made of the same number of each of `models`.
     fn gather<S: Scalar, T: Scalar, const K: usize>(
@@ -129,33 +112,26 @@ pub trait Listing<const N: usize>: Copy {
 /// heap and without branches on the data. `fixed` are positions of the chassis points with the
 /// driven coordinates put in ([`drive_anchors`](Self::drive_anchors)); `drives` are coordinates
 /// ([`coordinates`](Self::coordinates)).
-pub trait Linkage<const N: usize> {
+pub trait Linkage<const N: usize>: Parts {
     /// The number type.
     type Scalar: Scalar;
     /// The listing whose model it is.
     type Listing: Listing<N>;
-    /// Chassis points, named.
-    type Fixed: Named<Vector3<Self::Scalar>> + Default;
-    /// Drives, named.
-    type Drives: Named<Self::Scalar> + Default;
-    /// Measures, named: quantities that the listing reads off the points.
-    type Measures: Named<Self::Scalar> + Default;
-    /// Chassis points, free points and markers, named.
-    type Points: Named<Vector3<Self::Scalar>>;
+    /// Chassis points.
+    type Fixed: Values<Vector3<Self::Scalar>> + Default;
+    /// Drives.
+    type Drives: Values<Self::Scalar> + Default;
+    /// Measures: quantities that the listing reads off the points.
+    type Measures: Values<Self::Scalar> + Default;
+    /// Chassis points, free points and markers.
+    type Points: Values<Vector3<Self::Scalar>>;
     /// The Jacobian eliminated in the order that the macro chose: straight-line code over its
     /// non-zero entries.
     type Factors: Factors<Self::Scalar, N> + Copy;
-    /// Names of the equations, rows of the Jacobian.
-    const EQUATIONS: [&'static str; N];
-    /// Names of the unknowns, columns of the Jacobian.
-    const UNKNOWNS: [&'static str; N];
-    /// What each drive measures, in the order of the drives.
-    const DRIVE_KINDS: &'static [DriveKind];
-    /// What each measure is, in the order of the measures.
-    const MEASURE_KINDS: &'static [MeasureKind];
-    /// Free points that links alone join to three others which links join to each other: what they
-    /// make is as rigid as a body, but admits a mirror image.
-    const LINKED: &'static [&'static str];
+
+    /// The points watched for mirror images, by index: those that links alone join to three others
+    /// which links join to each other. What they make is as rigid as a body, but admits a mirror image.
+    fn linked(&self) -> impl Iterator<Item = usize>;
 
     /// The chassis points at rest.
     fn fixed(&self) -> &Self::Fixed;
@@ -167,7 +143,7 @@ pub trait Linkage<const N: usize> {
     fn coordinates(&self, drives: &Signal<Self::Drives>) -> Signal<Self::Drives>;
 
     /// Puts the coordinates that drives prescribe into chassis points, or rates into rates.
-    fn drive_anchors(fixed: Self::Fixed, drives: &Self::Drives) -> Self::Fixed;
+    fn drive_anchors(&self, fixed: Self::Fixed, drives: &Self::Drives) -> Self::Fixed;
 
     /// `F(q)`, in units of length.
     fn residual(
@@ -235,14 +211,24 @@ pub trait Linkage<const N: usize> {
     ) -> Self::Points;
 
     /// The unknowns of a set of points.
-    fn unknowns(points: &Self::Points) -> SVector<Self::Scalar, N>;
+    fn unknowns(&self, points: &Self::Points) -> SVector<Self::Scalar, N>;
 
     /// What the listing measures, from the points and their rates by the chain rule.
-    fn measures(points: &Signal<Self::Points>) -> Signal<Self::Measures>
+    fn measures(&self, points: &Signal<Self::Points>) -> Signal<Self::Measures>
     where
         Self::Scalar: Real;
 
-    /// For each of [`LINKED`](Self::LINKED) what tells it from its mirror image: where the lengths are
+    /// The ends of the wheel's spin axis, the wheel centre last, among positions, velocities or
+    /// accelerations of points; `None` where the listing states no `wheel`.
+    fn wheel_axis(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]>;
+
+    /// Three points of the body that carries the wheel, likewise.
+    fn wheel_carrier(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 3]>;
+
+    /// The ends of the kingpin, the lower one first, likewise; `None` where the listing states none.
+    fn kingpin(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]>;
+
+    /// For each of [`linked`](Self::linked) what tells it from its mirror image: where the lengths are
     /// kept, 0 on the side of the three others where the model has it, 1 on the other.
     fn mirrored(
         &self,
@@ -253,15 +239,15 @@ pub trait Linkage<const N: usize> {
 
 /// A linkage that can be built from the positions or the lengths of its parts.
 pub trait Build<const N: usize>: Linkage<N> + Sized {
-    /// The lengths of links and bodies, named.
-    type Lengths: Named<Self::Scalar>;
+    /// The lengths of links and bodies.
+    type Lengths: Values<Self::Scalar>;
 
     /// The linkage whose lengths are those of the points as they stand.
     ///
     /// # Errors
     ///
     /// Where a coordinate is not finite, a length is zero, a body's first three points are in line,
-    /// or one of [`LINKED`](Linkage::LINKED) lies in the plane of the points that hold it.
+    /// or one of [`linked`](Linkage::linked) lies in the plane of the points that hold it.
     fn new(design: &Self::Points) -> Result<Self, GeometryError>;
 
     /// The same linkage with other lengths; each body keeps its handedness, and so does each

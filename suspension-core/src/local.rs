@@ -25,7 +25,6 @@
 //! use suspension_core::linkages::five_link::{self, Drives, Model};
 //! use suspension_core::nalgebra::Vector3;
 //! use suspension_core::{Bounded, Build, Inputs, Linkage, Listing, LocalOrigin, Motion, Signal};
-//! # use suspension_core::Named;
 //! # let at = |x: f64, y, z| Vector3::new(x + 4.0, y, z);
 //! # let design = five_link::Points {
 //! #     lower_front_inner: at(-1.396, -0.025, -0.082), upper_front_inner: at(-1.301, 0.1168, 0.106),
@@ -37,11 +36,11 @@
 //! # };
 //!
 //! // On the desk: hardpoints in vehicle axes, in f64.
-//! let origin = LocalOrigin::among(&design);
+//! let origin = LocalOrigin::among(design.values());
 //! let local = origin.to_local(&design);
 //! let model = Model::new(&local)?;
 //! let theta = model.drives_at(&local).theta;
-//! let position = Model::unknowns(&local);
+//! let position = model.unknowns(&local);
 //!
 //! // On the controller: f32 throughout.
 //! let model: Model<f32> = five_link::Listing::rounded(&model);
@@ -59,7 +58,8 @@
 
 use nalgebra::Vector3;
 
-use crate::linkage::{Build, DriveKind, Linkage, MeasureKind, Named};
+use crate::linkage::{Build, Linkage, Values};
+use crate::listing::{DriveKind, Kind, MeasureKind};
 use crate::scalar::Real;
 use crate::signal::Signal;
 
@@ -77,25 +77,30 @@ impl<T: Real> LocalOrigin<T> {
     ///
     /// It is a multiple of a power of two: points lose nothing on the way to it and back, save digits
     /// below the last that numbers of the mechanism's size have.
-    pub fn among<P: Named<Vector3<T>>>(points: &P) -> Self {
-        let Some(first) = points.values().next() else {
+    pub fn among(points: impl IntoIterator<Item = Vector3<T>>) -> Self {
+        let is_finite = |point: &Vector3<T>| point.iter().all(|x| x.is_finite());
+        let mut extent: Option<[Vector3<T>; 2]> = None;
+        for point in points {
+            if !is_finite(&point) {
+                return Self(Vector3::zeros());
+            }
+            let [low, high] = extent.unwrap_or([point; 2]);
+            extent = Some([low.inf(&point), high.sup(&point)]);
+        }
+        let Some([low, high]) = extent else {
             return Self(Vector3::zeros());
         };
-        let [low, high] = points.values().fold([first; 2], |[low, high], point| {
-            [low.inf(&point), high.sup(&point)]
-        });
         let step = ((high - low).amax() / T::constant(STEPS))
             .log2()
             .floor()
             .exp2();
         let middle = low + (high - low) * T::constant(0.5);
         let origin = middle.map(|x| (x / step).round() * step);
-        let is_finite = |point: Vector3<T>| point.iter().all(|x| x.is_finite());
-        if points.values().all(is_finite) && is_finite(origin) {
-            Self(origin)
+        Self(if is_finite(&origin) {
+            origin
         } else {
-            Self(Vector3::zeros())
-        }
+            Vector3::zeros()
+        })
     }
 
     /// The local origin in given coordinates.
@@ -104,12 +109,12 @@ impl<T: Real> LocalOrigin<T> {
     }
 
     /// Points in local coordinates, from given ones.
-    pub fn to_local<P: Named<Vector3<T>>>(&self, points: &P) -> P {
+    pub fn to_local<P: Values<Vector3<T>>>(&self, points: &P) -> P {
         points.map(|point| point - self.0)
     }
 
     /// Points in given coordinates, from local ones.
-    pub fn from_local<P: Named<Vector3<T>>>(&self, points: &P) -> P {
+    pub fn from_local<P: Values<Vector3<T>>>(&self, points: &P) -> P {
         points.map(|point| point + self.0)
     }
 
@@ -117,31 +122,38 @@ impl<T: Real> LocalOrigin<T> {
     /// origin's coordinate where the drive is a coordinate of a point, otherwise zero.
     pub fn of_drives<L: Build<N, Scalar = T>, const N: usize>(&self, linkage: &L) -> L::Drives {
         let values = linkage.drives_at(&self.everywhere());
-        let each = values.values().zip(L::DRIVE_KINDS);
-        L::Drives::from_values(each.map(|(value, kind)| match kind {
-            DriveKind::Coordinate => value,
-            DriveKind::Angle => T::zero(),
-        }))
+        let each = values.values().take(linkage.count(Kind::Drive));
+        L::Drives::from_values(each.enumerate().map(
+            |(drive, value)| match linkage.drive_kind(drive) {
+                DriveKind::Coordinate => value,
+                DriveKind::Angle => T::zero(),
+            },
+        ))
     }
 
     /// What to add to each measure of local points: see [`of_drives`](Self::of_drives).
-    pub fn of_measures<L: Linkage<N, Scalar = T>, const N: usize>(&self) -> L::Measures {
+    pub fn of_measures<L: Linkage<N, Scalar = T>, const N: usize>(
+        &self,
+        linkage: &L,
+    ) -> L::Measures {
         let points = Signal {
             value: self.everywhere(),
             rate: self.everywhere(),
             second_rate: self.everywhere(),
         };
-        let values = L::measures(&points).value;
-        let each = values.values().zip(L::MEASURE_KINDS);
-        L::Measures::from_values(each.map(|(value, kind)| match kind {
-            MeasureKind::Length => value,
-            MeasureKind::Angle => T::zero(),
+        let values = linkage.measures(&points).value;
+        let each = values.values().take(linkage.count(Kind::Measure));
+        L::Measures::from_values(each.enumerate().map(|(measure, value)| {
+            match linkage.measure_kind(measure) {
+                MeasureKind::Length => value,
+                MeasureKind::Angle => T::zero(),
+            }
         }))
     }
 
     /// All points in the local origin: what has no direction there, no length and no difference.
-    fn everywhere<P: Named<Vector3<T>>>(&self) -> P {
-        P::from_fn(|_| self.0)
+    fn everywhere<P: Values<Vector3<T>>>(&self) -> P {
+        P::from_values(core::iter::repeat(self.0))
     }
 }
 

@@ -85,9 +85,9 @@ impl<F, D> Prescribed<F, D> {
         let drives = linkage.coordinates(&inputs.drives);
         let chassis = inputs.chassis.signal(linkage.fixed());
         let fixed = Signal {
-            value: L::drive_anchors(chassis.value, &drives.value),
-            rate: L::drive_anchors(chassis.rate, &drives.rate),
-            second_rate: L::drive_anchors(chassis.second_rate, &drives.second_rate),
+            value: linkage.drive_anchors(chassis.value, &drives.value),
+            rate: linkage.drive_anchors(chassis.rate, &drives.rate),
+            second_rate: linkage.drive_anchors(chassis.second_rate, &drives.second_rate),
         };
         Self { fixed, drives }
     }

@@ -6,7 +6,6 @@ use crate::constraint::{Carried, Distance, Frame};
 use crate::error::GeometryError;
 use crate::factored::growth_limit;
 use crate::handedness::Linked;
-use crate::linkage::Named;
 use crate::scalar::Real;
 
 /// Whether the fourth power is finite: constants of bodies are of that degree.
@@ -29,7 +28,7 @@ fn is_usable<T: Real>(length: T) -> bool {
 /// # Errors
 ///
 /// [`GeometryError::NotFinite`].
-pub fn finite<T: Real>(points: &impl Named<Vector3<T>>) -> Result<(), GeometryError> {
+pub fn finite<T: Real>(points: impl IntoIterator<Item = Vector3<T>>) -> Result<(), GeometryError> {
     check_each(
         points,
         |point| point.iter().all(|x| is_moderate(*x)),
@@ -42,7 +41,7 @@ pub fn finite<T: Real>(points: &impl Named<Vector3<T>>) -> Result<(), GeometryEr
 /// # Errors
 ///
 /// [`GeometryError::BadLength`].
-pub fn positive<T: Real>(lengths: &impl Named<T>) -> Result<(), GeometryError> {
+pub fn positive<T: Real>(lengths: impl IntoIterator<Item = T>) -> Result<(), GeometryError> {
     check_each(
         lengths,
         |length| is_usable(*length),
@@ -50,17 +49,13 @@ pub fn positive<T: Real>(lengths: &impl Named<T>) -> Result<(), GeometryError> {
     )
 }
 
-fn check_each<V, S: Named<V>>(
-    values: &S,
+fn check_each<V>(
+    values: impl IntoIterator<Item = V>,
     good: impl Fn(&V) -> bool,
-    error: impl Fn(&'static str) -> GeometryError,
+    error: impl Fn(usize) -> GeometryError,
 ) -> Result<(), GeometryError> {
-    match S::NAMES
-        .iter()
-        .zip(values.values())
-        .find(|(_, value)| !good(value))
-    {
-        Some((name, _)) => Err(error(name)),
+    match values.into_iter().position(|value| !good(&value)) {
+        Some(index) => Err(error(index)),
         None => Ok(()),
     }
 }
@@ -71,7 +66,7 @@ fn check_each<V, S: Named<V>>(
 ///
 /// [`GeometryError::BadLength`] where they coincide, or are too far apart to square.
 pub fn distance<T: Real>(
-    length: &'static str,
+    length: usize,
     a: Vector3<T>,
     b: Vector3<T>,
 ) -> Result<Distance<T>, GeometryError> {
@@ -87,12 +82,12 @@ pub fn distance<T: Real>(
 /// equations grow beyond the tolerance of the solver.
 const FLATTEST_FRAME: f64 = 1e-2;
 
-/// A frame, with `third` the name of its last point.
+/// A frame, with `third` the index of its last point.
 ///
 /// # Errors
 ///
 /// [`GeometryError::Collinear`].
-pub fn frame<T: Real>(third: &'static str, frame: Frame<T>) -> Result<Frame<T>, GeometryError> {
+pub fn frame<T: Real>(third: usize, frame: Frame<T>) -> Result<Frame<T>, GeometryError> {
     let flat = T::constant(FLATTEST_FRAME) * frame.u.norm() * frame.v.norm();
     if frame.u.cross(&frame.v).norm() > flat {
         Ok(frame)
@@ -108,7 +103,7 @@ pub fn frame<T: Real>(third: &'static str, frame: Frame<T>) -> Result<Frame<T>, 
 /// [`GeometryError::NotClosed`] where they break the triangle inequality,
 /// [`GeometryError::Collinear`] where they only just meet it.
 pub fn frame_of_lengths<T: Real>(
-    third: &'static str,
+    third: usize,
     [first_second, first_third, second_third]: [T; 3],
 ) -> Result<Frame<T>, GeometryError> {
     let at_rest = Frame::from_lengths(first_second, first_third, second_third);
@@ -124,12 +119,12 @@ pub fn frame_of_lengths<T: Real>(
 ///
 /// [`GeometryError::Collinear`] where the frame's points are in line.
 pub fn carried<T: Real>(
-    name: &'static str,
+    index: usize,
     point: Vector3<T>,
     frame: &Frame<T>,
 ) -> Result<Carried<T>, GeometryError> {
-    let frame = self::frame(name, *frame)?;
-    Carried::new(point, &frame).ok_or(GeometryError::Collinear { point: name })
+    let frame = self::frame(index, *frame)?;
+    Carried::new(point, &frame).ok_or(GeometryError::Collinear { point: index })
 }
 
 /// The constants of a carried point from its distances to the frame's points, on the side where
@@ -139,13 +134,13 @@ pub fn carried<T: Real>(
 ///
 /// [`GeometryError::NotClosed`] where no point has these distances.
 pub fn carried_at<T: Real>(
-    name: &'static str,
+    index: usize,
     now: &Carried<T>,
     frame: &Frame<T>,
     lengths: [T; 3],
 ) -> Result<Carried<T>, GeometryError> {
     now.with_lengths(frame, lengths)
-        .ok_or(GeometryError::NotClosed { point: name })
+        .ok_or(GeometryError::NotClosed { point: index })
 }
 
 /// A point as it stands, held to a frame by distances alone.
@@ -154,11 +149,11 @@ pub fn carried_at<T: Real>(
 ///
 /// As [`carried`], and [`GeometryError::Flat`].
 pub fn linked<T: Real>(
-    name: &'static str,
+    index: usize,
     point: Vector3<T>,
     frame: &Frame<T>,
 ) -> Result<Linked<T>, GeometryError> {
-    standing_off(name, carried(name, point, frame)?, frame)
+    standing_off(index, carried(index, point, frame)?, frame)
 }
 
 /// The same from its distances to the frame's points, on the side where it is now.
@@ -167,18 +162,22 @@ pub fn linked<T: Real>(
 ///
 /// As [`carried_at`], and [`GeometryError::Flat`].
 pub fn linked_at<T: Real>(
-    name: &'static str,
+    index: usize,
     now: &Linked<T>,
     frame: &Frame<T>,
     lengths: [T; 3],
 ) -> Result<Linked<T>, GeometryError> {
-    standing_off(name, carried_at(name, now.shape(), frame, lengths)?, frame)
+    standing_off(
+        index,
+        carried_at(index, now.shape(), frame, lengths)?,
+        frame,
+    )
 }
 
 /// Refuses a point whose three distances are singular: the determinant of their gradients is the
 /// volume over the product of the lengths, and the pivots that it leaves are unhealthy.
 fn standing_off<T: Real>(
-    point: &'static str,
+    index: usize,
     shape: Carried<T>,
     frame: &Frame<T>,
 ) -> Result<Linked<T>, GeometryError> {
@@ -188,7 +187,7 @@ fn standing_off<T: Real>(
     if volume * growth_limit() > a * b * c {
         Ok(Linked::new(shape, frame))
     } else {
-        Err(GeometryError::Flat { point })
+        Err(GeometryError::Flat { point: index })
     }
 }
 

@@ -7,7 +7,6 @@
 use nalgebra::Vector3;
 
 use crate::body;
-use crate::linkage::{HasKingpin, HasWheel};
 use crate::scalar::Real;
 use crate::signal::Signal;
 
@@ -92,9 +91,9 @@ pub struct Wheel<T> {
 }
 
 impl<T: Real> Wheel<T> {
-    /// Reads the wheel off the points of a linkage; `None` where the axis has no direction.
-    pub fn of(points: &impl HasWheel<T>) -> Option<Self> {
-        let [inner, centre] = points.wheel();
+    /// Reads the wheel off two points on its spin axis, the wheel centre last
+    /// ([`Linkage::wheel_axis`](crate::Linkage::wheel_axis)); `None` where they coincide.
+    pub fn of([inner, centre]: [Vector3<T>; 2]) -> Option<Self> {
         let axis = centre - inner;
         let length = axis.norm();
         let axis = (length > T::zero() && length.is_finite()).then(|| axis / length)?;
@@ -117,10 +116,9 @@ pub struct Kingpin<T> {
 }
 
 impl<T: Real> Kingpin<T> {
-    /// Reads the kingpin off the points of a linkage.
-    pub fn of<P: HasKingpin<T> + HasWheel<T>>(points: &P) -> Self {
-        let [inner, centre] = points.wheel();
-        let [lower, upper] = points.kingpin();
+    /// Reads the kingpin off its ends ([`Linkage::kingpin`](crate::Linkage::kingpin)) and those of the
+    /// wheel's spin axis, which say what is outboard.
+    pub fn of([lower, upper]: [Vector3<T>; 2], [inner, centre]: [Vector3<T>; 2]) -> Self {
         let kingpin = upper - lower;
         Self {
             angle: kingpin_angle(&kingpin, &(centre - inner)),
@@ -139,12 +137,12 @@ pub struct CarrierRotation<T> {
 }
 
 impl<T: Real> CarrierRotation<T> {
-    /// From positions, velocities and accelerations of all points
-    /// ([`Motion::points`](crate::Motion::points)); `None` where the carrier's points are in line.
-    pub fn of<P: HasWheel<T>>(points: &Signal<P>) -> Option<Self> {
-        let at = points.value.carrier();
-        let omega = body::angular_velocity(&at, &points.rate.carrier())?;
-        let alpha = body::angular_acceleration(&at, &omega, &points.second_rate.carrier())?;
+    /// From positions, velocities and accelerations of three points of the body
+    /// ([`Linkage::wheel_carrier`](crate::Linkage::wheel_carrier)); `None` where they are in line.
+    pub fn of(points: &Signal<[Vector3<T>; 3]>) -> Option<Self> {
+        let at = &points.value;
+        let omega = body::angular_velocity(at, &points.rate)?;
+        let alpha = body::angular_acceleration(at, &omega, &points.second_rate)?;
         Some(Self { omega, alpha })
     }
 }

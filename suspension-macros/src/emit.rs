@@ -39,7 +39,7 @@ pub(crate) fn module(system: &System, order: &Order) -> TokenStream {
     let factors = elimination::factors(system, order);
     let listing = gather::listing(system);
     let build = build::build_impl(system);
-    let roles = readout::roles(system);
+    let roles = readout::roles_of_points(system);
     quote! {
         #(#docs)*
         #header

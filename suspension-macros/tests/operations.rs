@@ -7,7 +7,7 @@ use nalgebra::{SVector, Vector3};
 use num_traits::{One, Zero};
 use suspension_core::linkage::Factors as _;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Linkage, Named, Scalar};
+use suspension_core::{Linkage, Scalar, Values};
 
 /// What has been done to numbers: multiplications, additions and subtractions, divisions.
 type Counts = [usize; 3];
@@ -91,8 +91,8 @@ where
     L: Linkage<N, Scalar = Counting>,
 {
     let q = SVector::<Counting, N>::repeat(Counting(0.5));
-    let fixed = L::Fixed::from_fn(|_| Vector3::repeat(Counting(0.25)));
-    let drives = L::Drives::from_fn(|_| Counting(0.1));
+    let fixed = L::Fixed::from_values(std::iter::repeat_with(|| Vector3::repeat(Counting(0.25))));
+    let drives = L::Drives::from_values(std::iter::repeat(Counting(0.1)));
     let factors = model.factor(&q, &fixed);
     [
         count(|| model.residual(&q, &fixed, &drives)),

@@ -26,7 +26,7 @@ where
     L: Build<15, Scalar = f64> + Enumerable<15>,
     Const<15>: DimMin<Const<15>, Output = Const<15>>,
 {
-    let near = L::unknowns(rough);
+    let near = model.unknowns(rough);
     let mut search = Assemblies::new(model, &near, &inputs(0.0));
     INSTANTS.iter().map(|t| search.at(&inputs(*t))).collect()
 }

@@ -52,7 +52,7 @@ fn check_surface(tolerance: f64, smooth: bool, velocity_within: f64) {
     const SEED: u64 = 5;
     let design = wishbone();
     let model = double_wishbone::Model::new(&design).expect("a double wishbone");
-    let at_rest = Motion::at_rest(double_wishbone::Model::unknowns(&design));
+    let at_rest = Motion::at_rest(model.unknowns(&design));
     let held = model.drives_at(&design);
     let ranges = [
         [held.bump - TRAVEL, held.bump + TRAVEL],
@@ -162,7 +162,7 @@ fn a_surface_of_travel_and_steering_is_as_close_to_the_solver_as_it_says() {
 fn a_surface_beyond_the_mechanism_is_refused() {
     let design = wishbone();
     let model = double_wishbone::Model::new(&design).expect("a double wishbone");
-    let at_rest = Motion::at_rest(double_wishbone::Model::unknowns(&design));
+    let at_rest = Motion::at_rest(model.unknowns(&design));
     let held = model.drives_at(&design);
     let wanted = WantedSurface {
         drives: [0, 1],

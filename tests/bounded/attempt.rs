@@ -67,7 +67,7 @@ fn small_pivots_are_refused_where_a_step_takes_others() {
             value: model.drives_at(&design),
             ..Signal::default()
         });
-        let start = Motion::at_rest(attia2003::Model::unknowns(&design));
+        let start = Motion::at_rest(model.unknowns(&design));
         let bounded = Bounded::<f64>::default();
         let mut motion = start;
         let result = bounded.attempt(OUTPUTS, &model, &inputs, 0.0, &mut motion);

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use proptest::prelude::*;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Bounded, Build, Inputs, Motion, Named, Newton, Signal, Still, Tracker, assemble,
+    Bounded, Build, Inputs, Motion, Newton, Signal, Still, Tracker, Values, assemble,
 };
 
 use super::case::differences;
@@ -36,10 +36,10 @@ fn compare<L: Build<15, Scalar = f64>>(
 ) -> Result<Counts, TestCaseError> {
     let mut counts = Counts::default();
     let mut displaced = rough.values().zip(by.chunks_exact(3));
-    let design = L::Points::from_fn(|_| {
+    let design = L::Points::from_values(std::iter::repeat_with(|| {
         let (point, by) = displaced.next().expect("as many as names");
         point + Vector3::new(by[0], by[1], by[2])
-    });
+    }));
     let Ok(model) = L::new(&design) else {
         return Ok(counts);
     };
@@ -51,7 +51,7 @@ fn compare<L: Build<15, Scalar = f64>>(
             second_rate: start.map(|_| 0.0),
         })
     };
-    let mut q = L::unknowns(&design);
+    let mut q = model.unknowns(&design);
     let mut motion = Motion::at_rest(q);
     let tracker = Tracker::default();
     if assemble(&Newton::from_afar(), &model, &inputs(0.0), &mut q).is_err()

@@ -6,8 +6,8 @@ use std::ops::AddAssign;
 use nalgebra::{Isometry3, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Build, Certifier, Inputs, Linkage, Listing, Motion, Named, Newton, Real, RigidMotion, Signal,
-    Still, Tracker, assemble,
+    Build, Certifier, Inputs, Linkage, Listing, Motion, Newton, Real, RigidMotion, Signal, Still,
+    Tracker, Values, assemble,
 };
 
 use super::judge::{distance, proof};
@@ -26,7 +26,7 @@ where
     L: Build<15, Scalar = T> + Linkage<15, Listing: Listing<15, Model<T> = L>> + Copy,
 {
     let certifier = Certifier::new(model);
-    let mut q = L::unknowns(rough);
+    let mut q = model.unknowns(rough);
     assemble(&Newton::from_afar(), model, &inputs(T::zero()), &mut q).expect("assembles");
     let mut motion = Motion::at_rest(q);
     let dt = 1e-3;
@@ -91,10 +91,10 @@ where
 {
     let mut shares = Shares::default();
     let mut points = rough.values();
-    let design = L::Points::from_fn(|_| {
+    let design = L::Points::from_values(std::iter::repeat_with(|| {
         let by = Vector3::from_fn(|_, _| uniform(rng, -0.03..0.03));
         points.next().expect("as many as names") + by
-    });
+    }));
     let Ok(model) = L::new(&design) else {
         return shares;
     };
@@ -102,7 +102,7 @@ where
     let (certifier, refiner) = (Certifier::new(&model), Refiner::new(&model));
     let start = model.drives_at(&design);
     let speed = uniform(rng, -0.05..0.05);
-    let mut motion = Motion::at_rest(L::unknowns(&design));
+    let mut motion = Motion::at_rest(model.unknowns(&design));
     for step in 0..20 {
         let drives = start.map(|start| start + speed * f64::from(step));
         let inputs = Inputs::still(Signal {

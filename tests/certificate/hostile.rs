@@ -3,8 +3,8 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::five_link::{Drives, Fixed, Model};
 use suspension_core::{
-    Certificate, Certifier, ChassisMotion, Inputs, Linkage, Motion, Named, Signal, SolveError,
-    Unproved,
+    Certificate, Certifier, ChassisMotion, Inputs, Linkage, Motion, Signal, SolveError, Unproved,
+    Values,
 };
 
 use crate::support;
@@ -70,7 +70,7 @@ fn what_is_no_number_is_not_proved() {
             let mut at = 0;
             let rest = *model.fixed();
             let mut points = rest.values();
-            chassis.value = Fixed::from_fn(|_| {
+            chassis.value = Fixed::from_values(std::iter::repeat_with(|| {
                 at += 1;
                 let point = points.next().expect("five");
                 if at == anchor + 1 {
@@ -78,7 +78,7 @@ fn what_is_no_number_is_not_proved() {
                 } else {
                     point
                 }
-            });
+            }));
             let why = reason(
                 &model,
                 &Inputs {

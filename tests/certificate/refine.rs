@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use suspension::chart::double_double::DoubleDouble;
 use suspension_core::lu::Lu;
-use suspension_core::{DriveKind, Linkage, Listing, Named, Signal};
+use suspension_core::{DriveKind, Linkage, Listing, Signal, Values};
 
 use super::judge::Root;
 
@@ -21,8 +21,8 @@ pub(crate) struct Refiner<L: Linkage<N>, const N: usize> {
 }
 
 /// The struct of values in the order of its names.
-fn named<V: Default, S: Named<V>>(mut values: impl Iterator<Item = V>) -> S {
-    S::from_fn(|_| values.next().unwrap_or_default())
+fn named<V: Default, S: Values<V>>(mut values: impl Iterator<Item = V>) -> S {
+    S::from_values(values)
 }
 
 impl<L, const N: usize> Refiner<L, N>

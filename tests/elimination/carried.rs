@@ -2,7 +2,7 @@
 //! nothing, beside a frame on the chassis, held by two bodies, in the frame of another body.
 
 use nalgebra::Vector3;
-use suspension_core::{Named, Real};
+use suspension_core::{Real, Values};
 
 suspension_core::linkage! {
     /// An arm that drives a rocker, both hinged to the chassis. The pushrod joins two carried points;
@@ -62,9 +62,9 @@ suspension_core::linkage! {
 }
 
 /// No two points alike, and no four in a plane.
-pub(crate) fn scattered<T: Real, P: Named<Vector3<T>>>() -> P {
+pub(crate) fn scattered<T: Real, P: Values<Vector3<T>>>() -> P {
     let mut angle = 0.0_f64;
-    P::from_fn(|_| {
+    P::from_values(std::iter::repeat_with(|| {
         angle += 1.0;
         Vector3::new(
             angle.sin(),
@@ -72,5 +72,5 @@ pub(crate) fn scattered<T: Real, P: Named<Vector3<T>>>() -> P {
             (0.7 * angle * angle).sin(),
         )
         .map(|x| T::constant(0.3 * x))
-    })
+    }))
 }

@@ -6,8 +6,8 @@ use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::Wheel;
 use suspension_core::{
-    Bounded, Build, HasWheel, Inputs, Linkage, Listing, LocalOrigin, Motion, Named, Newton, Real,
-    Signal, SolveError, Still, Tangent, Tracker,
+    Bounded, Build, HasWheel, Inputs, Linkage, Listing, LocalOrigin, Motion, Newton, Real, Signal,
+    SolveError, Still, Tangent, Tracker, Values,
 };
 
 use crate::support;
@@ -56,9 +56,9 @@ impl Tested for attia2003::Listing {
 }
 
 /// The published drive; its numbers in `f64`, then rounded.
-pub(crate) fn theta<T: Real, D: Named<T> + Default>(t: f64) -> Inputs<Still, D> {
+pub(crate) fn theta<T: Real, D: Values<T> + Default>(t: f64) -> Inputs<Still, D> {
     let signal = support::theta(t);
-    let named = |number| D::from_fn(|_| T::constant(number));
+    let named = |number| D::from_values(std::iter::repeat(T::constant(number)));
     Inputs::still(Signal {
         value: named(signal.value),
         rate: named(signal.rate),
@@ -94,9 +94,9 @@ pub(crate) fn single<G: Tested>(design: &G::Points<f64>, built: Built) -> Option
         G::rounded(&G::Model::<f64>::new(&local).ok()?)
     } else {
         let mut points = local.values().map(|point| point.map(|x| x as f32));
-        G::Model::<f32>::new(&Named::from_fn(|_| points.next().unwrap_or_default())).ok()?
+        G::Model::<f32>::new(&Values::from_values(points)).ok()?
     };
-    let position = G::Model::<f64>::unknowns(&local).map(|x| x as f32);
+    let position = model.unknowns(&local).map(|x| x as f32);
     Some(Single {
         model,
         start: Motion::at_rest(position),
@@ -195,8 +195,8 @@ impl Errors {
         let part = |found: &SVector<f32, 15>, exact: &SVector<f64, 15>| {
             (found.map(f64::from) - exact).amax() / exact.amax()
         };
-        let wheel = Wheel::of(points).expect("a spin axis");
-        let exact = Wheel::of(at).expect("a spin axis");
+        let wheel = Wheel::of(points.wheel()).expect("a spin axis");
+        let exact = Wheel::of(at.wheel()).expect("a spin axis");
         Self {
             position: (motion.position.map(f64::from) + moved - truth.position).amax(),
             centre: (wheel.centre.map(f64::from) + single.origin - exact.centre).amax(),

@@ -5,7 +5,7 @@ use nalgebra::{SVector, Vector3};
 use suspension::bake::{Continuity, Path, TERMS, Wanted, Wish, bake};
 use suspension_core::baked::Curve;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Build, Linkage, LocalOrigin, Motion, Named, Tracker};
+use suspension_core::{Build, Linkage, LocalOrigin, Motion, Tracker, Values};
 
 use super::case::{Built, Errors, Single, Tested, WAYS, Way, single, theta};
 use crate::support::{INSTANTS, Reference};
@@ -16,7 +16,7 @@ const LAST: usize = 1950;
 /// The exact motion at each instant.
 fn truth<G: Tested>(design: &G::Points<f64>) -> (G::Model<f64>, Vec<Motion<f64, 15>>) {
     let model = G::Model::<f64>::new(design).expect("a linkage");
-    let mut motion = Motion::at_rest(G::Model::<f64>::unknowns(design));
+    let mut motion = Motion::at_rest(model.unknowns(design));
     let motions = (0..=LAST).map(|step| {
         let dt = if step == 0 { 0.0 } else { STEP };
         let inputs = theta(STEP * step as f64);

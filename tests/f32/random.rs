@@ -3,7 +3,7 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Build, Inputs, Linkage, Motion, Named, Real, Signal, Still};
+use suspension_core::{Build, Inputs, Linkage, Motion, Real, Signal, Still, Values};
 
 use super::case::{Built, Tested, WAYS, Way, single};
 
@@ -24,10 +24,10 @@ struct Counts {
     worst: f64,
 }
 
-fn turning<T: Real, D: Named<T> + Default>(theta: f64, rate: f64) -> Inputs<Still, D> {
+fn turning<T: Real, D: Values<T> + Default>(theta: f64, rate: f64) -> Inputs<Still, D> {
     Inputs::still(Signal {
-        value: D::from_fn(|_| T::constant(theta)),
-        rate: D::from_fn(|_| T::constant(rate)),
+        value: D::from_values(std::iter::repeat(T::constant(theta))),
+        rate: D::from_values(std::iter::repeat(T::constant(rate))),
         second_rate: D::default(),
     })
 }
@@ -46,7 +46,7 @@ fn compare<G: Tested>(
     };
     let origin = SVector::<f64, 15>::from_fn(|row, _| single.origin[row % 3]);
     let theta = model.drives_at(design).values().next().unwrap_or_default();
-    let mut exact = Motion::at_rest(G::Model::<f64>::unknowns(design));
+    let mut exact = Motion::at_rest(model.unknowns(design));
     let mut motion = single.start;
     for step in 0..=STEPS {
         let dt = if step == 0 { 0.0 } else { STEP };

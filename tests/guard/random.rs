@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Build, Motion, Named, Tracker};
+use suspension_core::{Build, Motion, Tracker, Values};
 
 use super::{Drive, Ends};
 use crate::support;
@@ -33,7 +33,7 @@ fn fine_motion<L: Build<15, Scalar = f64>>(
     drive: &Drive,
 ) -> Vec<Motion<f64, 15>> {
     let tracker = Tracker::default();
-    let mut motion = Motion::at_rest(L::unknowns(design));
+    let mut motion = Motion::at_rest(model.unknowns(design));
     let mut truth = Vec::new();
     let mut last = 0.0;
     for index in 0..1500 {
@@ -60,8 +60,9 @@ fn random_jumps<L: Build<15, Scalar = f64>>(rough: &L::Points, seed: u64) -> End
     for index in 0..240 {
         let size = [0.02, 0.1, 0.3][index % 3];
         let mut points = rough.values();
-        let design =
-            L::Points::from_fn(|_| points.next().unwrap_or_default() + random.vector(size));
+        let design = L::Points::from_values(std::iter::repeat_with(|| {
+            points.next().unwrap_or_default() + random.vector(size)
+        }));
         let Ok(model) = L::new(&design) else {
             continue;
         };

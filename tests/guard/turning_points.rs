@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::linkages::five_link;
-use suspension_core::{Build, Linkage, Motion, Named, SolveError, Tracker};
+use suspension_core::{Build, Linkage, Motion, SolveError, Tracker, Values};
 
 use super::Drive;
 
@@ -40,7 +40,9 @@ fn an_even_number_of_singularities_is_seen() {
         [-1.3411262584142414, 0.3589877806043034, 0.4515637918620492],
     ]
     .into_iter();
-    let design = five_link::Points::from_fn(|_| Vector3::from(points.next().expect("11 points")));
+    let design = five_link::Points::from_values(std::iter::repeat_with(|| {
+        Vector3::from(points.next().expect("11 points"))
+    }));
     let model = five_link::Model::new(&design).expect("a geometry");
     let drive = Drive {
         start: model.drives_at(&design).theta,
@@ -54,7 +56,7 @@ fn an_even_number_of_singularities_is_seen() {
         ..guarded
     };
     let (from, to) = (1.247, 1.782);
-    let mut start = Motion::at_rest(five_link::Model::unknowns(&design));
+    let mut start = Motion::at_rest(model.unknowns(&design));
     let followed = guarded.advance(&model, inputs, 0.0, from, &mut start);
     followed.expect("a regular motion");
     let mut jumped = start;

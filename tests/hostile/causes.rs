@@ -1,7 +1,7 @@
 //! A number that is none: the error names the point, the length, the equation or the unknown.
 
 use nalgebra::Vector3;
-use suspension_core::linkage::Named;
+use suspension_core::linkage::{Named, Values};
 use suspension_core::linkages::five_link::{Lengths, Model, Points, equation};
 use suspension_core::{
     Bounded, Build, Certifier, ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Linkage,
@@ -80,7 +80,7 @@ fn a_length_that_is_none_is_named() {
 fn a_guess_that_is_none_is_named_by_its_equation() {
     let model = five_link_model::<f64>();
     let inputs = five_link_inputs(0.0);
-    let start = Model::unknowns(&five_link_rough());
+    let start = model.unknowns(&five_link_rough());
     for (unknown, bad) in (0..15).flat_map(|unknown| NONE.map(|bad| (unknown, bad))) {
         let mut guess = start;
         guess[unknown] = bad;
@@ -185,7 +185,7 @@ fn a_chassis_point_that_is_none_is_named_by_its_link() {
 fn a_position_that_is_none_has_neither_rates_nor_series() {
     let model = five_link_model::<f64>();
     let inputs = five_link_inputs(0.0);
-    let mut position = Model::unknowns(&five_link_rough());
+    let mut position = model.unknowns(&five_link_rough());
     position[4] = f64::NAN;
     let error = Tangent::new(&model, &inputs, &position).expect_err("no tangent");
     assert!(matches!(error, SolveError::NotFinite { .. }), "{error}");

@@ -1,7 +1,7 @@
 //! A mechanism a thousand kilometres from the origin moves as it does at home.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::linkage::Named;
+use suspension_core::linkage::Values;
 use suspension_core::linkages::five_link;
 use suspension_core::{
     Build, Inputs, LocalOrigin, Motion, Newton, Real, Signal, Tracker, assemble,
@@ -14,11 +14,11 @@ use crate::support::five_link_rough;
 const AWAY: [f64; 3] = [1_048_576.0, -2_097_152.0, 524_288.0];
 
 /// Rounded so that adding [`AWAY`] changes no bit of what is left.
-fn coarse<P: Named<Vector3<f64>>>(points: &P) -> P {
+fn coarse<P: Values<Vector3<f64>>>(points: &P) -> P {
     points.map(|point| point.map(|x| (x * 1_048_576.0).round() / 1_048_576.0))
 }
 
-fn moved<P: Named<Vector3<f64>>>(points: &P) -> P {
+fn moved<P: Values<Vector3<f64>>>(points: &P) -> P {
     points.map(|point| point + Vector3::from(AWAY))
 }
 
@@ -33,7 +33,7 @@ fn drive<T: Real, L: Build<N, Scalar = T>, const N: usize>(design: &L::Points) -
             second_rate: at_design.map(|_| T::zero()),
         })
     };
-    let mut q = L::unknowns(design);
+    let mut q = model.unknowns(design);
     assemble(&Newton::from_afar(), &model, &inputs(T::zero()), &mut q).expect("assembles");
     let mut motion = Motion::at_rest(q);
     Tracker::default()
@@ -73,7 +73,9 @@ fn single_precision_takes_local_points() {
     let local = LocalOrigin::among(&away).to_local(&away);
     let single = |points: &rocker::Points<f64>| {
         let mut values = points.values();
-        rocker::Points::<f32>::from_fn(|_| values.next().unwrap_or_default().map(|x| x as f32))
+        rocker::Points::<f32>::from_values(std::iter::repeat_with(|| {
+            values.next().unwrap_or_default().map(|x| x as f32)
+        }))
     };
     let exact = drive::<f64, rocker::Model<f64>, 6>(&local);
     let found = drive::<f32, rocker::Model<f32>, 6>(&single(&local));

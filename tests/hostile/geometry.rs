@@ -106,7 +106,7 @@ fn drives<T: Real>(change: fn(&mut Points<T>)) {
             second_rate: Default::default(),
         })
     };
-    let mut q = Model::unknowns(&design).map(|x| x + T::constant(1e-3));
+    let mut q = model.unknowns(&design).map(|x| x + T::constant(1e-3));
     assemble(&Newton::from_afar(), &model, &inputs(T::zero()), &mut q).expect("assembles");
     let mut motion = Motion::at_rest(q);
     let end = T::constant(0.1);

@@ -80,7 +80,7 @@ fn a_rate_that_is_none_turns_nothing() {
             rate,
             second_rate: points,
         };
-        assert!(CarrierRotation::of(&signal).is_none());
+        assert!(CarrierRotation::of(&signal.map(|points| points.carrier())).is_none());
     }
 }
 

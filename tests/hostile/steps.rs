@@ -1,7 +1,7 @@
 //! Times that run backwards, stand still or are none, and drives at the ends of their range.
 
 use nalgebra::Vector3;
-use suspension_core::linkage::Named;
+use suspension_core::linkage::{Named, Values};
 use suspension_core::linkages::five_link::{Drives, Model, Points};
 use suspension_core::{
     Bounded, Build, Inputs, Linkage, Motion, Newton, Signal, SolveError, Tangent, Tracker, assemble,
@@ -102,7 +102,7 @@ fn a_drive_at_the_end_of_its_range() {
             rate: Drives { theta: 0.5 },
             second_rate: Drives { theta: 0.0 },
         });
-        let q = Model::unknowns(&design);
+        let q = model.unknowns(&design);
         let error = Tangent::new(&model, &inputs, &q).expect_err("no velocity");
         assert!(matches!(error, SolveError::Singular { .. }), "{error}");
         let start = Motion::at_rest(q);
@@ -129,7 +129,7 @@ fn links_that_cannot_reach() {
     // Its ends are held within two metres of each other by the rest.
     lengths.track_rod = 5.0;
     let model = model.with_lengths(&lengths).expect("positive lengths");
-    let guess = Model::unknowns(&five_link_rough());
+    let guess = model.unknowns(&five_link_rough());
     for inputs in [five_link_inputs(0.0), five_link_inputs(1.0)] {
         let mut q = guess;
         let error = assemble(&Newton::from_afar(), &model, &inputs, &mut q);

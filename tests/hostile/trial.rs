@@ -1,7 +1,7 @@
 //! One mechanism through every entry of the core.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::linkage::{Build, Named};
+use suspension_core::linkage::{Build, Named, Values};
 use suspension_core::{
     ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Motion, Newton, Real, Signal,
     SolveError, Still, Tangent, assemble,
@@ -50,7 +50,9 @@ where
 {
     let design = points::<T, L::Points>(draw);
     let model = build::<T, L, N>(&design, draw)?;
-    let guess = L::unknowns(&design).map(|x| x + T::constant(draw.distance()));
+    let guess = model
+        .unknowns(&design)
+        .map(|x| x + T::constant(draw.distance()));
     let trial = Trial {
         at_design: model.drives_at(&design),
         model,
@@ -64,7 +66,7 @@ where
 }
 
 /// The drives over time.
-fn course<T: Real, D: Named<T>>(drives: Signal<D>) -> InputSeries<Still, D, 4> {
+fn course<T: Real, D: Values<T>>(drives: Signal<D>) -> InputSeries<Still, D, 4> {
     let zero = drives.rate.map(|_| T::zero());
     let half = drives.second_rate.map(|x| x * T::constant(0.5));
     InputSeries::still(Jet {
@@ -73,7 +75,7 @@ fn course<T: Real, D: Named<T>>(drives: Signal<D>) -> InputSeries<Still, D, 4> {
     })
 }
 
-fn points<T: Real, P: Named<Vector3<T>>>(draw: &mut Draw<'_>) -> P {
+fn points<T: Real, P: Values<Vector3<T>>>(draw: &mut Draw<'_>) -> P {
     let mut points = draw.points(P::NAMES.len()).into_iter();
     P::from_fn(|_| points.next().unwrap_or_default().map(T::constant))
 }

@@ -24,7 +24,7 @@ where
 {
     let drives = model.coordinates(&inputs.drives).value;
     let chassis = inputs.chassis.signal(model.fixed()).value;
-    let left = model.residual(q, &L::drive_anchors(chassis, &drives), &drives);
+    let left = model.residual(q, &model.drive_anchors(chassis, &drives), &drives);
     // A number that is not finite times zero is NaN, which the largest entry alone would hide.
     let finite = left.iter().fold(T::zero(), |sum, r| sum + *r * T::zero());
     left.amax() + finite

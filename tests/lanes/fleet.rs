@@ -2,7 +2,7 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension::lanes::{Instructions, Lane, Lanes};
-use suspension_core::{Bounded, Build, Inputs, Linkage, Listing, Motion, Named, Real, Signal};
+use suspension_core::{Bounded, Build, Inputs, Linkage, Listing, Motion, Real, Signal, Values};
 
 pub(crate) const ALL: [Instructions; 3] = [
     Instructions::Plain,
@@ -43,14 +43,14 @@ where
     pub(crate) fn near(rough: &G::Points<T>) -> Self {
         Self::of(std::array::from_fn(|lane| {
             let mut points = rough.values().enumerate();
-            G::Points::from_fn(|_| {
+            G::Points::from_values(std::iter::repeat_with(|| {
                 let (index, point) = points.next().expect("as many as names");
                 let by = |axis: usize| {
                     let crooked = (lane * 7919 + index * 104_729 + axis * 1_299_709 + 17) % 1009;
                     T::constant((crooked as f64 / 504.5 - 1.0) * 5e-3)
                 };
                 point + Vector3::new(by(0), by(1), by(2))
-            })
+            }))
         }))
     }
 
@@ -60,7 +60,7 @@ where
         let at_start = std::array::from_fn(|lane| models[lane].drives_at(&designs[lane]));
         let mut fleet = Self {
             models,
-            starts: designs.map(|design| Motion::at_rest(G::Model::<T>::unknowns(&design))),
+            starts: designs.map(|design| Motion::at_rest(model.unknowns(&design))),
             at_start,
         };
         let drives = fleet.drives(0.0);

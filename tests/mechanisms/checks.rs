@@ -3,7 +3,7 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::Factors as _;
 use suspension_core::{
-    Build, ChassisMotion, Inputs, Motion, Named, Newton, Signal, Tangent, assemble,
+    Build, ChassisMotion, Inputs, Motion, Newton, Signal, Tangent, Values, assemble,
 };
 
 /// Solves from a guess and returns the points.
@@ -12,22 +12,22 @@ where
     L: Build<N, Scalar = f64>,
 {
     let inputs = Inputs::still(at_rest(drives));
-    let mut q = L::unknowns(guess);
+    let mut q = model.unknowns(guess);
     assemble(&Newton::from_afar(), model, &inputs, &mut q).expect("a configuration near by");
-    let fixed = L::drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
+    let fixed = model.drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
     model.points(&q, &fixed)
 }
 
-fn at_rest<D: Named<f64>>(drives: D) -> Signal<D> {
+fn at_rest<D: Values<f64>>(drives: D) -> Signal<D> {
     Signal {
         value: drives,
-        rate: D::from_fn(|_| 0.0),
-        second_rate: D::from_fn(|_| 0.0),
+        rate: D::from_values(std::iter::repeat(0.0)),
+        second_rate: D::from_values(std::iter::repeat(0.0)),
     }
 }
 
 /// The largest distance between the points of two configurations.
-pub(crate) fn apart<P: Named<Vector3<f64>>>(a: &P, b: &P) -> f64 {
+pub(crate) fn apart<P: Values<Vector3<f64>>>(a: &P, b: &P) -> f64 {
     let pairs = a.values().zip(b.values());
     pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
 }
@@ -50,9 +50,9 @@ impl Crooked {
 }
 
 /// `a + s b`, point by point.
-fn sum<P: Named<Vector3<f64>>>(a: &P, s: f64, b: &P) -> P {
+fn sum<P: Values<Vector3<f64>>>(a: &P, s: f64, b: &P) -> P {
     let mut sums = a.values().zip(b.values()).map(|(a, b)| a + b * s);
-    P::from_fn(|_| sums.next().expect("as many as names"))
+    P::from_values(sums)
 }
 
 /// Checks `J`, `C` and the input terms in a configuration that satisfies nothing. The equations
@@ -64,12 +64,14 @@ where
     let mut crooked = Crooked(1);
     let size = 0.2 * model.size();
     let tolerance = 1e-13 * model.size();
-    let q = L::unknowns(points) + crooked.vector::<N>(size);
-    let mut crooked_fixed = || L::Fixed::from_fn(|_| crooked.vector::<3>(size));
+    let q = model.unknowns(points) + crooked.vector::<N>(size);
+    let mut crooked_fixed =
+        || L::Fixed::from_values(std::iter::repeat_with(|| crooked.vector::<3>(size)));
     let fixed = sum(model.fixed(), 1.0, &crooked_fixed());
     let (v_fixed, w_fixed) = (crooked_fixed(), crooked_fixed());
     let (v, w) = (crooked.vector::<N>(size), crooked.vector::<N>(size));
-    let [drives, drive_rate] = [(); 2].map(|()| L::Drives::from_fn(|_| size * crooked.number()));
+    let [drives, drive_rate] = [(); 2]
+        .map(|()| L::Drives::from_values(std::iter::repeat_with(|| size * crooked.number())));
     let none = L::Fixed::default();
     // F with q, chassis points and drives moved by multiples of v, w and the drives' rates.
     let moved = |a: f64, b: f64, c: f64| {
@@ -78,7 +80,7 @@ where
             .values()
             .zip(drive_rate.values())
             .map(|(d, rate)| d + c * rate);
-        let drives = L::Drives::from_fn(|_| values.next().expect("as many as names"));
+        let drives = L::Drives::from_values(values);
         model.residual(&(q + v * a + w * b), &fixed, &drives)
     };
 
@@ -124,7 +126,7 @@ fn drives_alone<L, const N: usize>(
 ) where
     L: Build<N, Scalar = f64>,
 {
-    let fixed_rate = L::drive_anchors(L::Fixed::default(), drive_rate);
+    let fixed_rate = model.drive_anchors(L::Fixed::default(), drive_rate);
     let terms = model.drive_rate(q, fixed, &fixed_rate, drive_rate);
     assert!(terms.amax() > 0.0);
     let factors = model.factor(q, fixed);
@@ -144,10 +146,10 @@ pub(crate) fn swing(about: f64, amplitude: f64, t: f64) -> Signal<f64> {
 }
 
 /// All drives swinging about their values in a configuration.
-pub(crate) fn swinging<D: Named<f64>>(about: D, amplitude: f64, t: f64) -> Signal<D> {
+pub(crate) fn swinging<D: Values<f64>>(about: D, amplitude: f64, t: f64) -> Signal<D> {
     let part = |part: fn(Signal<f64>) -> f64| {
         let mut values = about.values().map(|about| part(swing(about, amplitude, t)));
-        D::from_fn(|_| values.next().expect("as many as names"))
+        D::from_values(values)
     };
     Signal {
         value: part(|signal| signal.value),
@@ -157,7 +159,7 @@ pub(crate) fn swinging<D: Named<f64>>(about: D, amplitude: f64, t: f64) -> Signa
 }
 
 /// The chassis translated as one, each axis in its own measure.
-pub(crate) fn heaving<F: Named<Vector3<f64>>>(rest: &F, amplitude: f64, t: f64) -> Signal<F> {
+pub(crate) fn heaving<F: Values<Vector3<f64>>>(rest: &F, amplitude: f64, t: f64) -> Signal<F> {
     let shift = [1.0, -0.7, 0.4].map(|share| swing(0.0, share * amplitude, 1.1 * t));
     let part = |part: fn(&Signal<f64>) -> f64| Vector3::from(shift.each_ref().map(part));
     // `swing` is differentiated by its own argument, which runs 1.1 times as fast.
@@ -167,9 +169,9 @@ pub(crate) fn heaving<F: Named<Vector3<f64>>>(rest: &F, amplitude: f64, t: f64) 
     );
     let by = part(|signal| signal.value);
     Signal {
-        value: sum(rest, 1.0, &F::from_fn(|_| by)),
-        rate: F::from_fn(|_| rate),
-        second_rate: F::from_fn(|_| second_rate),
+        value: sum(rest, 1.0, &F::from_values(std::iter::repeat(by))),
+        rate: F::from_values(std::iter::repeat(rate)),
+        second_rate: F::from_values(std::iter::repeat(second_rate)),
     }
 }
 
@@ -186,7 +188,7 @@ pub(crate) fn motion<L, C, const N: usize>(
     const H: f64 = 5e-3;
     let configuration = |t: f64| {
         let inputs = inputs(t);
-        let mut q = L::unknowns(guess);
+        let mut q = model.unknowns(guess);
         assemble(&Newton::from_afar(), model, &inputs, &mut q).expect("a configuration near by");
         let tangent = Tangent::new(model, &inputs, &q).expect("a regular configuration");
         let motion = tangent.motion().expect("finite rates");
@@ -201,10 +203,10 @@ pub(crate) fn motion<L, C, const N: usize>(
             .zip(at[0].values())
             .zip(on[0].values())
             .zip(on2[0].values());
-        L::Points::from_fn(|_| {
+        L::Points::from_values(std::iter::repeat_with(|| {
             let ((((p, q), r), s), t) = values.next().expect("as many as names");
             (p * a + q * b + r * c + s * d + t * e) / scale
-        })
+        }))
     };
     let velocity = differences([1.0, -8.0, 0.0, 8.0, -1.0], 12.0 * H);
     let acceleration = differences([-1.0, 16.0, -30.0, 16.0, -1.0], 12.0 * H * H);

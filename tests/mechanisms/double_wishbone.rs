@@ -220,7 +220,7 @@ fn a_long_way_past_singularities_stays_in_the_assembly() {
         ..Tracker::default()
     };
     let travel = |calls: u32| {
-        let mut motion = Motion::at_rest(Model::unknowns(&design));
+        let mut motion = Motion::at_rest(model.unknowns(&design));
         let end = |call: u32| 17.1 * f64::from(call) / f64::from(calls);
         (0..calls)
             .try_for_each(|call| {

@@ -50,7 +50,7 @@ fn a_parallelogram_ends_where_it_is_flat() {
     let model = Model::new(&points).expect("a four-bar");
     let inputs = inputs(model.drives_at(&points));
     let curve = Curve::new(&model, &inputs, 0).expect("a drive");
-    let q = Model::unknowns(&points);
+    let q = model.unknowns(&points);
     let path = Continuation::default().path(curve, &q, true);
     let stretches: Vec<_> = path
         .expect("a regular start")
@@ -92,7 +92,7 @@ fn a_crank_that_turns_fully_meets_the_ends_of_its_angle() {
     let model = Model::new(&points).expect("a four-bar");
     let inputs = inputs(model.drives_at(&points));
     let curve = Curve::new(&model, &inputs, 0).expect("a drive");
-    let path = Continuation::default().path(curve, &Model::unknowns(&points), true);
+    let path = Continuation::default().path(curve, &model.unknowns(&points), true);
     let stretches: Vec<_> = path
         .expect("a regular start")
         .collect::<Result<_, _>>()

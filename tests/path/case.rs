@@ -15,7 +15,7 @@ pub(crate) struct Case<T: Real, L: Build<15, Scalar = T>> {
 
 impl<T: Real, L: Build<15, Scalar = T>> Case<T, L> {
     fn new(model: L, rough: &L::Points, inputs: fn(T) -> Inputs<Still, L::Drives>) -> Self {
-        let mut q = L::unknowns(rough);
+        let mut q = model.unknowns(rough);
         assemble(&Newton::from_afar(), &model, &inputs(T::zero()), &mut q).expect("assembles");
         Self { model, q, inputs }
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::path::{Curve, Leader, Led, measured};
-use suspension_core::{Build, Inputs, Linkage, Named, Newton, Real, Signal, Still};
+use suspension_core::{Build, Inputs, Linkage, Named, Newton, Real, Signal, Still, Values};
 
 suspension_core::linkage! {
     /// A four-bar whose crank cannot turn fully.
@@ -46,7 +46,7 @@ fn inputs<T: Real>(drives: Drives<T>) -> Inputs<Still, Drives<T>> {
 fn every_measure_leads_through_the_crank_s_turning_point() {
     let model = Model::new(&design()).expect("a four-bar");
     let inputs_at_start = inputs(model.drives_at(&design()));
-    let start = Model::unknowns(&design());
+    let start = model.unknowns(&design());
     let curve = Curve::new(&model, &inputs_at_start, 0).expect("a drive");
     let names = <Measures<f64> as Named<f64>>::NAMES;
     for (index, name) in names.iter().enumerate() {
@@ -106,7 +106,7 @@ fn angle_leads<T: Real>(unit: f64, allowed: f64) {
     let inputs = inputs(model.drives_at(&design));
     let curve = Curve::new(&model, &inputs, 0).expect("a drive");
     let swing = measured::<T, Model<T>, 6>(2).expect("a measure");
-    let mut led = Led::at_rest(&curve, &Model::unknowns(&design)).expect("regular");
+    let mut led = Led::at_rest(&curve, &model.unknowns(&design)).expect("regular");
     let from = swing(&led.points(&model, &inputs)).value;
     let rate = T::constant(0.15);
     let target = |t: T| Signal {

@@ -6,7 +6,7 @@ use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use suspension_core::path::{Configuration, Continuation, Curve, End, Path, Turning};
-use suspension_core::{Build, Inputs, Linkage, Named, Newton, Real, Signal, Still, assemble};
+use suspension_core::{Build, Inputs, Linkage, Newton, Real, Signal, Still, Values, assemble};
 
 use crate::support;
 
@@ -20,18 +20,18 @@ struct Displaced<T: Real, L: Build<15, Scalar = T>> {
 impl<T: Real, L: Build<15, Scalar = T>> Displaced<T, L> {
     fn new(rough: &L::Points, by: &[f64], theta: f64) -> Option<Self> {
         let mut points = rough.values().zip(by.chunks_exact(3));
-        let design = L::Points::from_fn(|_| {
+        let design = L::Points::from_values(std::iter::repeat_with(|| {
             let (point, by) = points.next().expect("three numbers a point");
             point + Vector3::new(by[0], by[1], by[2]).map(T::constant)
-        });
+        }));
         let model = L::new(&design).ok()?;
         let none = L::Drives::default();
         let inputs = Inputs::still(Signal {
-            value: L::Drives::from_fn(|_| T::constant(theta)),
+            value: L::Drives::from_values(std::iter::repeat(T::constant(theta))),
             rate: none,
             second_rate: none,
         });
-        let mut q = L::unknowns(&design);
+        let mut q = model.unknowns(&design);
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).ok()?;
         Some(Self { model, inputs, q })
     }
@@ -42,7 +42,7 @@ impl<T: Real, L: Build<15, Scalar = T>> Displaced<T, L> {
 
     /// The residual with the drive at a coordinate, as a multiple of rounding.
     fn residual(&self, at: &Configuration<T, 15>) -> T {
-        let drives = L::Drives::from_fn(|_| at.drive);
+        let drives = L::Drives::from_values(std::iter::repeat(at.drive));
         let residual = self
             .model
             .residual(&at.unknowns, self.model.fixed(), &drives);
@@ -82,7 +82,9 @@ impl<T: Real, L: Build<15, Scalar = T>> Displaced<T, L> {
         for sign in [1.0, -1.0] {
             let part = T::EPSILON.sqrt() * T::constant(16.0 * sign);
             let inputs = Inputs::still(Signal {
-                value: L::Drives::from_fn(|_| turning.place.value + part),
+                value: L::Drives::from_values(std::iter::repeat_with(|| {
+                    turning.place.value + part
+                })),
                 ..self.inputs.drives
             });
             let mut q = at.unknowns;

@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 use suspension_core::path::{Continuation, Curve, End, Leader, Led, measured};
-use suspension_core::{Build, Inputs, Linkage, Motion, Named, Newton, Signal, Tangent, assemble};
+use suspension_core::{
+    Build, Inputs, Linkage, Motion, Named, Newton, Signal, Tangent, Values, assemble,
+};
 
 suspension_core::linkage! {
     /// Front-left double wishbone.
@@ -61,7 +63,7 @@ fn the_rack_turns_where_the_tie_rod_is_in_line() {
     let model = model();
     let start = model.drives_at(&design());
     let inputs = Inputs::still(still(start));
-    let q = Model::unknowns(&design());
+    let q = model.unknowns(&design());
     for increasing in [true, false] {
         let curve = Curve::new(&model, &inputs, STEER).expect("a drive");
         let path = Continuation::default().path(curve, &q, increasing);
@@ -75,7 +77,7 @@ fn the_rack_turns_where_the_tie_rod_is_in_line() {
                 steer: at.drive,
                 ..start
             };
-            let fixed = Model::drive_anchors(*model.fixed(), &drives);
+            let fixed = model.drive_anchors(*model.fixed(), &drives);
             let residual = model.residual(&at.unknowns, &fixed, &drives).amax();
             assert!(residual <= 16.0 * f64::EPSILON);
         }
@@ -137,7 +139,7 @@ fn led_by_a_measure_everything_moves_as_led_by_the_drives() {
     let model = model();
     let start = model.drives_at(&design());
     let inputs = swinging(&model, start);
-    let mut q = Model::unknowns(&design());
+    let mut q = model.unknowns(&design());
     assemble(&Newton::from_afar(), &model, &inputs, &mut q).expect("assembles");
     let tangent = Tangent::new(&model, &inputs, &q).expect("regular");
     let expected: Motion<f64, 15> = tangent.motion().expect("finite");
@@ -145,7 +147,7 @@ fn led_by_a_measure_everything_moves_as_led_by_the_drives() {
     for (drive, measure) in [(0, 0), (0, 1), (STEER, 2)] {
         let quantity = measured::<f64, Model<f64>, 15>(measure).expect("a measure");
         let target = quantity(&points);
-        let beside = Model::unknowns(&design());
+        let beside = model.unknowns(&design());
         let curve = Curve::new(&model, &inputs, drive).expect("a drive");
         let mut led = Led::at_rest(&curve, &q).expect("regular");
         // What the freed drive's own signal says does not matter.

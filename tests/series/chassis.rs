@@ -3,7 +3,7 @@
 use nalgebra::{Rotation3, SVector, Vector3};
 use suspension_core::linkages::five_link;
 use suspension_core::{
-    Build, InputSeries, Jet, Linkage, Named, Newton, Series, Signal, Tangent, assemble,
+    Build, InputSeries, Jet, Linkage, Newton, Series, Signal, Tangent, Values, assemble,
 };
 
 use crate::support;
@@ -23,13 +23,13 @@ fn swing<const K: usize>(about: f64, amplitude: f64, omega: f64, t: f64) -> Jet<
 }
 
 /// As many jets as there are names, made one.
-fn named<V, S: Named<V>, const K: usize>(jets: &[Jet<V, K>]) -> Jet<S, K>
+fn named<V, S: Values<V>, const K: usize>(jets: &[Jet<V, K>]) -> Jet<S, K>
 where
     V: Copy,
 {
     let collect = |part: &dyn Fn(&Jet<V, K>) -> V| {
         let mut parts = jets.iter().map(part);
-        S::from_fn(|_| parts.next().expect("as many as names"))
+        S::from_values(parts)
     };
     Jet {
         value: collect(&|jet| jet.value),
@@ -153,7 +153,7 @@ where
     };
     let solve = |t: f64| {
         let inputs = inputs(t).at(0.0);
-        let mut q = L::unknowns(design);
+        let mut q = model.unknowns(design);
         assemble(&Newton::from_afar(), model, &inputs, &mut q).expect("a configuration near by");
         Tangent::new(model, &inputs, &q).and_then(|tangent| tangent.motion())
     };

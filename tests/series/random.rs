@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use proptest::prelude::*;
 use suspension_core::linkages::five_link::{Drives, Lengths, Model};
 use suspension_core::{
-    Build, InputSeries, Inputs, Jet, Linkage, Motion, Named, Newton, Series, SeriesTracker, Signal,
-    Tangent, Tracker, assemble,
+    Build, InputSeries, Inputs, Jet, Linkage, Motion, Newton, Series, SeriesTracker, Signal,
+    Tangent, Tracker, Values, assemble,
 };
 
 use crate::support;
@@ -16,10 +16,10 @@ fn stretched(by: &[f64]) -> Option<Model<f64>> {
     let model: Model<f64> = support::five_link_model();
     let lengths = model.lengths();
     let mut lengths_by = lengths.values().zip(by);
-    let lengths = Lengths::from_fn(|_| {
+    let lengths = Lengths::from_values(std::iter::repeat_with(|| {
         let (length, by) = lengths_by.next().expect("a change for each length");
         length * (1.0 + by)
-    });
+    }));
     model.with_lengths(&lengths).ok()
 }
 
@@ -41,7 +41,7 @@ fn check(model: &Model<f64>, theta: Signal<f64>) -> Result<bool, TestCaseError> 
         },
     };
     let inputs = |t: f64| Inputs::still(drives(t));
-    let mut q = Model::unknowns(&support::five_link_rough());
+    let mut q = model.unknowns(&support::five_link_rough());
     let assembled = assemble(&Newton::from_afar(), model, &inputs(0.0), &mut q);
     let tangent = Tangent::new(model, &inputs(0.0), &q).and_then(|tangent| tangent.motion());
     let (Ok(_), Ok(start)) = (assembled, tangent) else {

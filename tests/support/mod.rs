@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Build, Inputs, Motion, Named, Newton, Real, Signal, Still, Tracker, assemble,
+    Build, Inputs, Motion, Named, Newton, Real, Signal, Still, Tracker, Values, assemble,
 };
 
 /// The instants of Table 2, s.
@@ -260,7 +260,7 @@ where
     T: Real,
     L: Build<15, Scalar = T>,
 {
-    let mut q = L::unknowns(rough);
+    let mut q = model.unknowns(rough);
     assemble(&Newton::from_afar(), model, &inputs(T::zero()), &mut q).expect("assembles");
     let mut motion = Motion::at_rest(q);
     let mut last = T::zero();

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use listing::ladder::{Drives, Model, Points};
 use listing::{DESIGN, PITCH, SIZE};
 use suspension_core::nalgebra::Vector3;
-use suspension_core::{Build, Inputs, Linkage, Motion, Named, Signal, Still, Tracker};
+use suspension_core::{Build, Inputs, Linkage, Motion, Values, Signal, Still, Tracker};
 
 const STEP: f64 = 1e-3;
 const BATCHES: usize = 31;
@@ -26,13 +26,13 @@ struct Ride {
 impl Ride {
     fn new() -> Self {
         let mut positions = DESIGN.iter();
-        let design = Points::from_fn(|_| Vector3::from(*positions.next().expect("each point")));
+        let design = Points::from_values(std::iter::repeat_with(|| Vector3::from(*positions.next().expect("each point"))));
         let model = Model::new(&design).expect("a ladder");
         Self {
             model,
             start: model.drives_at(&design),
             time: 0.0,
-            motion: Motion::at_rest(Model::unknowns(&design)),
+            motion: Motion::at_rest(model.unknowns(&design)),
         }
     }
 

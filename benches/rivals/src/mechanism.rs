@@ -4,7 +4,7 @@ use suspension_core::linkages::attia2003::{Drives, Lengths, Model, Points};
 use suspension_core::motion::Prescribed;
 use suspension_core::nalgebra::{SMatrix, SVector, Vector3};
 use suspension_core::{
-    Build, Linkage, Motion as MotionOf, Named, Newton, Signal, Still, Tracker, assemble,
+    Build, Linkage, Motion as MotionOf, Named, Values, Newton, Signal, Still, Tracker, assemble,
 };
 
 pub type Vector = SVector<f64, 15>;
@@ -77,7 +77,7 @@ impl Mechanism {
 }
 
 fn follow(model: &Model<f64>, design: &Points<f64>) -> Vec<Start> {
-    let mut q = Model::unknowns(design);
+    let mut q = model.unknowns(design);
     assemble(&Newton::from_afar(), model, &inputs(0.0), &mut q).expect("assembles");
     let mut motion = Motion::at_rest(q);
     let tracker = Tracker::default();

@@ -1,7 +1,7 @@
 //! The exact motion as a function of two drives.
 
 use nalgebra::Vector3;
-use suspension_core::{Build, HasWheel, Motion, Named, Stopped};
+use suspension_core::{Build, HasWheel, Motion, Stopped, Values};
 
 use crate::bake::driven::Driven;
 use crate::bake::surface::{UnmetSurface, WantedSurface};

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector, Vector3, Vector4};
 use suspension_core::constraint::angle_to_coordinate;
-use suspension_core::{Named, Real, Signal};
+use suspension_core::{Real, Signal, Values};
 
 use super::five_links::{FiveLinks, in_a_row};
 use super::{Formulation, State};
@@ -57,7 +57,7 @@ impl<T: Real> Absolute<T> {
     }
 }
 
-impl<T: Real, D: Named<f64>, const N: usize> Formulation<T, D, 7, N> for Absolute<T> {
+impl<T: Real, D: Values<f64>, const N: usize> Formulation<T, D, 7, N> for Absolute<T> {
     /// The height of the first knuckle end above its chassis end.
     type Input = Signal<T>;
 

@@ -1,7 +1,7 @@
 //! The geometry of a five-link suspension, for formulations that are not generated.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::{Build, DriveKind, Named, Real, Signal};
+use suspension_core::{Build, DriveKind, Kind, Real, Signal, Values};
 
 use crate::chart::double_double::DoubleDouble;
 
@@ -34,15 +34,18 @@ impl<T: Real> FiveLinks<T> {
             let length = (nearest(free[i]) - chassis[i]).norm();
             (length - lengths[i]).abs() < 1e-9 * length
         });
-        let is_driven = L::DRIVE_KINDS == [DriveKind::Angle] && {
-            let height = free[0].z.nearest() - chassis[0].z;
-            let angle = Signal {
-                value: L::Drives::from_fn(|_| (height / lengths[0]).acos()),
-                ..Signal::default()
+        let is_driven =
+            model.count(Kind::Drive) == 1 && model.drive_kind(0) == DriveKind::Angle && {
+                let height = free[0].z.nearest() - chassis[0].z;
+                let angle = Signal {
+                    value: L::Drives::from_values(std::iter::repeat_with(|| {
+                        (height / lengths[0]).acos()
+                    })),
+                    ..Signal::default()
+                };
+                let driven = model.coordinates(&angle).value.values().next();
+                driven.is_some_and(|driven| (driven - height).abs() < 1e-9 * lengths[0])
             };
-            let driven = model.coordinates(&angle).value.values().next();
-            driven.is_some_and(|driven| (driven - height).abs() < 1e-9 * lengths[0])
-        };
         let cast = |v: Vector3<f64>| v.map(T::constant);
         (are_links && is_driven).then(|| Self {
             chassis: chassis.map(cast),

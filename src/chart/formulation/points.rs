@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 use suspension_core::motion::Prescribed;
-use suspension_core::{Inputs, Linkage, Named, Real, Signal, Still};
+use suspension_core::{Inputs, Linkage, Real, Signal, Still, Values};
 
 use super::{Formulation, State};
 use crate::chart::course::cast_drives;
@@ -16,7 +16,7 @@ where
     T: Real,
     L: Linkage<N, Scalar = T>,
     L::Fixed: Copy,
-    D: Named<f64>,
+    D: Values<f64>,
 {
     type Input = Prescribed<L::Fixed, L::Drives>;
 

@@ -1,7 +1,7 @@
 //! Relative coordinates: joint angles of an open chain, closed by the other links.
 
 use nalgebra::{SMatrix, SVector, Vector3};
-use suspension_core::{Named, Real, Signal};
+use suspension_core::{Real, Signal, Values};
 
 use super::five_links::{FiveLinks, in_a_row};
 use super::{Formulation, State};
@@ -137,7 +137,7 @@ impl<T: Real> Chain<T> {
     }
 }
 
-impl<T: Real, D: Named<f64>, const N: usize> Formulation<T, D, 5, N> for Relative<T> {
+impl<T: Real, D: Values<f64>, const N: usize> Formulation<T, D, 5, N> for Relative<T> {
     /// The first link's angle from the vertical.
     type Input = Signal<T>;
 

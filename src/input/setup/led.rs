@@ -1,6 +1,6 @@
 //! To the first instant of a motion that a measure leads.
 
-use suspension_core::Named;
+use suspension_core::Values;
 use suspension_core::path::{Curve, Led};
 
 use super::start::{FROM_DESIGN_TO_FIRST, out_of_reach, way};
@@ -24,10 +24,10 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
     let mut led = at_rest(task, design, &way, stand_in.drive)?;
     let points = led.points(&design.model, &way.inputs::<L::Drives>(0.0));
     let measured = |all: L::Measures| all.values().nth(stand_in.measure).unwrap_or_default();
-    let offset = measured(design.origin.of_measures::<L, N>());
+    let offset = measured(design.origin.of_measures(&design.model));
     let law = law(task, &stand_in, offset);
     let ends = [
-        measured(L::measures(&points).value),
+        measured(design.model.measures(&points).value),
         law.at(task.first).value,
     ];
     let lead = Lead {

@@ -1,6 +1,6 @@
 //! To the first instant of a motion that its drives lead.
 
-use suspension_core::{Motion, Named};
+use suspension_core::{Motion, Values};
 
 use super::{Design, Task};
 use crate::failure::Failure;

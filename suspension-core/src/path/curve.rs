@@ -1,9 +1,10 @@
 //! The equations of a linkage with one drive set free: `N` equations, `N + 1` unknowns.
 
-use nalgebra::{SVector, Vector3};
+use nalgebra::SVector;
 
 use crate::error::SolveError;
-use crate::linkage::{DriveKind, Linkage, Named};
+use crate::linkage::{Linkage, Values};
+use crate::listing::{DriveKind, Kind};
 use crate::lu::Lu;
 use crate::motion::Prescribed;
 use crate::parts;
@@ -31,7 +32,7 @@ where
     where
         C: ChassisMotion<L::Fixed>,
     {
-        let exists = drive < <L::Drives as Named<T>>::NAMES.len();
+        let exists = drive < linkage.count(Kind::Drive);
         exists.then(|| Self::of(linkage, inputs, drive))
     }
 
@@ -114,7 +115,6 @@ where
 
     /// The length of the link whose angle the drive is; `None` where it is a coordinate.
     pub(crate) fn length(&self) -> Option<T> {
-        let kind = L::DRIVE_KINDS.get(self.drive)?;
         let none = L::Drives::default();
         let at_zero = self.linkage.coordinates(&Signal {
             value: none,
@@ -122,7 +122,7 @@ where
             second_rate: none,
         });
         let length = at_zero.value.values().nth(self.drive)?;
-        (*kind == DriveKind::Angle).then_some(length)
+        (self.linkage.drive_kind(self.drive) == DriveKind::Angle).then_some(length)
     }
 
     /// All points.
@@ -168,7 +168,8 @@ where
 
     /// Chassis points in a configuration.
     pub(crate) fn fixed(&self, at: &Configuration<T, N>) -> L::Fixed {
-        L::drive_anchors(self.prescribed.fixed.value, &self.drives(at))
+        self.linkage
+            .drive_anchors(self.prescribed.fixed.value, &self.drives(at))
     }
 
     /// The coordinates of all drives in a configuration.
@@ -180,13 +181,13 @@ where
     pub(crate) fn driven(&self, chassis: L::Fixed, drive: T) -> L::Fixed {
         // Anchors of the other drives move as `chassis` has it: the free one's share is added.
         let share = self.drive_share(drive);
-        let mut pairs = chassis.values().zip(share.values());
-        L::Fixed::from_fn(|_| pairs.next().map_or_else(Vector3::zeros, |(a, b)| a + b))
+        let pairs = chassis.values().zip(share.values());
+        L::Fixed::from_values(pairs.map(|(a, b)| a + b))
     }
 
     /// Rates of the chassis points that the free drive alone moves.
     pub(crate) fn drive_share(&self, rate: T) -> L::Fixed {
-        L::drive_anchors(
+        self.linkage.drive_anchors(
             L::Fixed::default(),
             &L::Drives::default().with(self.drive, rate),
         )

@@ -11,7 +11,8 @@
 //! in the velocities, and its second rate in the accelerations.
 
 use crate::error::SolveError;
-use crate::linkage::{Linkage, Named};
+use crate::linkage::{Linkage, Values};
+use crate::listing::Kind;
 use crate::newton::{Converged, Newton};
 use crate::path::course::Course;
 use crate::path::curve::Curve;
@@ -25,15 +26,17 @@ use crate::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
 /// The measure of the listing with this index, as a quantity that leads: chosen at run time among
 /// [`Linkage::Measures`]. `None` where there is none.
 pub fn measured<T, L, const N: usize>(
+    linkage: &L,
     index: usize,
 ) -> Option<impl Fn(&Signal<L::Points>) -> Signal<T> + Copy>
 where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    let exists = index < <L::Measures as Named<T>>::NAMES.len();
+    let exists = index < linkage.count(Kind::Measure);
     exists.then_some(move |points: &Signal<L::Points>| {
-        L::measures(points).map(|measures| measures.values().nth(index).unwrap_or_default())
+        let measures = linkage.measures(points);
+        measures.map(|measures| measures.values().nth(index).unwrap_or_default())
     })
 }
 

@@ -1,9 +1,12 @@
 //! What is prescribed over a span of time: drives and chassis points as polynomials.
 
+use core::iter::repeat;
+
 use nalgebra::Vector3;
 
 use super::jet::{Jet, zip};
-use crate::linkage::{DriveKind, Linkage, Named};
+use crate::linkage::{Linkage, Values};
+use crate::listing::DriveKind;
 use crate::scalar::Scalar;
 use crate::signal::{ChassisMotion, Inputs, Signal, Still};
 
@@ -31,7 +34,7 @@ impl<C, D, const K: usize> InputSeries<C, D, K> {
     pub fn at<T, F>(&self, dt: T) -> Inputs<C::At, D>
     where
         T: Scalar,
-        D: Named<T>,
+        D: Values<T>,
         C: ChassisSeries<T, F, K>,
     {
         Inputs {
@@ -53,7 +56,7 @@ pub trait ChassisSeries<T, F, const K: usize>: Copy {
     fn jet(&self, rest: &F) -> Jet<F, K>;
 }
 
-impl<T: Scalar, F: Named<Vector3<T>> + Default, const K: usize> ChassisSeries<T, F, K> for Still {
+impl<T: Scalar, F: Values<Vector3<T>> + Default, const K: usize> ChassisSeries<T, F, K> for Still {
     type At = Self;
 
     fn at(&self, _dt: T) -> Self {
@@ -65,7 +68,7 @@ impl<T: Scalar, F: Named<Vector3<T>> + Default, const K: usize> ChassisSeries<T,
     }
 }
 
-impl<T: Scalar, F: Named<Vector3<T>>, const K: usize> ChassisSeries<T, F, K> for Jet<F, K> {
+impl<T: Scalar, F: Values<Vector3<T>>, const K: usize> ChassisSeries<T, F, K> for Jet<F, K> {
     type At = Signal<F>;
 
     fn at(&self, dt: T) -> Signal<F> {
@@ -94,9 +97,9 @@ impl<F: Copy, D: Copy, const K: usize> PrescribedSeries<F, D, K> {
     {
         let drives = coordinates(linkage, &inputs.drives);
         let mut fixed = inputs.chassis.jet(linkage.fixed());
-        fixed.value = L::drive_anchors(fixed.value, &drives.value);
+        fixed.value = linkage.drive_anchors(fixed.value, &drives.value);
         for (fixed, drives) in fixed.terms.iter_mut().zip(&drives.terms) {
-            *fixed = L::drive_anchors(*fixed, drives);
+            *fixed = linkage.drive_anchors(*fixed, drives);
         }
         Self { fixed, drives }
     }
@@ -117,14 +120,13 @@ where
     let zero = L::Drives::default();
     let start = linkage.coordinates(&Signal {
         value: drives.value,
-        rate: L::Drives::from_fn(|_| L::Scalar::constant(1.0)),
+        rate: L::Drives::from_values(repeat(L::Scalar::constant(1.0))),
         second_rate: zero,
     });
-    let mut kinds = L::DRIVE_KINDS.iter();
-    let bends = L::Drives::from_fn(|_| match kinds.next() {
-        Some(DriveKind::Angle) => L::Scalar::constant(-1.0),
-        _ => L::Scalar::constant(0.0),
-    });
+    let bends = L::Drives::from_values((0..).map(|drive| match linkage.drive_kind(drive) {
+        DriveKind::Angle => L::Scalar::constant(-1.0),
+        DriveKind::Coordinate => L::Scalar::constant(0.0),
+    }));
     let mut h = Jet::constant(start.value, zero);
     let mut g = Jet::constant(start.rate, zero);
     for order in 1..=K {
@@ -144,7 +146,7 @@ where
 fn chain_rule<T, D, const K: usize>(drives: &Jet<D, K>, slope: &Jet<D, K>, order: usize) -> D
 where
     T: Scalar,
-    D: Named<T> + Default,
+    D: Values<T> + Default,
 {
     let (mut sum, mut j) = (D::default(), T::zero());
     for (term, slope) in drives.terms.iter().zip(slope.below(order).rev()) {

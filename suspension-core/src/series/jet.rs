@@ -4,7 +4,7 @@ use core::ops::Add;
 
 use nalgebra::{SVector, Vector3};
 
-use crate::linkage::Named;
+use crate::linkage::Values;
 use crate::scalar::Scalar;
 use crate::signal::Signal;
 
@@ -62,9 +62,9 @@ impl<S, const K: usize> Jet<S, K> {
     /// where no higher derivatives are.
     pub fn of_signal<V: Quantity>(signal: &Signal<S>) -> Self
     where
-        S: Named<V>,
+        S: Values<V>,
     {
-        let zero = S::from_fn(|_| V::default());
+        let zero = S::from_values([]);
         let half = signal
             .second_rate
             .map(|v| v.times(V::Number::constant(0.5)));
@@ -81,9 +81,9 @@ impl<S, const K: usize> Jet<S, K> {
     /// Value and rates at the time `dt` from the instant.
     pub fn signal<V: Quantity>(&self, dt: V::Number) -> Signal<S>
     where
-        S: Named<V>,
+        S: Values<V>,
     {
-        let zero = S::from_fn(|_| V::default());
+        let zero = S::from_values([]);
         self.evaluate(dt, zero, |a, b, s| zip(&a, &b, |a, b| a + b.times(s)))
     }
 }
@@ -122,7 +122,7 @@ impl<T: Scalar> Quantity for Vector3<T> {
 }
 
 /// Two sets of values under the same names, combined name by name.
-pub(super) fn zip<S: Named<V>, V: Default>(a: &S, b: &S, combine: impl Fn(V, V) -> V) -> S {
-    let mut pairs = a.values().zip(b.values());
-    S::from_fn(|_| pairs.next().map_or_else(V::default, |(a, b)| combine(a, b)))
+pub(super) fn zip<S: Values<V>, V: Default>(a: &S, b: &S, combine: impl Fn(V, V) -> V) -> S {
+    let pairs = a.values().zip(b.values());
+    S::from_values(pairs.map(|(a, b)| combine(a, b)))
 }

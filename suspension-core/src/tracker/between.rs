@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::Tracker;
-use crate::linkage::{Linkage, Named};
+use crate::linkage::{Linkage, Values};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
 use crate::signal::{ChassisMotion, Inputs, Signal, Still};
@@ -21,7 +21,7 @@ impl<T, F: Copy + Default> Between<T, F> for Still {
     }
 }
 
-impl<T: Scalar, F: Named<Vector3<T>>> Between<T, F> for Signal<F> {
+impl<T: Scalar, F: Values<Vector3<T>>> Between<T, F> for Signal<F> {
     fn between(&self, to: &Self, cubic: &Cubic<T>) -> Self {
         cubic.between(self, to)
     }
@@ -64,7 +64,7 @@ impl<T: Scalar> Cubic<T> {
 
     fn between<V, S>(&self, from: &Signal<S>, to: &Signal<S>) -> Signal<S>
     where
-        S: Named<V>,
+        S: Values<V>,
         V: Copy
             + Default
             + core::ops::Add<Output = V>
@@ -79,7 +79,7 @@ impl<T: Scalar> Cubic<T> {
                 at + (end - start) * change + first_rate * first + last_rate * last
             }))
         };
-        let nothing = S::from_fn(|_| V::default());
+        let nothing = S::from_values([]);
         Signal {
             value: weighed(self.weights.value, from.value),
             rate: weighed(self.weights.rate, nothing),

@@ -15,11 +15,14 @@
 //! the others move beside them. Of any moving chassis the mean displacement of its points is taken,
 //! which assumes that they move by about the same.
 
+use core::iter::repeat;
+
 use nalgebra::{SVector, Vector3};
 
 use super::Tracker;
 use crate::error::SolveError;
-use crate::linkage::{Factors, Linkage, Named};
+use crate::linkage::{Factors, Linkage, Values};
+use crate::listing::Kind;
 use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::Prescribed;
 use crate::scalar::Real;
@@ -76,14 +79,13 @@ impl<T: Real> Tracker<T> {
         let chassis = moved::<T, L::Fixed>(&prescribed.fixed, *dt);
         let curvature = linkage.curvature(moves, &chassis, moves, &chassis);
         let change = factors.solve(&curvature);
-        let with_chassis = if C::MOVES {
-            mean(&chassis)
+        let [relative] = if C::MOVES {
+            let with_chassis = repeat(mean::<_, L, N>(linkage, &chassis));
+            let points = L::Points::from_values(with_chassis);
+            (*moves - linkage.unknowns(&points)).data.0
         } else {
-            Vector3::zeros()
+            moves.data.0
         };
-        let [coordinates] = moves.data.0;
-        let mut axes = with_chassis.iter().copied().cycle();
-        let relative = coordinates.map(|x| x - axes.next().unwrap_or_default());
         let size = magnitude(&change).map_err(|unknown| SolveError::Overflow { unknown })?;
         let bound = (self.change_of_jacobian * largest(relative))
             .max(T::constant(LEAST_OF_SIZE) * linkage.size());
@@ -100,15 +102,20 @@ impl<T: Real> Tracker<T> {
 }
 
 /// How far the chassis points have moved in the time `dt` that has passed, by their rates.
-fn moved<T: Real, F: Named<Vector3<T>>>(fixed: &Signal<F>, dt: T) -> F {
+fn moved<T: Real, F: Values<Vector3<T>>>(fixed: &Signal<F>, dt: T) -> F {
     let half = dt * T::constant(0.5);
     let rates = fixed.rate.values().zip(fixed.second_rate.values());
     F::from_values(rates.map(|(rate, second_rate)| (rate - second_rate * half) * dt))
 }
 
-fn mean<T: Real, F: Named<Vector3<T>>>(points: &F) -> Vector3<T> {
-    let sum = points
-        .values()
-        .fold(Vector3::zeros(), |sum, point| sum + point);
-    sum / T::constant(F::NAMES.len().max(1) as f64)
+/// The mean displacement of the chassis points.
+fn mean<T, L, const N: usize>(linkage: &L, chassis: &L::Fixed) -> Vector3<T>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let count = linkage.count(Kind::ChassisPoint);
+    let each = chassis.values().take(count);
+    let sum = each.fold(Vector3::zeros(), |sum, point| sum + point);
+    sum / T::constant(count.max(1) as f64)
 }

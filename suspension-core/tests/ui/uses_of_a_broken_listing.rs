@@ -26,7 +26,7 @@ suspension_core::linkage! {
 use m::{Drives, Lengths, Measures, Model, Points, equation, unknown};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::wheel::Wheel;
-use suspension_core::{Build, Inputs, Linkage, Named, Newton, Signal, Tracker, assemble};
+use suspension_core::{Build, Inputs, Linkage, Values, Newton, Signal, Tracker, assemble};
 
 fn main() {
     let mut points = Points {
@@ -38,16 +38,16 @@ fn main() {
     };
     points.q.x += 0.5;
     let model = Model::<f64>::new(&points).unwrap();
-    let lengths = Lengths::from_fn(|_| 1.0);
+    let lengths = Lengths::from_values(std::iter::repeat(1.0));
     let model = model.with_lengths(&lengths).unwrap();
     println!("{} {}", lengths.rod, lengths.plate_p_q);
     let drives = |lift| Drives { x: 0.0, y: 0.0, lift };
     let inputs = Inputs::still(Signal { value: drives(1.0), ..Signal::default() });
-    let mut q = Model::unknowns(&points);
+    let mut q = model.unknowns(&points);
     assemble(&Newton::from_afar(), &model, &inputs, &mut q).unwrap();
     let mut motion = suspension_core::Motion::at_rest(q);
     Tracker::default().step(&model, &inputs, 0.1, &mut motion).unwrap();
-    let Measures { gap } = Model::measures(&motion.points(&model, &inputs)).value;
+    let Measures { gap } = model.measures(&motion.points(&model, &inputs)).value;
     println!("{gap}");
     let wheel = Wheel::of(&model.points(&q, model.fixed()));
     println!("{} {} {:?}", equation::ROD, q[unknown::P_X], wheel);

@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::clusters;
+use super::fields::{length_index, point_index};
 use super::lengths::{self, distances};
 use super::readout;
 use super::terms::{ident, parameter, value_of};
@@ -36,23 +37,21 @@ fn new(system: &System) -> TokenStream {
     let frames = system.bodies.iter().map(|body| {
         let name = frame_name(&body.name);
         let [.., third] = &body.frame;
-        let (third, points) = (
-            third.name.to_string(),
-            body.frame.iter().map(|site| &site.name),
-        );
+        let third = point_index(system, &third.name);
+        let points = body.frame.iter().map(|site| &site.name);
         quote!(let #name = parts::frame(#third, Frame::new(#(design.#points),*))?;)
     });
     let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
     let distances = distances(system).into_iter().map(|(name, [from, to])| {
-        let text = name.to_string();
-        quote!(#name: parts::distance(#text, design.#from, design.#to)?)
+        let index = length_index(system, &name);
+        quote!(#name: parts::distance(#index, design.#from, design.#to)?)
     });
     let carried = system.bodies.iter().flat_map(|body| {
         let frame = frame_name(&body.name);
         body.carried.iter().map(move |point| {
             let (name, point) = (carried_name(&body.name, &point.name), &point.name);
-            let text = point.to_string();
-            quote!(#name: parts::carried(#text, design.#point, &#frame)?)
+            let index = point_index(system, point);
+            quote!(#name: parts::carried(#index, design.#point, &#frame)?)
         })
     });
     let [cluster_frames, clustered] = clusters::designed(system);
@@ -60,7 +59,7 @@ fn new(system: &System) -> TokenStream {
     let markers = markers(system, &design);
     quote! {
         fn new(design: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(design)?;
+            parts::finite(design.values())?;
             #(#frames)*
             #cluster_frames
             let model = Self {
@@ -80,8 +79,8 @@ fn new(system: &System) -> TokenStream {
 fn markers<'a>(system: &'a System, points: &'a TokenStream) -> impl Iterator<Item = TokenStream> {
     system.markers.iter().map(move |marker| {
         let (name, frame) = (&marker.named.name, readout::frame_of(marker, points));
-        let text = name.to_string();
-        quote!(#name: parts::carried(#text, #points.#name, &#frame)?)
+        let index = point_index(system, name);
+        quote!(#name: parts::carried(#index, #points.#name, &#frame)?)
     })
 }
 
@@ -108,7 +107,7 @@ fn with_markers(system: &System) -> TokenStream {
     };
     quote! {
         fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(points)?;
+            parts::finite(points.values())?;
             Ok(#model)
         }
     }

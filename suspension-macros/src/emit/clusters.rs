@@ -3,8 +3,8 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::Ident;
-use syn::ext::IdentExt;
 
+use super::fields::point_index;
 use super::terms::{Binding, bind, ident, parameter, value_of};
 use suspension_listing::system::{Body, Site, System, carried_name, distance_between, frame_name};
 
@@ -32,7 +32,7 @@ pub(super) fn designed(system: &System) -> [TokenStream; 2] {
             frame_name(&cluster.name),
             cluster.frame.iter().map(|site| &site.name),
         );
-        let third = text(&cluster.frame[2]);
+        let third = point_index(system, &cluster.frame[2].name);
         quote!(let #name = parts::frame(#third, Frame::new(#(design.#points),*))?;)
     });
     let names = frame_names(system);
@@ -42,8 +42,9 @@ pub(super) fn designed(system: &System) -> [TokenStream; 2] {
              point,
              cluster,
          }| {
-            let (frame, at, point) = (frame_name(&cluster.name), &point.name, text(point));
-            quote!(#constant: parts::linked(#point, design.#at, &#frame)?)
+            let (frame, point) = (frame_name(&cluster.name), &point.name);
+            let index = point_index(system, point);
+            quote!(#constant: parts::linked(#index, design.#point, &#frame)?)
         },
     );
     [quote!(#(#frames)*), quote!(#(#names,)* #(#linked,)*)]
@@ -53,7 +54,7 @@ pub(super) fn designed(system: &System) -> [TokenStream; 2] {
 pub(super) fn of_lengths(system: &System) -> [TokenStream; 2] {
     let frames = system.clusters.iter().map(|cluster| {
         let (name, [a, b, c]) = (frame_name(&cluster.name), &cluster.frame);
-        let third = text(c);
+        let third = point_index(system, &c.name);
         let edges = [[a, b], [a, c], [b, c]].map(|ends| length(system, ends));
         quote!(let #name = parts::frame_of_lengths(#third, [#(#edges),*])?;)
     });
@@ -69,8 +70,8 @@ pub(super) fn of_lengths(system: &System) -> [TokenStream; 2] {
                 .frame
                 .iter()
                 .map(|corner| length(system, [point, corner]));
-            let point = text(point);
-            quote!(#constant: parts::linked_at(#point, &self.#constant, &#frame, [#(#reaches),*])?)
+            let index = point_index(system, &point.name);
+            quote!(#constant: parts::linked_at(#index, &self.#constant, &#frame, [#(#reaches),*])?)
         },
     );
     [quote!(#(#frames)*), quote!(#(#names,)* #(#linked,)*)]
@@ -101,14 +102,15 @@ pub(super) fn constants(system: &System) -> impl Iterator<Item = (Ident, TokenSt
     frames.chain(points)
 }
 
-fn text(site: &Site) -> String {
-    site.name.unraw().to_string()
-}
-
-/// `const LINKED`.
-pub(super) fn names(system: &System) -> TokenStream {
-    let names = clustered(system).map(|clustered| text(clustered.point));
-    quote!(const LINKED: &'static [&'static str] = &[#(#names),*];)
+/// `linked` of `impl Linkage`.
+pub(super) fn linked(system: &System) -> TokenStream {
+    let points = clustered(system).map(|clustered| point_index(system, &clustered.point.name));
+    quote! {
+        #[inline(always)]
+        fn linked(&self) -> impl Iterator<Item = usize> {
+            [#(#points),*].into_iter()
+        }
+    }
 }
 
 /// `mirrored` of `impl Linkage`.

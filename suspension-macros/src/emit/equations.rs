@@ -2,7 +2,6 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::ext::IdentExt;
 
 use super::terms::{
     Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, value_of,
@@ -14,7 +13,7 @@ use suspension_listing::system::{AXES, Equation, System, carried_name, frame_nam
 
 pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    let tables = tables(system);
+    let linked = clusters::linked(system);
     let methods = [
         coordinates(system),
         drive_anchors(system),
@@ -26,6 +25,7 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
         rates::chassis_rate(system),
         readout::points(system),
         measures::measures(system),
+        readout::roles(system),
         clusters::mirrored(system),
     ];
     quote! {
@@ -37,7 +37,8 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
             type Measures = Measures<T>;
             type Points = Points<T>;
             type Factors = Factors<T>;
-            #tables
+
+            #linked
 
             fn fixed(&self) -> &Fixed<T> {
                 &self.fixed
@@ -49,26 +50,6 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
 
             #(#methods)*
         }
-    }
-}
-
-fn tables(system: &System) -> TokenStream {
-    let n = Literal::usize_unsuffixed(system.size());
-    let equations = system.rows().into_iter().map(|row| row.unraw().to_string());
-    let free = system.free.iter();
-    let unknowns = free.flat_map(|point| AXES.map(|axis| format!("{}.{axis}", point.name.unraw())));
-    let kinds = system.drives.iter().map(|drive| match drive.angle_of {
-        Some(_) => quote!(DriveKind::Angle),
-        None => quote!(DriveKind::Coordinate),
-    });
-    let measure_kinds = measures::kinds(system);
-    let linked = clusters::names(system);
-    quote! {
-        const EQUATIONS: [&'static str; #n] = [#(#equations),*];
-        const UNKNOWNS: [&'static str; #n] = [#(#unknowns),*];
-        const DRIVE_KINDS: &'static [DriveKind] = &[#(#kinds),*];
-        #measure_kinds
-        #linked
     }
 }
 
@@ -125,7 +106,7 @@ fn drive_anchors(system: &System) -> TokenStream {
     let drives = parameter("drives", &quote!(&Drives<T>), &body);
     quote! {
         #[inline(always)]
-        fn drive_anchors(#mutable fixed: Fixed<T>, #drives) -> Fixed<T> {
+        fn drive_anchors(&self, #mutable fixed: Fixed<T>, #drives) -> Fixed<T> {
             #body
         }
     }

@@ -1,6 +1,6 @@
 //! The fields of the generated structs of names, with their docs.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::{Attribute, Ident};
 
@@ -140,6 +140,21 @@ pub(super) fn length_fields(system: &System) -> Vec<Field> {
         }
     }
     fields
+}
+
+/// The index of a point among all.
+pub(super) fn point_index(system: &System, name: &Ident) -> Literal {
+    index(&point_fields(system), name)
+}
+
+/// The index of a length.
+pub(super) fn length_index(system: &System, name: &Ident) -> Literal {
+    index(&length_fields(system), name)
+}
+
+fn index(fields: &[Field], name: &Ident) -> Literal {
+    let index = fields.iter().position(|field| field.name == *name);
+    Literal::usize_unsuffixed(index.unwrap_or(fields.len()))
 }
 
 fn frame_lengths(body: &Body) -> impl Iterator<Item = Ident> {

@@ -2,9 +2,11 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
+use syn::ext::IdentExt;
 
+use super::measures;
 use super::types::constants;
-use suspension_listing::system::System;
+use suspension_listing::system::{AXES, System};
 
 pub(super) fn listing(system: &System) -> TokenStream {
     let fixed = system.fixed.iter().map(|point| {
@@ -30,10 +32,22 @@ pub(super) fn listing(system: &System) -> TokenStream {
 /// The implementation, with the expression that gathers a model.
 pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
+    let names = names(system);
+    let of_listing = parts(&quote!(impl Parts for Listing));
+    let of_model = parts(&quote!(impl<T: Scalar> Parts for Model<T>));
     quote! {
         /// This listing, over any number.
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct Listing;
+
+        impl Listing {
+            /// Names and kinds of its parts.
+            pub const PARTS: Names = #names;
+        }
+
+        #of_listing
+
+        #of_model
 
         impl AnyNumber<#n> for Listing {
             type Model<T: Scalar> = Model<T>;
@@ -47,6 +61,58 @@ pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
                 gather: impl Fn([S; K]) -> T,
             ) -> Model<T> {
                 #model
+            }
+        }
+    }
+}
+
+fn names(system: &System) -> TokenStream {
+    let equations = system.rows().into_iter().map(|row| row.unraw().to_string());
+    let free = system.free.iter();
+    let unknowns = free.flat_map(|point| AXES.map(|axis| format!("{}.{axis}", point.name.unraw())));
+    let markers = Literal::usize_unsuffixed(system.markers.len());
+    let drive_kinds = system.drives.iter().map(|drive| match drive.angle_of {
+        Some(_) => quote!(DriveKind::Angle),
+        None => quote!(DriveKind::Coordinate),
+    });
+    let measure_kinds = measures::kinds(system);
+    quote! {
+        Names {
+            equations: &[#(#equations),*],
+            unknowns: &[#(#unknowns),*],
+            chassis: <Fixed<f64> as Named<Vector3<f64>>>::NAMES,
+            points: <Points<f64> as Named<Vector3<f64>>>::NAMES,
+            markers: #markers,
+            drives: <Drives<f64> as Named<f64>>::NAMES,
+            drive_kinds: &[#(#drive_kinds),*],
+            measures: <Measures<f64> as Named<f64>>::NAMES,
+            measure_kinds: &[#(#measure_kinds),*],
+            lengths: <Lengths<f64> as Named<f64>>::NAMES,
+        }
+    }
+}
+
+/// The listing's parts are the model's too.
+fn parts(of: &TokenStream) -> TokenStream {
+    quote! {
+        #of {
+            fn name(&self, part: Part) -> &str {
+                Listing::PARTS.name(part)
+            }
+
+            #[inline(always)]
+            fn count(&self, kind: Kind) -> usize {
+                Listing::PARTS.count(kind)
+            }
+
+            #[inline(always)]
+            fn drive_kind(&self, drive: usize) -> DriveKind {
+                Listing::PARTS.drive_kind(drive)
+            }
+
+            #[inline(always)]
+            fn measure_kind(&self, measure: usize) -> MeasureKind {
+                Listing::PARTS.measure_kind(measure)
             }
         }
     }

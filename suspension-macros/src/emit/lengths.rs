@@ -37,7 +37,7 @@ pub(super) fn with_lengths(system: &System) -> TokenStream {
     let frames = system.bodies.iter().map(|body| {
         let name = frame_name(&body.name);
         let [.., third] = &body.frame;
-        let third = third.name.to_string();
+        let third = fields::point_index(system, &third.name);
         let edges = (0..3).map(|index| edge(body, index, &quote!(lengths)));
         quote!(let #name = parts::frame_of_lengths(#third, [#(#edges),*])?;)
     });
@@ -48,21 +48,19 @@ pub(super) fn with_lengths(system: &System) -> TokenStream {
     let carried = system.bodies.iter().flat_map(|body| {
         let frame = frame_name(&body.name);
         body.carried.iter().map(move |point| {
-            let (name, text) = (
-                carried_name(&body.name, &point.name),
-                point.name.to_string(),
-            );
+            let name = carried_name(&body.name, &point.name);
+            let index = fields::point_index(system, &point.name);
             let lengths = body
                 .frame
                 .iter()
                 .map(|site| pair_name(&body.name, &point.name, &site.name));
-            quote!(#name: parts::carried_at(#text, &self.#name, &#frame, [#(lengths.#lengths),*])?)
+            quote!(#name: parts::carried_at(#index, &self.#name, &#frame, [#(lengths.#lengths),*])?)
         })
     });
     let [cluster_frames, clustered] = clusters::of_lengths(system);
     quote! {
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
-            parts::positive(lengths)?;
+            parts::positive(lengths.values())?;
             #(#frames)*
             #cluster_frames
             let model = Self {

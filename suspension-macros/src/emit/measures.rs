@@ -7,16 +7,15 @@ use syn::Ident;
 use super::terms::{ident, parameter};
 use suspension_listing::system::{AXES, Measure, Measured, System};
 
-/// `const MEASURE_KINDS`.
-pub(super) fn kinds(system: &System) -> TokenStream {
-    let kinds = system
+/// What each measure is.
+pub(super) fn kinds(system: &System) -> impl Iterator<Item = TokenStream> {
+    system
         .measures
         .iter()
         .map(|measure| match measure.measured {
             Measured::Coordinate { .. } | Measured::Length { .. } => quote!(MeasureKind::Length),
             Measured::Angle { .. } => quote!(MeasureKind::Angle),
-        });
-    quote!(const MEASURE_KINDS: &'static [MeasureKind] = &[#(#kinds),*];)
+        })
 }
 
 /// `measures` of `impl Linkage`.
@@ -41,7 +40,7 @@ pub(super) fn measures(system: &System) -> TokenStream {
     };
     let points = parameter("points", &quote!(&Signal<Points<T>>), &body);
     quote! {
-        fn measures(#points) -> Signal<Measures<T>>
+        fn measures(&self, #points) -> Signal<Measures<T>>
         where
             T: Real,
         {

@@ -28,7 +28,7 @@ pub(super) fn points(system: &System) -> TokenStream {
 
         #accelerations
 
-        fn unknowns(points: &Points<T>) -> SVector<T, #n> {
+        fn unknowns(&self, points: &Points<T>) -> SVector<T, #n> {
             Free { #(#free: points.#free),* }.unknowns()
         }
     }
@@ -115,8 +115,42 @@ pub(super) fn frame_of(marker: &Marker, points: &TokenStream) -> TokenStream {
     quote!(Frame::new(#(#points.#names),*))
 }
 
-/// `impl HasWheel` and `impl HasKingpin`, where the listing states them.
+/// `wheel_axis`, `wheel_carrier` and `kingpin` of `impl Linkage`.
 pub(super) fn roles(system: &System) -> TokenStream {
+    let wheel = system.wheel.as_ref();
+    let [axis, carrier, kingpin] = [
+        role("wheel_axis", 2, wheel.map(|wheel| wheel.axis.as_slice())),
+        role(
+            "wheel_carrier",
+            3,
+            wheel.map(|wheel| wheel.carrier.as_slice()),
+        ),
+        role(
+            "kingpin",
+            2,
+            system.kingpin.as_ref().map(|axis| axis.as_slice()),
+        ),
+    ];
+    quote!(#axis #carrier #kingpin)
+}
+
+fn role(name: &str, count: usize, points: Option<&[Ident]>) -> TokenStream {
+    let (name, count) = (ident(name), Literal::usize_unsuffixed(count));
+    let body = match points {
+        Some(names) => quote!(Some([#(points.#names),*])),
+        None => quote!(None),
+    };
+    let points = parameter("points", &quote!(&Points<T>), &body);
+    quote! {
+        #[inline]
+        fn #name(&self, #points) -> Option<[Vector3<T>; #count]> {
+            #body
+        }
+    }
+}
+
+/// `impl HasWheel` and `impl HasKingpin`, where the listing states them.
+pub(super) fn roles_of_points(system: &System) -> TokenStream {
     let wheel = system.wheel.as_ref().map(|Wheel { axis, carrier }| {
         quote! {
             impl<T: Scalar> HasWheel<T> for Points<T> {

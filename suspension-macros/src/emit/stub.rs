@@ -104,16 +104,16 @@ fn linkage_impl(system: &System) -> TokenStream {
             type Measures = Measures<T>;
             type Points = Points<T>;
             type Factors = Factors<T>;
-            const EQUATIONS: [&'static str; #n] = [""; #n];
-            const UNKNOWNS: [&'static str; #n] = [""; #n];
-            const DRIVE_KINDS: &'static [DriveKind] = &[];
-            const MEASURE_KINDS: &'static [MeasureKind] = &[];
-            const LINKED: &'static [&'static str] = &[];
+
+            fn linked(&self) -> impl Iterator<Item = usize> { ::core::iter::empty() }
+            fn wheel_axis(&self, _: &Points<T>) -> Option<[Vector3<T>; 2]> { loop {} }
+            fn wheel_carrier(&self, _: &Points<T>) -> Option<[Vector3<T>; 3]> { loop {} }
+            fn kingpin(&self, _: &Points<T>) -> Option<[Vector3<T>; 2]> { loop {} }
 
             fn fixed(&self) -> &Fixed<T> { loop {} }
             fn size(&self) -> T { loop {} }
             fn coordinates(&self, _: &Signal<Drives<T>>) -> Signal<Drives<T>> { loop {} }
-            fn drive_anchors(_: Fixed<T>, _: &Drives<T>) -> Fixed<T> { loop {} }
+            fn drive_anchors(&self, _: Fixed<T>, _: &Drives<T>) -> Fixed<T> { loop {} }
             fn residual(&self, _: &SVector<T, #n>, _: &Fixed<T>, _: &Drives<T>) -> SVector<T, #n> { loop {} }
             fn jacobian(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> SMatrix<T, #n, #n> { loop {} }
             fn factor(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> Factors<T> { loop {} }
@@ -141,8 +141,8 @@ fn linkage_impl(system: &System) -> TokenStream {
                 _: &SVector<T, #n>,
                 _: &Fixed<T>,
             ) -> Points<T> { loop {} }
-            fn unknowns(_: &Points<T>) -> SVector<T, #n> { loop {} }
-            fn measures(_: &Signal<Points<T>>) -> Signal<Measures<T>> where T: Real { loop {} }
+            fn unknowns(&self, _: &Points<T>) -> SVector<T, #n> { loop {} }
+            fn measures(&self, _: &Signal<Points<T>>) -> Signal<Measures<T>> where T: Real { loop {} }
             fn mirrored(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> impl Iterator<Item = T> { ::core::iter::empty() }
         }
     }

@@ -61,17 +61,31 @@ pub(super) fn named(name: &str, doc: &str, value: &TokenStream, fields: &[Field]
     let no_value = none
         .is_some()
         .then(|| quote!(no_fields: ::core::marker::PhantomData));
-    let from = if fields.is_empty() {
-        quote!(_value)
+    let [from, values] = if fields.is_empty() {
+        [quote!(_value), quote!(_values)]
     } else {
-        quote!(mut value)
+        [quote!(mut value), quote!(values)]
     };
+    let start = (!fields.is_empty()).then(|| quote!(let mut values = values.into_iter();));
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct #name<T> {
             #(#docs pub #names: #value,)*
             #none
+        }
+
+        impl<T: Scalar> Values<#value> for #name<T> {
+            #[inline(always)]
+            fn from_values(#values: impl IntoIterator<Item = #value>) -> Self {
+                #start
+                Self { #(#names: values.next().unwrap_or_default(),)* #no_value }
+            }
+
+            #[inline(always)]
+            fn values(&self) -> impl Iterator<Item = #value> {
+                [#(self.#names),*].into_iter()
+            }
         }
 
         impl<T: Scalar> Named<#value> for #name<T> {
@@ -81,17 +95,12 @@ pub(super) fn named(name: &str, doc: &str, value: &TokenStream, fields: &[Field]
             fn from_fn(#from: impl FnMut(&'static str) -> #value) -> Self {
                 Self { #(#names: value(#strings),)* #no_value }
             }
-
-            #[inline(always)]
-            fn values(&self) -> impl Iterator<Item = #value> {
-                [#(self.#names),*].into_iter()
-            }
         }
 
         impl<T: Scalar> Default for #name<T> {
             #[inline(always)]
             fn default() -> Self {
-                Self::from_fn(|_| Default::default())
+                Self { #(#names: Default::default(),)* #no_value }
             }
         }
     }

@@ -51,6 +51,44 @@ pub mod attia2003 {
         pub p11: Vector3<T>,
     }
 
+    impl<T: Scalar> Values<Vector3<T>> for Points<T> {
+        #[inline(always)]
+        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
+            let mut values = values.into_iter();
+            Self {
+                p1: values.next().unwrap_or_default(),
+                p2: values.next().unwrap_or_default(),
+                p3: values.next().unwrap_or_default(),
+                p4: values.next().unwrap_or_default(),
+                p5: values.next().unwrap_or_default(),
+                p6: values.next().unwrap_or_default(),
+                p7: values.next().unwrap_or_default(),
+                p8: values.next().unwrap_or_default(),
+                p9: values.next().unwrap_or_default(),
+                p10: values.next().unwrap_or_default(),
+                p11: values.next().unwrap_or_default(),
+            }
+        }
+
+        #[inline(always)]
+        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
+            [
+                self.p1,
+                self.p2,
+                self.p3,
+                self.p4,
+                self.p5,
+                self.p6,
+                self.p7,
+                self.p8,
+                self.p9,
+                self.p10,
+                self.p11,
+            ]
+                .into_iter()
+        }
+    }
+
     impl<T: Scalar> Named<Vector3<T>> for Points<T> {
         const NAMES: &'static [&'static str] = &[
             "p1",
@@ -81,30 +119,24 @@ pub mod attia2003 {
                 p11: value("p11"),
             }
         }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [
-                self.p1,
-                self.p2,
-                self.p3,
-                self.p4,
-                self.p5,
-                self.p6,
-                self.p7,
-                self.p8,
-                self.p9,
-                self.p10,
-                self.p11,
-            ]
-                .into_iter()
-        }
     }
 
     impl<T: Scalar> Default for Points<T> {
         #[inline(always)]
         fn default() -> Self {
-            Self::from_fn(|_| Default::default())
+            Self {
+                p1: Default::default(),
+                p2: Default::default(),
+                p3: Default::default(),
+                p4: Default::default(),
+                p5: Default::default(),
+                p6: Default::default(),
+                p7: Default::default(),
+                p8: Default::default(),
+                p9: Default::default(),
+                p10: Default::default(),
+                p11: Default::default(),
+            }
         }
     }
 
@@ -123,6 +155,25 @@ pub mod attia2003 {
         pub p5: Vector3<T>,
     }
 
+    impl<T: Scalar> Values<Vector3<T>> for Fixed<T> {
+        #[inline(always)]
+        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
+            let mut values = values.into_iter();
+            Self {
+                p1: values.next().unwrap_or_default(),
+                p2: values.next().unwrap_or_default(),
+                p3: values.next().unwrap_or_default(),
+                p4: values.next().unwrap_or_default(),
+                p5: values.next().unwrap_or_default(),
+            }
+        }
+
+        #[inline(always)]
+        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
+            [self.p1, self.p2, self.p3, self.p4, self.p5].into_iter()
+        }
+    }
+
     impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
         const NAMES: &'static [&'static str] = &["p1", "p2", "p3", "p4", "p5"];
         #[inline(always)]
@@ -135,17 +186,18 @@ pub mod attia2003 {
                 p5: value("p5"),
             }
         }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [self.p1, self.p2, self.p3, self.p4, self.p5].into_iter()
-        }
     }
 
     impl<T: Scalar> Default for Fixed<T> {
         #[inline(always)]
         fn default() -> Self {
-            Self::from_fn(|_| Default::default())
+            Self {
+                p1: Default::default(),
+                p2: Default::default(),
+                p3: Default::default(),
+                p4: Default::default(),
+                p5: Default::default(),
+            }
         }
     }
 
@@ -156,11 +208,13 @@ pub mod attia2003 {
         pub theta: T,
     }
 
-    impl<T: Scalar> Named<T> for Drives<T> {
-        const NAMES: &'static [&'static str] = &["theta"];
+    impl<T: Scalar> Values<T> for Drives<T> {
         #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { theta: value("theta") }
+        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
+            let mut values = values.into_iter();
+            Self {
+                theta: values.next().unwrap_or_default(),
+            }
         }
 
         #[inline(always)]
@@ -169,10 +223,18 @@ pub mod attia2003 {
         }
     }
 
+    impl<T: Scalar> Named<T> for Drives<T> {
+        const NAMES: &'static [&'static str] = &["theta"];
+        #[inline(always)]
+        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
+            Self { theta: value("theta") }
+        }
+    }
+
     impl<T: Scalar> Default for Drives<T> {
         #[inline(always)]
         fn default() -> Self {
-            Self::from_fn(|_| Default::default())
+            Self { theta: Default::default() }
         }
     }
 
@@ -183,11 +245,13 @@ pub mod attia2003 {
         pub height: T,
     }
 
-    impl<T: Scalar> Named<T> for Measures<T> {
-        const NAMES: &'static [&'static str] = &["height"];
+    impl<T: Scalar> Values<T> for Measures<T> {
         #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { height: value("height") }
+        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
+            let mut values = values.into_iter();
+            Self {
+                height: values.next().unwrap_or_default(),
+            }
         }
 
         #[inline(always)]
@@ -196,10 +260,18 @@ pub mod attia2003 {
         }
     }
 
+    impl<T: Scalar> Named<T> for Measures<T> {
+        const NAMES: &'static [&'static str] = &["height"];
+        #[inline(always)]
+        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
+            Self { height: value("height") }
+        }
+    }
+
     impl<T: Scalar> Default for Measures<T> {
         #[inline(always)]
         fn default() -> Self {
-            Self::from_fn(|_| Default::default())
+            Self { height: Default::default() }
         }
     }
 
@@ -234,6 +306,50 @@ pub mod attia2003 {
         pub d9_8: T,
         /// Eq. (1.14)
         pub d10_8: T,
+    }
+
+    impl<T: Scalar> Values<T> for Lengths<T> {
+        #[inline(always)]
+        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
+            let mut values = values.into_iter();
+            Self {
+                d6_1: values.next().unwrap_or_default(),
+                d7_2: values.next().unwrap_or_default(),
+                d8_3: values.next().unwrap_or_default(),
+                d9_4: values.next().unwrap_or_default(),
+                d10_5: values.next().unwrap_or_default(),
+                d7_6: values.next().unwrap_or_default(),
+                d8_6: values.next().unwrap_or_default(),
+                d9_6: values.next().unwrap_or_default(),
+                d10_6: values.next().unwrap_or_default(),
+                d8_7: values.next().unwrap_or_default(),
+                d9_7: values.next().unwrap_or_default(),
+                d10_7: values.next().unwrap_or_default(),
+                d9_8: values.next().unwrap_or_default(),
+                d10_8: values.next().unwrap_or_default(),
+            }
+        }
+
+        #[inline(always)]
+        fn values(&self) -> impl Iterator<Item = T> {
+            [
+                self.d6_1,
+                self.d7_2,
+                self.d8_3,
+                self.d9_4,
+                self.d10_5,
+                self.d7_6,
+                self.d8_6,
+                self.d9_6,
+                self.d10_6,
+                self.d8_7,
+                self.d9_7,
+                self.d10_7,
+                self.d9_8,
+                self.d10_8,
+            ]
+                .into_iter()
+        }
     }
 
     impl<T: Scalar> Named<T> for Lengths<T> {
@@ -272,33 +388,27 @@ pub mod attia2003 {
                 d10_8: value("d10_8"),
             }
         }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [
-                self.d6_1,
-                self.d7_2,
-                self.d8_3,
-                self.d9_4,
-                self.d10_5,
-                self.d7_6,
-                self.d8_6,
-                self.d9_6,
-                self.d10_6,
-                self.d8_7,
-                self.d9_7,
-                self.d10_7,
-                self.d9_8,
-                self.d10_8,
-            ]
-                .into_iter()
-        }
     }
 
     impl<T: Scalar> Default for Lengths<T> {
         #[inline(always)]
         fn default() -> Self {
-            Self::from_fn(|_| Default::default())
+            Self {
+                d6_1: Default::default(),
+                d7_2: Default::default(),
+                d8_3: Default::default(),
+                d9_4: Default::default(),
+                d10_5: Default::default(),
+                d7_6: Default::default(),
+                d8_6: Default::default(),
+                d9_6: Default::default(),
+                d10_6: Default::default(),
+                d8_7: Default::default(),
+                d9_7: Default::default(),
+                d10_7: Default::default(),
+                d9_8: Default::default(),
+                d10_8: Default::default(),
+            }
         }
     }
 
@@ -422,43 +532,11 @@ pub mod attia2003 {
         type Measures = Measures<T>;
         type Points = Points<T>;
         type Factors = Factors<T>;
-        const EQUATIONS: [&'static str; 15] = [
-            "d6_1",
-            "d7_2",
-            "d8_3",
-            "d9_4",
-            "d10_5",
-            "d7_6",
-            "d8_6",
-            "d9_6",
-            "d10_6",
-            "d8_7",
-            "d9_7",
-            "d10_7",
-            "d9_8",
-            "d10_8",
-            "theta",
-        ];
-        const UNKNOWNS: [&'static str; 15] = [
-            "p6.x",
-            "p6.y",
-            "p6.z",
-            "p7.x",
-            "p7.y",
-            "p7.z",
-            "p8.x",
-            "p8.y",
-            "p8.z",
-            "p9.x",
-            "p9.y",
-            "p9.z",
-            "p10.x",
-            "p10.y",
-            "p10.z",
-        ];
-        const DRIVE_KINDS: &'static [DriveKind] = &[DriveKind::Angle];
-        const MEASURE_KINDS: &'static [MeasureKind] = &[MeasureKind::Length];
-        const LINKED: &'static [&'static str] = &["p9", "p10"];
+        #[inline(always)]
+        fn linked(&self) -> impl Iterator<Item = usize> {
+            [8, 9].into_iter()
+        }
+
         fn fixed(&self) -> &Fixed<T> {
             &self.fixed
         }
@@ -485,7 +563,7 @@ pub mod attia2003 {
         }
 
         #[inline(always)]
-        fn drive_anchors(fixed: Fixed<T>, _drives: &Drives<T>) -> Fixed<T> {
+        fn drive_anchors(&self, fixed: Fixed<T>, _drives: &Drives<T>) -> Fixed<T> {
             fixed
         }
 
@@ -1134,7 +1212,7 @@ pub mod attia2003 {
             }
         }
 
-        fn unknowns(points: &Points<T>) -> SVector<T, 15> {
+        fn unknowns(&self, points: &Points<T>) -> SVector<T, 15> {
             Free {
                 p6: points.p6,
                 p7: points.p7,
@@ -1145,7 +1223,7 @@ pub mod attia2003 {
                 .unknowns()
         }
 
-        fn measures(points: &Signal<Points<T>>) -> Signal<Measures<T>>
+        fn measures(&self, points: &Signal<Points<T>>) -> Signal<Measures<T>>
         where
             T: Real,
         {
@@ -1163,6 +1241,21 @@ pub mod attia2003 {
                     height: each.height.second_rate,
                 },
             }
+        }
+
+        #[inline]
+        fn wheel_axis(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
+            Some([points.p8, points.p11])
+        }
+
+        #[inline]
+        fn wheel_carrier(&self, points: &Points<T>) -> Option<[Vector3<T>; 3]> {
+            Some([points.p6, points.p7, points.p8])
+        }
+
+        #[inline]
+        fn kingpin(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
+            Some([points.p6, points.p7])
         }
 
         #[inline(always)]
@@ -1654,6 +1747,96 @@ pub mod attia2003 {
     /// This listing, over any number.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Listing;
+    impl Listing {
+        /// Names and kinds of its parts.
+        pub const PARTS: Names = Names {
+            equations: &[
+                "d6_1",
+                "d7_2",
+                "d8_3",
+                "d9_4",
+                "d10_5",
+                "d7_6",
+                "d8_6",
+                "d9_6",
+                "d10_6",
+                "d8_7",
+                "d9_7",
+                "d10_7",
+                "d9_8",
+                "d10_8",
+                "theta",
+            ],
+            unknowns: &[
+                "p6.x",
+                "p6.y",
+                "p6.z",
+                "p7.x",
+                "p7.y",
+                "p7.z",
+                "p8.x",
+                "p8.y",
+                "p8.z",
+                "p9.x",
+                "p9.y",
+                "p9.z",
+                "p10.x",
+                "p10.y",
+                "p10.z",
+            ],
+            chassis: <Fixed<f64> as Named<Vector3<f64>>>::NAMES,
+            points: <Points<f64> as Named<Vector3<f64>>>::NAMES,
+            markers: 1,
+            drives: <Drives<f64> as Named<f64>>::NAMES,
+            drive_kinds: &[DriveKind::Angle],
+            measures: <Measures<f64> as Named<f64>>::NAMES,
+            measure_kinds: &[MeasureKind::Length],
+            lengths: <Lengths<f64> as Named<f64>>::NAMES,
+        };
+    }
+
+    impl Parts for Listing {
+        fn name(&self, part: Part) -> &str {
+            Listing::PARTS.name(part)
+        }
+
+        #[inline(always)]
+        fn count(&self, kind: Kind) -> usize {
+            Listing::PARTS.count(kind)
+        }
+
+        #[inline(always)]
+        fn drive_kind(&self, drive: usize) -> DriveKind {
+            Listing::PARTS.drive_kind(drive)
+        }
+
+        #[inline(always)]
+        fn measure_kind(&self, measure: usize) -> MeasureKind {
+            Listing::PARTS.measure_kind(measure)
+        }
+    }
+
+    impl<T: Scalar> Parts for Model<T> {
+        fn name(&self, part: Part) -> &str {
+            Listing::PARTS.name(part)
+        }
+
+        #[inline(always)]
+        fn count(&self, kind: Kind) -> usize {
+            Listing::PARTS.count(kind)
+        }
+
+        #[inline(always)]
+        fn drive_kind(&self, drive: usize) -> DriveKind {
+            Listing::PARTS.drive_kind(drive)
+        }
+
+        #[inline(always)]
+        fn measure_kind(&self, measure: usize) -> MeasureKind {
+            Listing::PARTS.measure_kind(measure)
+        }
+    }
+
     impl AnyNumber<15> for Listing {
         type Model<T: Scalar> = Model<T>;
         type Fixed<T: Scalar> = Fixed<T>;
@@ -1734,9 +1917,9 @@ pub mod attia2003 {
     impl<T: Real> Build<15> for Model<T> {
         type Lengths = Lengths<T>;
         fn new(design: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(design)?;
+            parts::finite(design.values())?;
             let p6_p7_p8_frame = parts::frame(
-                "p8",
+                7,
                 Frame::new(design.p6, design.p7, design.p8),
             )?;
             let model = Self {
@@ -1748,25 +1931,25 @@ pub mod attia2003 {
                     p5: design.p5,
                 },
                 size: T::zero(),
-                d6_1: parts::distance("d6_1", design.p1, design.p6)?,
-                d7_2: parts::distance("d7_2", design.p2, design.p7)?,
-                d8_3: parts::distance("d8_3", design.p3, design.p8)?,
-                d9_4: parts::distance("d9_4", design.p4, design.p9)?,
-                d10_5: parts::distance("d10_5", design.p5, design.p10)?,
-                d7_6: parts::distance("d7_6", design.p6, design.p7)?,
-                d8_6: parts::distance("d8_6", design.p6, design.p8)?,
-                d9_6: parts::distance("d9_6", design.p6, design.p9)?,
-                d10_6: parts::distance("d10_6", design.p6, design.p10)?,
-                d8_7: parts::distance("d8_7", design.p7, design.p8)?,
-                d9_7: parts::distance("d9_7", design.p7, design.p9)?,
-                d10_7: parts::distance("d10_7", design.p7, design.p10)?,
-                d9_8: parts::distance("d9_8", design.p8, design.p9)?,
-                d10_8: parts::distance("d10_8", design.p8, design.p10)?,
+                d6_1: parts::distance(0, design.p1, design.p6)?,
+                d7_2: parts::distance(1, design.p2, design.p7)?,
+                d8_3: parts::distance(2, design.p3, design.p8)?,
+                d9_4: parts::distance(3, design.p4, design.p9)?,
+                d10_5: parts::distance(4, design.p5, design.p10)?,
+                d7_6: parts::distance(5, design.p6, design.p7)?,
+                d8_6: parts::distance(6, design.p6, design.p8)?,
+                d9_6: parts::distance(7, design.p6, design.p9)?,
+                d10_6: parts::distance(8, design.p6, design.p10)?,
+                d8_7: parts::distance(9, design.p7, design.p8)?,
+                d9_7: parts::distance(10, design.p7, design.p9)?,
+                d10_7: parts::distance(11, design.p7, design.p10)?,
+                d9_8: parts::distance(12, design.p8, design.p9)?,
+                d10_8: parts::distance(13, design.p8, design.p10)?,
                 p6_p7_p8_frame,
-                p6_p7_p8_p9: parts::linked("p9", design.p9, &p6_p7_p8_frame)?,
-                p6_p7_p8_p10: parts::linked("p10", design.p10, &p6_p7_p8_frame)?,
+                p6_p7_p8_p9: parts::linked(8, design.p9, &p6_p7_p8_frame)?,
+                p6_p7_p8_p10: parts::linked(9, design.p10, &p6_p7_p8_frame)?,
                 p11: parts::carried(
-                    "p11",
+                    10,
                     design.p11,
                     &Frame::new(design.p6, design.p7, design.p8),
                 )?,
@@ -1775,9 +1958,9 @@ pub mod attia2003 {
         }
 
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
-            parts::positive(lengths)?;
+            parts::positive(lengths.values())?;
             let p6_p7_p8_frame = parts::frame_of_lengths(
-                "p8",
+                7,
                 [lengths.d7_6, lengths.d8_6, lengths.d8_7],
             )?;
             let model = Self {
@@ -1797,13 +1980,13 @@ pub mod attia2003 {
                 d10_8: Distance::new(lengths.d10_8),
                 p6_p7_p8_frame,
                 p6_p7_p8_p9: parts::linked_at(
-                    "p9",
+                    8,
                     &self.p6_p7_p8_p9,
                     &p6_p7_p8_frame,
                     [lengths.d9_6, lengths.d9_7, lengths.d9_8],
                 )?,
                 p6_p7_p8_p10: parts::linked_at(
-                    "p10",
+                    9,
                     &self.p6_p7_p8_p10,
                     &p6_p7_p8_frame,
                     [lengths.d10_6, lengths.d10_7, lengths.d10_8],
@@ -1814,10 +1997,10 @@ pub mod attia2003 {
         }
 
         fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(points)?;
+            parts::finite(points.values())?;
             Ok(Self {
                 p11: parts::carried(
-                    "p11",
+                    10,
                     points.p11,
                     &Frame::new(points.p6, points.p7, points.p8),
                 )?,

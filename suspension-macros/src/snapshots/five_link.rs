@@ -46,6 +46,44 @@ pub mod five_link {
         pub wheel_centre: Vector3<T>,
     }
 
+    impl<T: Scalar> Values<Vector3<T>> for Points<T> {
+        #[inline(always)]
+        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
+            let mut values = values.into_iter();
+            Self {
+                lower_front_inner: values.next().unwrap_or_default(),
+                upper_front_inner: values.next().unwrap_or_default(),
+                upper_rear_inner: values.next().unwrap_or_default(),
+                lower_rear_inner: values.next().unwrap_or_default(),
+                track_rod_inner: values.next().unwrap_or_default(),
+                lower_front_outer: values.next().unwrap_or_default(),
+                upper_front_outer: values.next().unwrap_or_default(),
+                upper_rear_outer: values.next().unwrap_or_default(),
+                lower_rear_outer: values.next().unwrap_or_default(),
+                track_rod_outer: values.next().unwrap_or_default(),
+                wheel_centre: values.next().unwrap_or_default(),
+            }
+        }
+
+        #[inline(always)]
+        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
+            [
+                self.lower_front_inner,
+                self.upper_front_inner,
+                self.upper_rear_inner,
+                self.lower_rear_inner,
+                self.track_rod_inner,
+                self.lower_front_outer,
+                self.upper_front_outer,
+                self.upper_rear_outer,
+                self.lower_rear_outer,
+                self.track_rod_outer,
+                self.wheel_centre,
+            ]
+                .into_iter()
+        }
+    }
+
     impl<T: Scalar> Named<Vector3<T>> for Points<T> {
         const NAMES: &'static [&'static str] = &[
             "lower_front_inner",
@@ -76,30 +114,24 @@ pub mod five_link {
                 wheel_centre: value("wheel_centre"),
             }
         }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [
-                self.lower_front_inner,
-                self.upper_front_inner,
-                self.upper_rear_inner,
-                self.lower_rear_inner,
-                self.track_rod_inner,
-                self.lower_front_outer,
-                self.upper_front_outer,
-                self.upper_rear_outer,
-                self.lower_rear_outer,
-                self.track_rod_outer,
-                self.wheel_centre,
-            ]
-                .into_iter()
-        }
     }
 
     impl<T: Scalar> Default for Points<T> {
         #[inline(always)]
         fn default() -> Self {
-            Self::from_fn(|_| Default::default())
+            Self {
+                lower_front_inner: Default::default(),
+                upper_front_inner: Default::default(),
+                upper_rear_inner: Default::default(),
+                lower_rear_inner: Default::default(),
+                track_rod_inner: Default::default(),
+                lower_front_outer: Default::default(),
+                upper_front_outer: Default::default(),
+                upper_rear_outer: Default::default(),
+                lower_rear_outer: Default::default(),
+                track_rod_outer: Default::default(),
+                wheel_centre: Default::default(),
+            }
         }
     }
 
@@ -116,6 +148,32 @@ pub mod five_link {
         pub lower_rear_inner: Vector3<T>,
         /// Chassis point `track_rod_inner`.
         pub track_rod_inner: Vector3<T>,
+    }
+
+    impl<T: Scalar> Values<Vector3<T>> for Fixed<T> {
+        #[inline(always)]
+        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
+            let mut values = values.into_iter();
+            Self {
+                lower_front_inner: values.next().unwrap_or_default(),
+                upper_front_inner: values.next().unwrap_or_default(),
+                upper_rear_inner: values.next().unwrap_or_default(),
+                lower_rear_inner: values.next().unwrap_or_default(),
+                track_rod_inner: values.next().unwrap_or_default(),
+            }
+        }
+
+        #[inline(always)]
+        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
+            [
+                self.lower_front_inner,
+                self.upper_front_inner,
+                self.upper_rear_inner,
+                self.lower_rear_inner,
+                self.track_rod_inner,
+            ]
+                .into_iter()
+        }
     }
 
     impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
@@ -136,24 +194,18 @@ pub mod five_link {
                 track_rod_inner: value("track_rod_inner"),
             }
         }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [
-                self.lower_front_inner,
-                self.upper_front_inner,
-                self.upper_rear_inner,
-                self.lower_rear_inner,
-                self.track_rod_inner,
-            ]
-                .into_iter()
-        }
     }
 
     impl<T: Scalar> Default for Fixed<T> {
         #[inline(always)]
         fn default() -> Self {
-            Self::from_fn(|_| Default::default())
+            Self {
+                lower_front_inner: Default::default(),
+                upper_front_inner: Default::default(),
+                upper_rear_inner: Default::default(),
+                lower_rear_inner: Default::default(),
+                track_rod_inner: Default::default(),
+            }
         }
     }
 
@@ -164,11 +216,13 @@ pub mod five_link {
         pub theta: T,
     }
 
-    impl<T: Scalar> Named<T> for Drives<T> {
-        const NAMES: &'static [&'static str] = &["theta"];
+    impl<T: Scalar> Values<T> for Drives<T> {
         #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { theta: value("theta") }
+        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
+            let mut values = values.into_iter();
+            Self {
+                theta: values.next().unwrap_or_default(),
+            }
         }
 
         #[inline(always)]
@@ -177,10 +231,18 @@ pub mod five_link {
         }
     }
 
+    impl<T: Scalar> Named<T> for Drives<T> {
+        const NAMES: &'static [&'static str] = &["theta"];
+        #[inline(always)]
+        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
+            Self { theta: value("theta") }
+        }
+    }
+
     impl<T: Scalar> Default for Drives<T> {
         #[inline(always)]
         fn default() -> Self {
-            Self::from_fn(|_| Default::default())
+            Self { theta: Default::default() }
         }
     }
 
@@ -191,11 +253,13 @@ pub mod five_link {
         pub height: T,
     }
 
-    impl<T: Scalar> Named<T> for Measures<T> {
-        const NAMES: &'static [&'static str] = &["height"];
+    impl<T: Scalar> Values<T> for Measures<T> {
         #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { height: value("height") }
+        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
+            let mut values = values.into_iter();
+            Self {
+                height: values.next().unwrap_or_default(),
+            }
         }
 
         #[inline(always)]
@@ -204,10 +268,18 @@ pub mod five_link {
         }
     }
 
+    impl<T: Scalar> Named<T> for Measures<T> {
+        const NAMES: &'static [&'static str] = &["height"];
+        #[inline(always)]
+        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
+            Self { height: value("height") }
+        }
+    }
+
     impl<T: Scalar> Default for Measures<T> {
         #[inline(always)]
         fn default() -> Self {
-            Self::from_fn(|_| Default::default())
+            Self { height: Default::default() }
         }
     }
 
@@ -242,6 +314,68 @@ pub mod five_link {
         pub knuckle_track_rod_outer_upper_front_outer: T,
         /// From `track_rod_outer` to `upper_rear_outer`.
         pub knuckle_track_rod_outer_upper_rear_outer: T,
+    }
+
+    impl<T: Scalar> Values<T> for Lengths<T> {
+        #[inline(always)]
+        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
+            let mut values = values.into_iter();
+            Self {
+                lower_front: values.next().unwrap_or_default(),
+                upper_front: values.next().unwrap_or_default(),
+                upper_rear: values.next().unwrap_or_default(),
+                lower_rear: values.next().unwrap_or_default(),
+                track_rod: values.next().unwrap_or_default(),
+                knuckle_lower_front_outer_upper_front_outer: values
+                    .next()
+                    .unwrap_or_default(),
+                knuckle_lower_front_outer_upper_rear_outer: values
+                    .next()
+                    .unwrap_or_default(),
+                knuckle_upper_front_outer_upper_rear_outer: values
+                    .next()
+                    .unwrap_or_default(),
+                knuckle_lower_rear_outer_lower_front_outer: values
+                    .next()
+                    .unwrap_or_default(),
+                knuckle_lower_rear_outer_upper_front_outer: values
+                    .next()
+                    .unwrap_or_default(),
+                knuckle_lower_rear_outer_upper_rear_outer: values
+                    .next()
+                    .unwrap_or_default(),
+                knuckle_track_rod_outer_lower_front_outer: values
+                    .next()
+                    .unwrap_or_default(),
+                knuckle_track_rod_outer_upper_front_outer: values
+                    .next()
+                    .unwrap_or_default(),
+                knuckle_track_rod_outer_upper_rear_outer: values
+                    .next()
+                    .unwrap_or_default(),
+            }
+        }
+
+        #[inline(always)]
+        fn values(&self) -> impl Iterator<Item = T> {
+            [
+                self.lower_front,
+                self.upper_front,
+                self.upper_rear,
+                self.lower_rear,
+                self.track_rod,
+                self.knuckle_lower_front_outer_upper_front_outer,
+                self.knuckle_lower_front_outer_upper_rear_outer,
+                self.knuckle_upper_front_outer_upper_rear_outer,
+                self.knuckle_lower_rear_outer_lower_front_outer,
+                self.knuckle_lower_rear_outer_upper_front_outer,
+                self.knuckle_lower_rear_outer_upper_rear_outer,
+                self.knuckle_track_rod_outer_lower_front_outer,
+                self.knuckle_track_rod_outer_upper_front_outer,
+                self.knuckle_track_rod_outer_upper_rear_outer,
+            ]
+                .into_iter()
+        }
     }
 
     impl<T: Scalar> Named<T> for Lengths<T> {
@@ -298,33 +432,27 @@ pub mod five_link {
                 ),
             }
         }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [
-                self.lower_front,
-                self.upper_front,
-                self.upper_rear,
-                self.lower_rear,
-                self.track_rod,
-                self.knuckle_lower_front_outer_upper_front_outer,
-                self.knuckle_lower_front_outer_upper_rear_outer,
-                self.knuckle_upper_front_outer_upper_rear_outer,
-                self.knuckle_lower_rear_outer_lower_front_outer,
-                self.knuckle_lower_rear_outer_upper_front_outer,
-                self.knuckle_lower_rear_outer_upper_rear_outer,
-                self.knuckle_track_rod_outer_lower_front_outer,
-                self.knuckle_track_rod_outer_upper_front_outer,
-                self.knuckle_track_rod_outer_upper_rear_outer,
-            ]
-                .into_iter()
-        }
     }
 
     impl<T: Scalar> Default for Lengths<T> {
         #[inline(always)]
         fn default() -> Self {
-            Self::from_fn(|_| Default::default())
+            Self {
+                lower_front: Default::default(),
+                upper_front: Default::default(),
+                upper_rear: Default::default(),
+                lower_rear: Default::default(),
+                track_rod: Default::default(),
+                knuckle_lower_front_outer_upper_front_outer: Default::default(),
+                knuckle_lower_front_outer_upper_rear_outer: Default::default(),
+                knuckle_upper_front_outer_upper_rear_outer: Default::default(),
+                knuckle_lower_rear_outer_lower_front_outer: Default::default(),
+                knuckle_lower_rear_outer_upper_front_outer: Default::default(),
+                knuckle_lower_rear_outer_upper_rear_outer: Default::default(),
+                knuckle_track_rod_outer_lower_front_outer: Default::default(),
+                knuckle_track_rod_outer_upper_front_outer: Default::default(),
+                knuckle_track_rod_outer_upper_rear_outer: Default::default(),
+            }
         }
     }
 
@@ -471,43 +599,11 @@ pub mod five_link {
         type Measures = Measures<T>;
         type Points = Points<T>;
         type Factors = Factors<T>;
-        const EQUATIONS: [&'static str; 15] = [
-            "lower_front",
-            "upper_front",
-            "upper_rear",
-            "lower_rear",
-            "track_rod",
-            "knuckle_lower_front_outer_upper_front_outer",
-            "knuckle_lower_front_outer_upper_rear_outer",
-            "knuckle_upper_front_outer_upper_rear_outer",
-            "knuckle_lower_rear_outer_x",
-            "knuckle_lower_rear_outer_y",
-            "knuckle_lower_rear_outer_z",
-            "knuckle_track_rod_outer_x",
-            "knuckle_track_rod_outer_y",
-            "knuckle_track_rod_outer_z",
-            "theta",
-        ];
-        const UNKNOWNS: [&'static str; 15] = [
-            "lower_front_outer.x",
-            "lower_front_outer.y",
-            "lower_front_outer.z",
-            "upper_front_outer.x",
-            "upper_front_outer.y",
-            "upper_front_outer.z",
-            "upper_rear_outer.x",
-            "upper_rear_outer.y",
-            "upper_rear_outer.z",
-            "lower_rear_outer.x",
-            "lower_rear_outer.y",
-            "lower_rear_outer.z",
-            "track_rod_outer.x",
-            "track_rod_outer.y",
-            "track_rod_outer.z",
-        ];
-        const DRIVE_KINDS: &'static [DriveKind] = &[DriveKind::Angle];
-        const MEASURE_KINDS: &'static [MeasureKind] = &[MeasureKind::Length];
-        const LINKED: &'static [&'static str] = &[];
+        #[inline(always)]
+        fn linked(&self) -> impl Iterator<Item = usize> {
+            [].into_iter()
+        }
+
         fn fixed(&self) -> &Fixed<T> {
             &self.fixed
         }
@@ -534,7 +630,7 @@ pub mod five_link {
         }
 
         #[inline(always)]
-        fn drive_anchors(fixed: Fixed<T>, _drives: &Drives<T>) -> Fixed<T> {
+        fn drive_anchors(&self, fixed: Fixed<T>, _drives: &Drives<T>) -> Fixed<T> {
             fixed
         }
 
@@ -1580,7 +1676,7 @@ pub mod five_link {
             }
         }
 
-        fn unknowns(points: &Points<T>) -> SVector<T, 15> {
+        fn unknowns(&self, points: &Points<T>) -> SVector<T, 15> {
             Free {
                 lower_front_outer: points.lower_front_outer,
                 upper_front_outer: points.upper_front_outer,
@@ -1591,7 +1687,7 @@ pub mod five_link {
                 .unknowns()
         }
 
-        fn measures(points: &Signal<Points<T>>) -> Signal<Measures<T>>
+        fn measures(&self, points: &Signal<Points<T>>) -> Signal<Measures<T>>
         where
             T: Real,
         {
@@ -1609,6 +1705,25 @@ pub mod five_link {
                     height: each.height.second_rate,
                 },
             }
+        }
+
+        #[inline]
+        fn wheel_axis(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
+            Some([points.upper_rear_outer, points.wheel_centre])
+        }
+
+        #[inline]
+        fn wheel_carrier(&self, points: &Points<T>) -> Option<[Vector3<T>; 3]> {
+            Some([
+                points.lower_front_outer,
+                points.upper_front_outer,
+                points.upper_rear_outer,
+            ])
+        }
+
+        #[inline]
+        fn kingpin(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
+            Some([points.lower_front_outer, points.upper_front_outer])
         }
 
         #[inline(always)]
@@ -2506,6 +2621,96 @@ pub mod five_link {
     /// This listing, over any number.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Listing;
+    impl Listing {
+        /// Names and kinds of its parts.
+        pub const PARTS: Names = Names {
+            equations: &[
+                "lower_front",
+                "upper_front",
+                "upper_rear",
+                "lower_rear",
+                "track_rod",
+                "knuckle_lower_front_outer_upper_front_outer",
+                "knuckle_lower_front_outer_upper_rear_outer",
+                "knuckle_upper_front_outer_upper_rear_outer",
+                "knuckle_lower_rear_outer_x",
+                "knuckle_lower_rear_outer_y",
+                "knuckle_lower_rear_outer_z",
+                "knuckle_track_rod_outer_x",
+                "knuckle_track_rod_outer_y",
+                "knuckle_track_rod_outer_z",
+                "theta",
+            ],
+            unknowns: &[
+                "lower_front_outer.x",
+                "lower_front_outer.y",
+                "lower_front_outer.z",
+                "upper_front_outer.x",
+                "upper_front_outer.y",
+                "upper_front_outer.z",
+                "upper_rear_outer.x",
+                "upper_rear_outer.y",
+                "upper_rear_outer.z",
+                "lower_rear_outer.x",
+                "lower_rear_outer.y",
+                "lower_rear_outer.z",
+                "track_rod_outer.x",
+                "track_rod_outer.y",
+                "track_rod_outer.z",
+            ],
+            chassis: <Fixed<f64> as Named<Vector3<f64>>>::NAMES,
+            points: <Points<f64> as Named<Vector3<f64>>>::NAMES,
+            markers: 1,
+            drives: <Drives<f64> as Named<f64>>::NAMES,
+            drive_kinds: &[DriveKind::Angle],
+            measures: <Measures<f64> as Named<f64>>::NAMES,
+            measure_kinds: &[MeasureKind::Length],
+            lengths: <Lengths<f64> as Named<f64>>::NAMES,
+        };
+    }
+
+    impl Parts for Listing {
+        fn name(&self, part: Part) -> &str {
+            Listing::PARTS.name(part)
+        }
+
+        #[inline(always)]
+        fn count(&self, kind: Kind) -> usize {
+            Listing::PARTS.count(kind)
+        }
+
+        #[inline(always)]
+        fn drive_kind(&self, drive: usize) -> DriveKind {
+            Listing::PARTS.drive_kind(drive)
+        }
+
+        #[inline(always)]
+        fn measure_kind(&self, measure: usize) -> MeasureKind {
+            Listing::PARTS.measure_kind(measure)
+        }
+    }
+
+    impl<T: Scalar> Parts for Model<T> {
+        fn name(&self, part: Part) -> &str {
+            Listing::PARTS.name(part)
+        }
+
+        #[inline(always)]
+        fn count(&self, kind: Kind) -> usize {
+            Listing::PARTS.count(kind)
+        }
+
+        #[inline(always)]
+        fn drive_kind(&self, drive: usize) -> DriveKind {
+            Listing::PARTS.drive_kind(drive)
+        }
+
+        #[inline(always)]
+        fn measure_kind(&self, measure: usize) -> MeasureKind {
+            Listing::PARTS.measure_kind(measure)
+        }
+    }
+
     impl AnyNumber<15> for Listing {
         type Model<T: Scalar> = Model<T>;
         type Fixed<T: Scalar> = Fixed<T>;
@@ -2617,9 +2822,9 @@ pub mod five_link {
     impl<T: Real> Build<15> for Model<T> {
         type Lengths = Lengths<T>;
         fn new(design: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(design)?;
+            parts::finite(design.values())?;
             let knuckle_frame = parts::frame(
-                "upper_rear_outer",
+                7,
                 Frame::new(
                     design.lower_front_outer,
                     design.upper_front_outer,
@@ -2636,58 +2841,58 @@ pub mod five_link {
                 },
                 size: T::zero(),
                 lower_front: parts::distance(
-                    "lower_front",
+                    0,
                     design.lower_front_inner,
                     design.lower_front_outer,
                 )?,
                 upper_front: parts::distance(
-                    "upper_front",
+                    1,
                     design.upper_front_inner,
                     design.upper_front_outer,
                 )?,
                 upper_rear: parts::distance(
-                    "upper_rear",
+                    2,
                     design.upper_rear_inner,
                     design.upper_rear_outer,
                 )?,
                 lower_rear: parts::distance(
-                    "lower_rear",
+                    3,
                     design.lower_rear_inner,
                     design.lower_rear_outer,
                 )?,
                 track_rod: parts::distance(
-                    "track_rod",
+                    4,
                     design.track_rod_inner,
                     design.track_rod_outer,
                 )?,
                 knuckle_lower_front_outer_upper_front_outer: parts::distance(
-                    "knuckle_lower_front_outer_upper_front_outer",
+                    5,
                     design.lower_front_outer,
                     design.upper_front_outer,
                 )?,
                 knuckle_lower_front_outer_upper_rear_outer: parts::distance(
-                    "knuckle_lower_front_outer_upper_rear_outer",
+                    6,
                     design.lower_front_outer,
                     design.upper_rear_outer,
                 )?,
                 knuckle_upper_front_outer_upper_rear_outer: parts::distance(
-                    "knuckle_upper_front_outer_upper_rear_outer",
+                    7,
                     design.upper_front_outer,
                     design.upper_rear_outer,
                 )?,
                 knuckle_frame,
                 knuckle_lower_rear_outer: parts::carried(
-                    "lower_rear_outer",
+                    8,
                     design.lower_rear_outer,
                     &knuckle_frame,
                 )?,
                 knuckle_track_rod_outer: parts::carried(
-                    "track_rod_outer",
+                    9,
                     design.track_rod_outer,
                     &knuckle_frame,
                 )?,
                 wheel_centre: parts::carried(
-                    "wheel_centre",
+                    10,
                     design.wheel_centre,
                     &Frame::new(
                         design.lower_front_outer,
@@ -2700,9 +2905,9 @@ pub mod five_link {
         }
 
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
-            parts::positive(lengths)?;
+            parts::positive(lengths.values())?;
             let knuckle_frame = parts::frame_of_lengths(
-                "upper_rear_outer",
+                7,
                 [
                     lengths.knuckle_lower_front_outer_upper_front_outer,
                     lengths.knuckle_lower_front_outer_upper_rear_outer,
@@ -2726,7 +2931,7 @@ pub mod five_link {
                 ),
                 knuckle_frame,
                 knuckle_lower_rear_outer: parts::carried_at(
-                    "lower_rear_outer",
+                    8,
                     &self.knuckle_lower_rear_outer,
                     &knuckle_frame,
                     [
@@ -2736,7 +2941,7 @@ pub mod five_link {
                     ],
                 )?,
                 knuckle_track_rod_outer: parts::carried_at(
-                    "track_rod_outer",
+                    9,
                     &self.knuckle_track_rod_outer,
                     &knuckle_frame,
                     [
@@ -2751,10 +2956,10 @@ pub mod five_link {
         }
 
         fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(points)?;
+            parts::finite(points.values())?;
             Ok(Self {
                 wheel_centre: parts::carried(
-                    "wheel_centre",
+                    10,
                     points.wheel_centre,
                     &Frame::new(
                         points.lower_front_outer,

@@ -3,7 +3,7 @@
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::{SVector, Vector3};
 use suspension_core::path::{Continuation, Curve, End, Leader, Led, Stretch};
-use suspension_core::{Inputs, Linkage, Named, Real, Signal};
+use suspension_core::{Inputs, Linkage, Values, Real, Signal};
 
 /// Follows a curve to its end; the last place is left in `stretch`.
 fn follow<T, L>(
@@ -34,7 +34,7 @@ where
 }
 
 /// The height of a point, from above.
-fn height<T: Real, P: Named<Vector3<T>>>(points: &Signal<P>, point: usize) -> Signal<T> {
+fn height<T: Real, P: Values<Vector3<T>>>(points: &Signal<P>, point: usize) -> Signal<T> {
     let z = |points: &P| {
         points
             .values()

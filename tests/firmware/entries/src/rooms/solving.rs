@@ -3,7 +3,7 @@
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
-    ChassisMotion, HasKingpin, HasWheel, Inputs, Linkage, Motion, Named, Newton, Real, RigidMotion,
+    ChassisMotion, HasKingpin, HasWheel, Inputs, Linkage, Motion, Values, Newton, Real, RigidMotion,
     Signal, Still, Tangent, Tracker,
 };
 
@@ -12,8 +12,8 @@ use suspension_core::{
 pub struct Drive<T>([T; 3]);
 
 impl<T: Real> Drive<T> {
-    fn signal<D: Named<T>>(&self) -> Signal<D> {
-        let [value, rate, second_rate] = self.0.map(|number| D::from_fn(|_| number));
+    fn signal<D: Values<T>>(&self) -> Signal<D> {
+        let [value, rate, second_rate] = self.0.map(|number| D::from_values(core::iter::repeat(number)));
         Signal {
             value,
             rate,
@@ -21,7 +21,7 @@ impl<T: Real> Drive<T> {
         }
     }
 
-    fn after<D: Named<T>>(&self, time: T) -> Signal<D> {
+    fn after<D: Values<T>>(&self, time: T) -> Signal<D> {
         let [value, rate, second_rate] = self.0;
         let rate_then = rate + second_rate * time;
         Drive([
@@ -123,11 +123,11 @@ where
     C: ChassisMotion<L::Fixed>,
 {
     let points = motion.points(linkage, inputs);
-    let (Some(wheel), Some(carrier)) = (Wheel::of(&points.value), CarrierRotation::of(&points))
+    let (Some(wheel), Some(carrier)) = (Wheel::of(points.value.wheel()), CarrierRotation::of(&points.map(|points| points.carrier())))
     else {
         return false;
     };
-    let kingpin = Kingpin::of(&points.value);
+    let kingpin = Kingpin::of(points.value.kingpin(), points.value.wheel());
     let centre = |points: &L::Points| -> [T; 3] {
         let [_, centre] = points.wheel();
         centre.into()

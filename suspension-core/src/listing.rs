@@ -1,0 +1,150 @@
+//! What a listing has, whatever its geometry: its parts, their names and kinds.
+
+/// The parts of a listing. A model has them, and so has the listing that it is made from.
+pub trait Parts {
+    /// The name of a part; an unknown's is that of the point and the axis, `ball.x`. `?` where there
+    /// is no such part.
+    fn name(&self, part: Part) -> &str;
+
+    /// How many parts of a kind there are.
+    fn count(&self, kind: Kind) -> usize;
+
+    /// What the drive with this index measures.
+    fn drive_kind(&self, drive: usize) -> DriveKind;
+
+    /// What the measure with this index is.
+    fn measure_kind(&self, measure: usize) -> MeasureKind;
+}
+
+/// A part of a linkage by its number, which [`Parts::name`] turns into the name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// A row of the residual and the Jacobian.
+    Equation(usize),
+    /// An entry of `q`, a column of the Jacobian.
+    Unknown(usize),
+    /// A point: chassis points come first, then free points, then markers.
+    Point(usize),
+    /// A drive.
+    Drive(usize),
+    /// A measure.
+    Measure(usize),
+    /// A length.
+    Length(usize),
+}
+
+impl Part {
+    /// Its number among the parts of its kind.
+    pub fn index(self) -> usize {
+        match self {
+            Self::Equation(index)
+            | Self::Unknown(index)
+            | Self::Point(index)
+            | Self::Drive(index)
+            | Self::Measure(index)
+            | Self::Length(index) => index,
+        }
+    }
+}
+
+/// What a linkage has a number of: [`Parts::count`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// Unknowns, and as many equations: `N`, or fewer where a model has room for more.
+    Unknown,
+    /// Chassis points.
+    ChassisPoint,
+    /// Free points.
+    FreePoint,
+    /// Markers.
+    Marker,
+    /// Drives.
+    Drive,
+    /// Measures.
+    Measure,
+    /// Lengths.
+    Length,
+}
+
+/// What a drive's value measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DriveKind {
+    /// A coordinate of a point, or the difference of two, in the unit of the hardpoints.
+    Coordinate,
+    /// The angle in radians, from 0 to pi, between a link and the positive direction of an axis.
+    /// Only its cosine enters: an angle beyond that range acts as the one within that has the same.
+    Angle,
+}
+
+/// What a measure is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeasureKind {
+    /// A length, a coordinate or the difference of two, in the unit of the hardpoints.
+    Length,
+    /// An angle in radians, from 0 to pi.
+    Angle,
+}
+
+/// The parts of a listing that `linkage!` has written: tables in the order of the parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Names {
+    /// Rows of the residual and the Jacobian.
+    pub equations: &'static [&'static str],
+    /// Entries of `q`, columns of the Jacobian.
+    pub unknowns: &'static [&'static str],
+    /// Chassis points.
+    pub chassis: &'static [&'static str],
+    /// Chassis points, free points and markers.
+    pub points: &'static [&'static str],
+    /// How many of the points are markers.
+    pub markers: usize,
+    /// Drives.
+    pub drives: &'static [&'static str],
+    /// What each drive measures.
+    pub drive_kinds: &'static [DriveKind],
+    /// Measures.
+    pub measures: &'static [&'static str],
+    /// What each measure is.
+    pub measure_kinds: &'static [MeasureKind],
+    /// Lengths.
+    pub lengths: &'static [&'static str],
+}
+
+impl Parts for Names {
+    fn name(&self, part: Part) -> &str {
+        let (table, index) = match part {
+            Part::Equation(index) => (self.equations, index),
+            Part::Unknown(index) => (self.unknowns, index),
+            Part::Point(index) => (self.points, index),
+            Part::Drive(index) => (self.drives, index),
+            Part::Measure(index) => (self.measures, index),
+            Part::Length(index) => (self.lengths, index),
+        };
+        table.get(index).copied().unwrap_or("?")
+    }
+
+    #[inline(always)]
+    fn count(&self, kind: Kind) -> usize {
+        match kind {
+            Kind::Unknown => self.unknowns.len(),
+            Kind::ChassisPoint => self.chassis.len(),
+            Kind::FreePoint => self.points.len() - self.chassis.len() - self.markers,
+            Kind::Marker => self.markers,
+            Kind::Drive => self.drives.len(),
+            Kind::Measure => self.measures.len(),
+            Kind::Length => self.lengths.len(),
+        }
+    }
+
+    #[inline(always)]
+    fn drive_kind(&self, drive: usize) -> DriveKind {
+        let kind = self.drive_kinds.get(drive).copied();
+        kind.unwrap_or(DriveKind::Coordinate)
+    }
+
+    #[inline(always)]
+    fn measure_kind(&self, measure: usize) -> MeasureKind {
+        let kind = self.measure_kinds.get(measure).copied();
+        kind.unwrap_or(MeasureKind::Length)
+    }
+}
