@@ -112,7 +112,7 @@ impl Scene {
     }
 
     fn start(&self) -> Motion<f64, 15> {
-        Motion::at_rest(model.unknowns(&self.design))
+        Motion::at_rest(self.model.unknowns(&self.design))
     }
 
     /// Waves under the wheels, each at its own pace, from the design position.

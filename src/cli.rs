@@ -2,12 +2,12 @@
 
 mod assemblies;
 mod bake;
-mod chart;
-mod failures;
 mod range;
 
 use std::path::PathBuf;
-use std::sync::atomic::AtomicBool;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Parser, Subcommand};
 
@@ -57,16 +57,6 @@ pub enum Command {
     /// for scenes of many vehicles, and for controllers.
     #[command(after_long_help = bake::NOTES)]
     Bake(bake::Arguments),
-    /// Measures every method: what a step takes against the error it makes.
-    ///
-    /// Writes a table, a figure and a page with all figures; see also benches/rivals.
-    #[command(after_long_help = chart::NOTES)]
-    Chart(chart::Arguments),
-    /// Counts how often each method fails: bad starts, long steps, turning points.
-    ///
-    /// Writes a table, a figure and a page with all counts.
-    #[command(after_long_help = failures::NOTES)]
-    Failures(failures::Arguments),
     /// Finds how far each drive of a file leads the mechanism, and what ends its range.
     ///
     /// Follows the whole curve of configurations, also where the drive cannot lead.
@@ -88,9 +78,25 @@ impl Command {
             }
             Self::Assemblies(arguments) => arguments.run(interrupted),
             Self::Bake(arguments) => arguments.run(interrupted),
-            Self::Chart(arguments) => arguments.run(interrupted),
-            Self::Failures(arguments) => arguments.run(interrupted),
             Self::Range(arguments) => arguments.run(interrupted),
+        }
+    }
+}
+
+/// Does a job of a program; an interrupt sets the flag that it looks at. Says why where it fails.
+pub fn exit_code_of(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> ExitCode {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    if let Err(error) = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)) {
+        eprintln!("note: an interrupt will lose rows: {error}");
+    }
+    match job(&interrupted) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            if !matches!(failure, Failure::ReaderGone) {
+                eprintln!("{failure}");
+            }
+            ExitCode::from(failure.exit_code())
         }
     }
 }

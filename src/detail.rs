@@ -71,7 +71,7 @@ impl Figures {
         )
     }
 
-    /// Reads a table as `suspension chart --csv` writes it: of its rows those in `f64` and one
+    /// Reads a table as the laboratory's `chart --csv` writes it: of its rows those in `f64` and one
     /// lane. `name` is for messages.
     ///
     /// # Errors

@@ -1,10 +1,9 @@
 //! The program `suspension`: motion files in, tables, CSV files and plots out.
 //!
-//! All kinematics are those of [`suspension_core`], save other formulations that the [`chart`] sets
-//! beside it. This crate reads a motion file and brings the mechanism to its first instant
+//! All kinematics are those of [`suspension_core`]. This crate reads a motion file and brings the mechanism to its first instant
 //! ([`input`]), sweeps through the instants ([`study`]), writes what the core found ([`output`]), and
-//! compares it with the paper ([`published`]). It runs steps in [`lanes`], [`bake`]s motions, charts
-//! every method, and chooses the cheapest for a need ([`detail`]).
+//! compares it with the paper ([`published`]). It runs steps in [`lanes`], [`bake`]s motions, and
+//! chooses the cheapest method for a need ([`detail`]).
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
@@ -12,11 +11,9 @@ struct Readme;
 
 pub mod assemblies;
 pub mod bake;
-pub mod chart;
 pub mod cli;
 pub mod detail;
 pub mod failure;
-pub mod failures;
 pub mod input;
 pub mod job;
 pub mod lanes;

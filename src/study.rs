@@ -20,17 +20,15 @@ use toml::Spanned;
 use crate::assemblies::{OnListed, Wish};
 use crate::bake::order::Order;
 use crate::bake::source::Sheet;
-use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
-use crate::failures;
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
 use crate::range::course::DriveRange;
 use columns::PointNames;
 
 pub use assembled::Assembled;
-pub(crate) use assembled::follow;
-pub(crate) use cause::cause;
+pub use assembled::follow;
+pub use cause::cause;
 pub use end::{End, Stop};
 pub use timing::Timing;
 
@@ -67,6 +65,22 @@ impl<L, const N: usize> Suspension<N> for L where
                          + Listing<N, Model<f64> = L, Model<f32>: Build<N, Scalar = f32>>,
         > + 'static
 {
+}
+
+/// Work on a mechanism, whatever its linkage.
+pub trait Work {
+    /// What comes of it.
+    type Answer;
+
+    /// Does the work.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`].
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        mechanism: &Assembled<L, N>,
+    ) -> Result<Self::Answer, Failure>;
 }
 
 /// Steps that the way from one instant to the next may take.
@@ -129,18 +143,6 @@ pub trait Study {
         on_listed: &mut OnListed<'_>,
     ) -> Result<(), Failure>;
 
-    /// Puts every method of the chart through the motion between two times.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Solver`] where there is no motion.
-    fn chart(
-        &self,
-        ends: [f64; 2],
-        effort: &Effort,
-        interrupted: &AtomicBool,
-    ) -> Result<Survey, Failure>;
-
     /// The columns of a place on a drive's curve.
     fn range_columns(&self) -> Vec<String>;
 
@@ -158,16 +160,4 @@ pub trait Study {
     /// When the motion is at an end of a drive's range, and at which, where it moves this drive
     /// alone.
     fn meeting(&self, drive: usize, ends: [f64; 2], instants: &Instants) -> Option<(f64, usize)>;
-
-    /// Counts, between two times, how often each method of the failure map fails.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Solver`] where there is no motion.
-    fn failures(
-        &self,
-        ends: [f64; 2],
-        effort: &failures::survey::Effort,
-        interrupted: &AtomicBool,
-    ) -> Result<failures::survey::Counted, Failure>;
 }

@@ -1,5 +1,5 @@
-//! All tests but two, as modules of one test program: what they have in common is compiled once, and
-//! they run side by side. Those that count allocations stand alone.
+//! All tests but one, as modules of one test program: what they have in common is compiled once, and
+//! they run side by side. The one that counts allocations stands alone.
 
 mod absolute_coordinates;
 mod assembly;
@@ -12,8 +12,6 @@ mod cli;
 mod derivatives;
 mod elimination;
 mod f32;
-mod failures;
-mod formulations;
 mod guard;
 mod hostile;
 mod instructions;
@@ -40,7 +38,7 @@ fn every_file_is_a_module() {
             continue;
         }
         let name = path.file_stem().expect("a name").display().to_string();
-        let is_program = ["all", "long_run", "no_alloc"].contains(&&*name);
+        let is_program = ["all", "no_alloc"].contains(&&*name);
         let is_module = include_str!("all.rs").contains(&format!("\nmod {name};\n"));
         assert!(is_program || is_module, "{name}.rs is in no test program");
         count += 1;

@@ -3,8 +3,6 @@
 mod assemblies;
 mod bad_input;
 mod bake;
-mod chart;
-mod failures;
 mod files;
 mod hostile_files;
 mod led;
@@ -14,3 +12,6 @@ mod range;
 mod results;
 mod signals;
 mod stops;
+
+/// The program that is run.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_suspension");

@@ -53,7 +53,7 @@ where
     }
 
     fn first_configuration(&self) -> SVector<T, 15> {
-        let mut q = model.unknowns(&self.rough);
+        let mut q = self.model.unknowns(&self.rough);
         let inputs = (self.inputs)(T::zero());
         without_allocating("assemble", || {
             assemble(&Newton::from_afar(), &self.model, &inputs, &mut q)

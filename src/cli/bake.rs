@@ -61,7 +61,7 @@ impl Arguments {
     /// See [`Failure`].
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let (study, instants) = setup::load_driven(&source, "bake")?;
+        let (study, instants) = setup::load_driven(&source, "suspension bake")?;
         let sheet = study.bake(source.name(), &instants, &self.order())?;
         if interrupted.load(Ordering::Relaxed) {
             let name = source.name();

@@ -4,7 +4,7 @@ mod catalogue;
 mod led;
 mod start;
 
-use nalgebra::{Const, DimMin, SVector, Vector3};
+use nalgebra::{SVector, Vector3};
 use suspension_core::wheel::Wheel;
 use suspension_core::{
     GeometryError, HasWheel, Linkage, LocalOrigin, Named, Newton, Parts, Values, assemble, parts,
@@ -19,9 +19,9 @@ use crate::input::leading::{StandIn, stand_in};
 use crate::input::polynomial::Polynomial;
 use crate::input::source::Source;
 use crate::study::columns::PointNames;
-use crate::study::{Assembled, Study, Suspension, cause};
+use crate::study::{Assembled, Suspension, cause};
 
-pub use catalogue::{load, load_driven, load_own};
+pub use catalogue::{Loaded, load, load_driven, load_own};
 
 /// A file that is being prepared.
 struct Task<'a> {
@@ -31,10 +31,7 @@ struct Task<'a> {
     first: f64,
 }
 
-fn prepare<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<Box<dyn Study>, Failure>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+fn prepare<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<Assembled<L, N>, Failure> {
     let stand_in = check_names::<L, N>(task)?;
     let given = guess::<L, N>(task);
     parts::finite(given.values()).map_err(|error| refuse_geometry::<L, N>(task, &error))?;
@@ -69,7 +66,7 @@ where
             (lead.start.motion(), drives, Some(lead))
         }
     };
-    Ok(Box::new(Assembled {
+    Ok(Assembled {
         linkage: task.linkage,
         unit: task.file.unit,
         origin,
@@ -78,7 +75,7 @@ where
         start,
         drives,
         lead,
-    }))
+    })
 }
 
 fn check_names<L: Suspension<N>, const N: usize>(

@@ -9,10 +9,7 @@ use toml::Spanned;
 use crate::assemblies::{self, OnListed, Wish};
 use crate::bake::order::{Order, Ordered};
 use crate::bake::source::Sheet;
-use crate::chart;
-use crate::chart::survey::{Effort, Survey};
 use crate::failure::Failure;
-use crate::failures;
 use crate::input::drives::{DriveLaws, given};
 use crate::input::file::Unit;
 use crate::input::instants::Instants;
@@ -131,15 +128,6 @@ where
         assemblies::list(self, file, wish, interrupted, on_listed)
     }
 
-    fn chart(
-        &self,
-        ends: [f64; 2],
-        effort: &Effort,
-        interrupted: &AtomicBool,
-    ) -> Result<Survey, Failure> {
-        chart::measure(self, ends, effort, interrupted)
-    }
-
     fn range_columns(&self) -> Vec<String> {
         station::names::<L, N>(self.unit)
     }
@@ -161,19 +149,14 @@ where
         let ends = ends.map(|end| end - self.drive_offset(drive));
         driven.then(|| meeting::<L, N>(&self.drives, drive, ends, instants))?
     }
-
-    fn failures(
-        &self,
-        ends: [f64; 2],
-        effort: &failures::survey::Effort,
-        interrupted: &AtomicBool,
-    ) -> Result<failures::survey::Counted, Failure> {
-        failures::measure(self, ends, effort, interrupted)
-    }
 }
 
 /// Follows the motion from one time to another, in as many steps as it takes.
-pub(crate) fn follow<L: Suspension<N>, const N: usize>(
+///
+/// # Errors
+///
+/// [`Stopped`] where the mechanism goes no further.
+pub fn follow<L: Suspension<N>, const N: usize>(
     model: &L,
     drives: &DriveLaws,
     [from, to]: [f64; 2],

@@ -7,10 +7,7 @@ use crate::number::{number, rounded};
 use crate::study::Suspension;
 
 /// Why a step was refused, with the listing's names.
-pub(crate) fn cause<L: Suspension<N>, const N: usize>(
-    error: &SolveError<f64>,
-    unit: Unit,
-) -> String {
+pub fn cause<L: Suspension<N>, const N: usize>(error: &SolveError<f64>, unit: Unit) -> String {
     let listing = L::Listing::default();
     let name = error.culprit(&listing);
     let unit = unit.symbol();

@@ -2,10 +2,10 @@
 
 use dashu_ratio::Relaxed;
 use fastrand::Rng;
-use suspension::chart::double_double::DoubleDouble;
 use suspension_core::certificate::Enclosed;
 use suspension_core::trigonometry::sine_cosine;
 use suspension_core::{Real, Scalar};
+use suspension_double_double::DoubleDouble;
 
 use super::random::{power_of_ten, sign, uniform};
 

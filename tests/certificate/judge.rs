@@ -1,8 +1,8 @@
 //! Whether what was proved is so, judged by roots of 30 digits.
 
 use nalgebra::SVector;
-use suspension::chart::double_double::DoubleDouble;
 use suspension_core::{Certificate, Real};
+use suspension_double_double::DoubleDouble;
 
 use super::random::Counts;
 

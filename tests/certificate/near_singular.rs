@@ -3,8 +3,8 @@
 
 use fastrand::Rng;
 use nalgebra::{SVector, Vector3};
-use suspension::chart::double_double::DoubleDouble;
 use suspension_core::{Build, Certifier, Inputs, Linkage, Listing, Newton, Real, Signal};
+use suspension_double_double::DoubleDouble;
 
 use super::judge::{Proof, Root, judge, nearest, proof, square_root};
 use super::random::{Counts, power_of_ten, sign, sum_of_cases, uniform};

@@ -1,11 +1,12 @@
-//! The program and its input, for the tests.
+//! A program and its input, for the tests. The module above this one names the program.
+#![allow(dead_code)]
 
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::{Command, Output};
 
 pub(crate) fn command(folder: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_suspension"));
+    let mut command = Command::new(super::PROGRAM);
     command.current_dir(folder);
     command
 }
@@ -20,10 +21,13 @@ pub(crate) fn folder() -> tempfile::TempDir {
 }
 
 pub(crate) fn example(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("examples")
-        .join(name);
-    std::fs::read_to_string(path).expect("an example")
+    match name {
+        "attia2003.toml" => include_str!("../../examples/attia2003.toml"),
+        "five_link.toml" => include_str!("../../examples/five_link.toml"),
+        "five_link_height.toml" => include_str!("../../examples/five_link_height.toml"),
+        other => panic!("no example {other}"),
+    }
+    .to_owned()
 }
 
 /// The published motion with a line, found by its beginning, replaced.

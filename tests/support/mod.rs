@@ -7,11 +7,14 @@ use std::sync::LazyLock;
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Build, Inputs, Motion, Named, Newton, Real, Signal, Still, Tracker, Values, assemble,
+    Build, Inputs, Motion, Named, Newton, Real, Signal, Still, Tracker, assemble,
 };
 
 /// The instants of Table 2, s.
 pub(crate) const INSTANTS: [f64; 9] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 1.95];
+
+/// The 40-digit solution, to 25 digits.
+pub(crate) const REFERENCE: &str = include_str!("../data/attia2003_reference.csv");
 
 /// Reference values by instant and column name.
 pub(crate) struct Reference {
@@ -21,11 +24,7 @@ pub(crate) struct Reference {
 impl Reference {
     /// The 40-digit solution, rounded to f64.
     pub(crate) fn load() -> Self {
-        let path = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/tests/data/attia2003_reference.csv"
-        );
-        let mut reader = csv::Reader::from_path(path).expect("the reference is part of the tests");
+        let mut reader = csv::Reader::from_reader(REFERENCE.as_bytes());
         let rows: Vec<BTreeMap<String, f64>> = reader
             .deserialize()
             .collect::<Result<_, _>>()
@@ -55,8 +54,7 @@ impl Reference {
 
 /// The data file of the paper.
 static PAPER: LazyLock<toml::Table> = LazyLock::new(|| {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/published/attia2003.toml");
-    let text = std::fs::read_to_string(path).expect("the paper's data is part of the program");
+    let text = include_str!("../../src/published/attia2003.toml");
     text.parse().expect("valid TOML")
 });
 

@@ -2,6 +2,7 @@
 
 use nalgebra::{Const, DimMin};
 use suspension_core::linkages::{attia2003, five_link};
+use toml::Spanned;
 
 use super::{Task, prepare};
 use crate::failure::Failure;
@@ -9,14 +10,21 @@ use crate::input::check;
 use crate::input::file::MotionFile;
 use crate::input::instants::Instants;
 use crate::input::source::Source;
-use crate::study::{Study, Suspension};
+use crate::study::{Study, Suspension, Work};
 
 type Prepare = fn(&Task<'_>) -> Result<Box<dyn Study>, Failure>;
 
+fn boxed<L: Suspension<N>, const N: usize>(task: &Task<'_>) -> Result<Box<dyn Study>, Failure>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    Ok(Box::new(prepare::<L, N>(task)?))
+}
+
 /// The catalogue: each linkage under the name that files use.
 const CATALOGUE: [(&str, Prepare); 2] = [
-    ("attia2003", prepare::<attia2003::Model<f64>, 15>),
-    ("five_link", prepare::<five_link::Model<f64>, 15>),
+    ("attia2003", boxed::<attia2003::Model<f64>, 15>),
+    ("five_link", boxed::<five_link::Model<f64>, 15>),
 ];
 
 /// Reads a motion file and brings its mechanism to the first instant.
@@ -80,7 +88,7 @@ pub fn load_own<L: Suspension<N>, const N: usize>(
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    load_one_of(&[(linkage, prepare::<L, N>)], source)
+    load_one_of(&[(linkage, boxed::<L, N>)], source)
 }
 
 fn load_one_of(
@@ -90,9 +98,8 @@ fn load_one_of(
     let file = MotionFile::parse(source)?;
     let wanted = file.linkage.get_ref();
     let Some((linkage, prepare)) = known.iter().find(|(name, _)| name == wanted) else {
-        let names: Vec<_> = known.iter().map(|(name, _)| *name).collect();
-        let message = format!("unknown linkage `{wanted}`; known are {}", names.join(", "));
-        return Err(source.refuse(&file.linkage.span(), message));
+        let names = known.iter().map(|(name, _)| *name);
+        return Err(unknown(source, &file, names));
     };
     let instants = check::instants(source, &file.time)?;
     let study = prepare(&Task {
@@ -104,6 +111,98 @@ fn load_one_of(
     Ok((study, instants))
 }
 
+fn unknown<'a>(
+    source: &Source,
+    file: &MotionFile,
+    known: impl Iterator<Item = &'a str>,
+) -> Failure {
+    let wanted = file.linkage.get_ref();
+    let known: Vec<_> = known.collect();
+    let message = format!("unknown linkage `{wanted}`; known are {}", known.join(", "));
+    source.refuse(&file.linkage.span(), message)
+}
+
+/// A motion file that was read, its mechanism still to be built.
+#[derive(Clone, Debug)]
+pub struct Loaded<'a> {
+    source: &'a Source,
+    file: MotionFile,
+    instants: Instants,
+}
+
+impl<'a> Loaded<'a> {
+    /// Reads a motion file of the catalogue.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] with a place where the file is wrong.
+    pub fn read(source: &'a Source) -> Result<Self, Failure> {
+        let file = MotionFile::parse(source)?;
+        if CATALOGUE
+            .iter()
+            .all(|(name, _)| name != file.linkage.get_ref())
+        {
+            return Err(unknown(
+                source,
+                &file,
+                CATALOGUE.iter().map(|(name, _)| *name),
+            ));
+        }
+        let instants = check::instants(source, &file.time)?;
+        Ok(Self {
+            source,
+            file,
+            instants,
+        })
+    }
+
+    /// The linkage's name.
+    pub fn linkage(&self) -> &str {
+        self.file.linkage.get_ref()
+    }
+
+    /// The instants.
+    pub fn instants(&self) -> &Instants {
+        &self.instants
+    }
+
+    /// Brings the mechanism to the first instant and does the work of a command, whose motion
+    /// drives must lead.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`load_driven`] and of the work.
+    pub fn run_driven<W: Work>(&self, command: &str, work: W) -> Result<W::Answer, Failure> {
+        let [(attia2003, _), (five_link, _)] = CATALOGUE;
+        match self.linkage() {
+            name if name == attia2003 => {
+                self.run::<attia2003::Model<f64>, 15, W>(attia2003, command, work)
+            }
+            _ => self.run::<five_link::Model<f64>, 15, W>(five_link, command, work),
+        }
+    }
+
+    fn run<L: Suspension<N>, const N: usize, W: Work>(
+        &self,
+        linkage: &'static str,
+        command: &str,
+        work: W,
+    ) -> Result<W::Answer, Failure> {
+        let mechanism = prepare::<L, N>(&Task {
+            source: self.source,
+            file: &self.file,
+            linkage,
+            first: self.instants.ends()[0],
+        })?;
+        driven(
+            self.source,
+            mechanism.lead.as_ref().map(|lead| &lead.stand_in.key),
+            command,
+        )?;
+        work.on(&mechanism)
+    }
+}
+
 /// Reads a motion file for a command that all drives must lead; see [`load`].
 ///
 /// # Errors
@@ -111,14 +210,16 @@ fn load_one_of(
 /// Those of [`load`], and [`Failure::Input`] where a measure stands in for a drive.
 pub fn load_driven(source: &Source, command: &str) -> Result<(Box<dyn Study>, Instants), Failure> {
     let (study, instants) = load(source)?;
-    match study.leader() {
-        None => Ok((study, instants)),
-        Some(key) => {
-            let message = format!(
-                "`{}` is a measure; suspension {command} needs a motion that drives lead",
-                key.get_ref()
-            );
-            Err(source.refuse(&key.span(), message))
-        }
-    }
+    driven(source, study.leader(), command)?;
+    Ok((study, instants))
+}
+
+fn driven(source: &Source, leader: Option<&Spanned<String>>, command: &str) -> Result<(), Failure> {
+    leader.map_or(Ok(()), |key| {
+        let message = format!(
+            "`{}` is a measure; {command} needs a motion that drives lead",
+            key.get_ref()
+        );
+        Err(source.refuse(&key.span(), message))
+    })
 }

@@ -2,19 +2,19 @@
 
 use nalgebra::Vector3;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Build, Named};
+use suspension_core::{Build, Linkage, Named};
 
 use super::catalogue_system;
 use crate::sample::positions;
 
 /// Compares every entry of the sampled Jacobian with the one that the model computes.
-fn compare<L: Build<15, Scalar = f64>>(name: &str) {
+fn compare<L: Build<15, Scalar = f64, Points: Named<Vector3<f64>>>>(name: &str) {
     let system = catalogue_system(name);
     // Markers need no design position.
     let at = |point: &str| system.design.get(point).copied().unwrap_or_default();
     let design = L::Points::from_fn(|point| Vector3::from(at(point)));
     let model = L::new(&design).expect("a geometry");
-    let mut jacobian = model.jacobian(&L::unknowns(&design), model.fixed());
+    let mut jacobian = model.jacobian(&model.unknowns(&design), model.fixed());
     for entry in system.entries(&positions(&system)) {
         let value = entry.values[0];
         let exact = std::mem::take(&mut jacobian[(entry.row, entry.column)]);

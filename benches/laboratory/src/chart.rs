@@ -1,0 +1,200 @@
+//! The chart: what a step takes against the error it makes, for every method.
+
+pub mod axis;
+pub mod baked;
+pub mod by_series;
+pub mod course;
+pub mod figure;
+pub mod formulation;
+pub mod in_lanes;
+pub mod labels;
+pub mod latency;
+pub mod latency_page;
+pub mod method;
+pub mod methods;
+pub mod newton;
+pub mod page;
+pub mod pareto;
+pub mod reference;
+pub mod rows;
+pub mod style;
+pub mod survey;
+pub mod timing;
+pub mod tracked;
+pub mod trial;
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use suspension_core::linkage::Listing;
+
+use course::Course;
+use methods::Methods;
+use page::Findings;
+use reference::Reference;
+use survey::{Effort, MILLISECOND, Plan, Survey, nearest_to};
+use suspension::failure::Failure;
+use suspension::input::setup::Loaded;
+use suspension::input::source::Source;
+use suspension::job;
+use suspension::number::{number, rounded};
+use suspension::output::files::{refuse_input, write_file};
+use suspension::study::{Assembled, Suspension, Work, cause};
+use suspension_double_double::DoubleDouble;
+
+/// What to make a chart of, and where it goes.
+#[derive(Clone, Debug)]
+pub struct Wanted {
+    /// The motion file; without one the published motion.
+    pub file: Option<PathBuf>,
+    /// Where the table goes instead of `chart.csv` in the folder.
+    pub csv: Option<PathBuf>,
+    /// The folder of all else: `chart.svg`, `chart.html`, and `rivals.csv` if there is one.
+    pub folder: PathBuf,
+    /// How much is measured.
+    pub effort: Effort,
+}
+
+/// The last instant of the published motion in the chart, s: beyond, the mechanism nears a
+/// singularity.
+const LAST_OF_PUBLISHED: f64 = 1.9;
+
+/// Steps of the shortest length that fit into memory.
+const MOST_STEPS: f64 = 2e5;
+
+/// Measures all methods and draws the chart.
+///
+/// # Errors
+///
+/// See [`Failure`]. Where the user interrupts, what was measured is written.
+pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
+    let source = wanted
+        .file
+        .as_deref()
+        .map_or_else(|| Ok(job::built_in()), Source::read)?;
+    let csv = wanted.csv.clone();
+    let csv = csv.unwrap_or_else(|| wanted.folder.join("chart.csv"));
+    if let Some(file) = &wanted.file {
+        refuse_input(&csv, file, "--csv")?;
+    }
+    let rivals = rows::from_csv(&wanted.folder.join("rivals.csv"))?;
+    let loaded = Loaded::read(&source)?;
+    let [first, last] = loaded.instants().ends();
+    let last = wanted.file.as_ref().map_or(LAST_OF_PUBLISHED, |_| last);
+    let steps = (last - first).abs() / wanted.effort.steps[0];
+    if !(1.0..MOST_STEPS).contains(&steps) {
+        return Err(Failure::Input(format!(
+            "{}: a motion from t = {} s to {} s has {} steps of {} s; a chart takes from 1 to {}",
+            source.name(),
+            number(first),
+            number(last),
+            rounded(steps.floor(), 3),
+            number(wanted.effort.steps[0]),
+            number(MOST_STEPS)
+        )));
+    }
+    let measuring = Measuring {
+        ends: [first, last],
+        effort: &wanted.effort,
+        interrupted,
+    };
+    let survey = loaded.run_driven("suspension-laboratory chart", measuring)?;
+    let motion = format!(
+        "{}, {} of t = {} s to {} s",
+        source.name(),
+        loaded.linkage(),
+        number(first),
+        number(last)
+    );
+    let findings = Findings {
+        motion,
+        clock: latency::clock(),
+        survey,
+        rivals,
+    };
+    write(&findings, &wanted.folder, csv)?;
+    if !findings.survey.missing.is_empty() {
+        let count = findings.survey.missing.len();
+        eprintln!("note: {count} measurements are not in the chart; the page says why");
+    }
+    if interrupted.load(Ordering::Relaxed) {
+        let kept = findings.survey.rows.len();
+        return Err(Failure::Interrupted(format!(
+            "interrupted: {kept} rows were kept"
+        )));
+    }
+    Ok(())
+}
+
+fn write(findings: &Findings, folder: &Path, csv: PathBuf) -> Result<(), Failure> {
+    let mut written = vec![csv];
+    write_file(&written[0], &rows::to_csv(&findings.survey.rows)?)?;
+    if let Some(step) = nearest_to(MILLISECOND, findings.steps().into_iter()) {
+        let latencies = findings.latency_svg().map(|text| ("latency.svg", text));
+        let page = [
+            ("chart.svg", findings.svg(step)),
+            ("chart.html", findings.html()),
+        ];
+        for (name, text) in page.into_iter().chain(latencies) {
+            let path = folder.join(name);
+            write_file(&path, &text)?;
+            written.push(path);
+        }
+    }
+    job::announce(&written);
+    Ok(())
+}
+
+/// All methods of the chart, put through the motion between two times.
+struct Measuring<'a> {
+    ends: [f64; 2],
+    effort: &'a Effort,
+    interrupted: &'a AtomicBool,
+}
+
+impl Work for Measuring<'_> {
+    type Answer = Survey;
+
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        assembled: &Assembled<L, N>,
+    ) -> Result<Survey, Failure> {
+        let Self {
+            ends,
+            effort,
+            interrupted,
+        } = self;
+        let model = &assembled.model;
+        let course = Course::<<L::Listing as Listing<N>>::Drives<f64>>::new(
+            &assembled.drives,
+            ends,
+            effort.steps[0],
+        );
+        let exact = L::Listing::rounded::<DoubleDouble>(model);
+        let reference =
+            Reference::new(model, &exact, &assembled.start, &course).map_err(|(t, error)| {
+                let cause = cause::<L, N>(&error, assembled.unit);
+                Failure::Solver(format!("no motion at t = {} s: {cause}", number(t)))
+            })?;
+        let [position, ..] = &reference.instants()[0];
+        let single = L::Listing::rounded::<f32>(model);
+        let tables = baked::tables(assembled, &course);
+        let mut methods = Methods { rows: Vec::new() };
+        methods.add_scalar(model, model, position);
+        methods.add_scalar(model, &single, position);
+        methods.add_lanes::<L::Listing, f64>(model);
+        methods.add_lanes::<L::Listing, f32>(&single);
+        for (name, tables) in &tables {
+            methods.add_baked(name, tables);
+        }
+        let plan = Plan {
+            methods,
+            course: &course,
+            reference: &reference,
+            effort,
+            metre: assembled.unit.metre(),
+            interrupted,
+        };
+        Ok(plan.survey())
+    }
+}

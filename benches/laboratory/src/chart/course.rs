@@ -1,0 +1,77 @@
+//! The motion that all methods go through: instants and what is prescribed at them.
+
+use suspension_core::{Scalar, Signal, Values};
+
+use suspension::input::drives::DriveLaws;
+
+/// Evenly spaced instants with the drives' values there, computed once: reference and methods are
+/// given the same numbers.
+#[derive(Clone, Debug)]
+pub struct Course<D> {
+    /// Instants, s.
+    pub times: Vec<f64>,
+    /// Drives.
+    pub drives: Vec<Given<D>>,
+    spacing: f64,
+}
+
+/// The drives at and about an instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Given<D> {
+    /// Value and rates.
+    pub signal: Signal<D>,
+    /// Taylor coefficients, order 1 first.
+    pub terms: [D; ORDERS],
+}
+
+/// The highest order of a series in the chart.
+pub const ORDERS: usize = 8;
+
+/// Of a step: how far a number may lie from a multiple of it and still be one.
+const SLACK: f64 = 1e-6;
+
+impl<D: Values<f64>> Course<D> {
+    /// From the first to the last of `ends`, either way, `spacing` seconds apart. What is left at
+    /// the end is not gone through.
+    pub fn new(laws: &DriveLaws, ends: [f64; 2], spacing: f64) -> Self {
+        let [first, last] = ends;
+        let count = ((last - first).abs() / spacing + SLACK).floor();
+        let step = spacing.copysign(last - first);
+        let times: Vec<f64> = (0..=count as usize)
+            .map(|index| first + step * index as f64)
+            .collect();
+        let given = |t: &f64| Given {
+            signal: laws.inputs(*t).drives,
+            terms: laws.terms(*t),
+        };
+        let drives = times.iter().map(given).collect();
+        Self {
+            times,
+            drives,
+            spacing,
+        }
+    }
+
+    /// The indices of instants `step` seconds apart; `None` where it is no multiple of the spacing
+    /// or longer than the course.
+    pub fn stride(&self, step: f64) -> Option<usize> {
+        let stride = (step / self.spacing).round();
+        let is_multiple = (step - stride * self.spacing).abs() < SLACK * step;
+        let stride = stride as usize;
+        (is_multiple && (1..self.times.len()).contains(&stride)).then_some(stride)
+    }
+}
+
+/// The same numbers in another type, under the same names.
+pub fn cast<T: Scalar, D: Values<f64>, E: Values<T>>(numbers: &D) -> E {
+    E::from_values(numbers.values().map(T::constant))
+}
+
+/// The same drives in another number type.
+pub fn cast_drives<T: Scalar, D: Values<f64>, E: Values<T>>(drives: &Signal<D>) -> Signal<E> {
+    Signal {
+        value: cast(&drives.value),
+        rate: cast(&drives.rate),
+        second_rate: cast(&drives.second_rate),
+    }
+}

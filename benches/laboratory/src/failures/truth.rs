@@ -1,0 +1,93 @@
+//! The motion that results are held against, followed in fine steps.
+
+use nalgebra::SVector;
+use suspension_core::motion::Prescribed;
+use suspension_core::{Inputs, Linkage, Motion, Real, Still, Stopped};
+
+use suspension::input::drives::DriveLaws;
+use suspension::study::{Suspension, follow};
+
+/// Instants at which the motion is kept.
+const KEPT: usize = 4096;
+
+/// A motion in `f64`, known at every time between two.
+#[derive(Clone, Debug)]
+pub struct Truth<'a, L, const N: usize> {
+    /// The linkage.
+    pub model: &'a L,
+    /// What drives it.
+    pub drives: &'a DriveLaws,
+    /// The first time and the last, the earlier one first, s.
+    pub ends: [f64; 2],
+    kept: Vec<Motion<f64, N>>,
+}
+
+impl<'a, L: Suspension<N>, const N: usize> Truth<'a, L, N> {
+    /// Follows the motion from the configuration `start` at the first of `ends`, either way.
+    ///
+    /// # Errors
+    ///
+    /// [`Stopped`] where the motion ends before.
+    pub fn new(
+        model: &'a L,
+        drives: &'a DriveLaws,
+        start: &SVector<f64, N>,
+        [first, last]: [f64; 2],
+    ) -> Result<Self, Stopped<f64>> {
+        let mut motion = Motion::at_rest(*start);
+        let mut reached = first;
+        let mut kept = Vec::with_capacity(KEPT + 1);
+        for index in 0..=KEPT {
+            let t = first + (last - first) * index as f64 / KEPT as f64;
+            follow(model, drives, [reached, t], &mut motion)?;
+            kept.push(motion);
+            reached = t;
+        }
+        if last < first {
+            kept.reverse();
+        }
+        Ok(Self {
+            model,
+            drives,
+            ends: [first.min(last), first.max(last)],
+            kept,
+        })
+    }
+
+    /// How long the motion takes, s.
+    pub fn duration(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    /// The times at which the motion is kept, s.
+    pub fn times(&self) -> impl Iterator<Item = f64> {
+        let spacing = self.duration() / KEPT as f64;
+        (0..=KEPT).map(move |index| self.ends[0] + spacing * index as f64)
+    }
+
+    /// The motion at a time between the ends.
+    pub fn at(&self, t: f64) -> Motion<f64, N> {
+        let spacing = self.duration() / KEPT as f64;
+        let nearest = ((t - self.ends[0]) / spacing).round() as usize;
+        let nearest = nearest.min(KEPT);
+        let from = self.ends[0] + spacing * nearest as f64;
+        let mut motion = self.kept[nearest];
+        // Where the last digits of a time lie beyond an end at a lock, the end itself is at hand.
+        match follow(self.model, self.drives, [from, t], &mut motion) {
+            Ok(_) => motion,
+            Err(_) => self.kept[nearest],
+        }
+    }
+}
+
+/// The largest residual of a configuration, in the unit of length: how far links are off their
+/// lengths, and drives off their values.
+pub fn drift<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
+    linkage: &L,
+    inputs: &Inputs<Still, L::Drives>,
+    q: &SVector<T, N>,
+) -> f64 {
+    let Prescribed { fixed, drives } = Prescribed::new(linkage, inputs);
+    let residual = linkage.residual(q, &fixed.value, &drives.value);
+    residual.amax().to_subset_unchecked()
+}
