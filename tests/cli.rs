@@ -5,6 +5,7 @@ mod bad_input;
 mod bake;
 mod chart;
 mod failures;
+mod figures;
 mod files;
 mod hostile_files;
 mod led;
