@@ -19,7 +19,7 @@ use crate::output::csv_file::Target;
 ///
 /// Without a command, solves the multi-link five-point suspension of Attia 2003 over its
 /// published motion, prints the paper's Tables 2 and 3 beside our results, and writes
-/// out/attia2003.csv, out/attia2003_height.svg and out/attia2003_angles.svg.
+/// out/attia2003.csv, out/attia2003_height.svg (its Fig. 4) and out/attia2003_angles.svg (Fig. 5).
 #[derive(Debug, Parser)]
 #[command(name = "suspension", version, verbatim_doc_comment, after_long_help = NOTES)]
 pub struct Options {
@@ -113,9 +113,12 @@ const NOTES: &str = "\
 Units: lengths in metres, times in seconds, angles in radians; tables and plots are in
 millimetres or degrees where they say so.
 
-Point 11, the wheel centre: the paper prints no coordinates for it. It is assumed to lie 0.10 m
-outboard (+y) of point 8, on a spin axis through both that is parallel to y, where theta = pi/2.
+Points 8 and 11 define the spin axis. The paper prints no coordinates for point 11, the wheel centre:
+it is assumed to lie 0.10 m outboard (+y) of point 8, the spin axis parallel to y, where theta = pi/2.
 Camber, toe and the height of the wheel centre rest on this assumption; Tables 2 and 3 do not.
+
+Fig. 5 has the paper's kingpin angle, positive where the top leans outboard; kingpin_rad in the CSV file
+has the usual sign, positive where it leans inboard.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 no configuration was found (see
 suspension motion --help), 130 interrupted (Ctrl-C, SIGTERM or SIGHUP).";
@@ -142,7 +145,8 @@ const MOTION_NOTES: &str = r#"The file:
                                      # have height, that of the wheel centre, in place of theta
 
 Results, one row an instant: t_s in s; drives in rad or the unit, the one left out too; points _x _y _z in the unit,
-_vx per s, _ax per s^2; omega in rad/s, alpha in rad/s^2; kingpin, caster, camber and toe in rad;
+_vx per s, _ax per s^2; omega in rad/s, alpha in rad/s^2; kingpin (positive where the top leans inboard), caster (rearwards), camber (outboard)
+and toe (front inboard) in rad;
 iterations of Newton's method; the largest residual in the unit. Axes: x forward, y left, z up.
 
 In examples/attia2003.toml the wheel centre, point 11, is an assumption: the paper prints no

@@ -11,8 +11,8 @@ use crate::output::csv_file::Target;
 use crate::output::files::{print, refuse_input, write_file};
 use crate::output::plot::{Chart, Curve};
 use crate::output::summary;
-use crate::published::comparison;
 use crate::published::paper::Paper;
+use crate::published::{comparison, figures};
 use crate::study::sweep::{Outcome, Rows, run};
 use crate::study::{End, Study, Timing};
 
@@ -52,16 +52,19 @@ pub fn published(interrupted: &AtomicBool) -> Result<(), Failure> {
         return Err(failure);
     }
     let mut written = vec![csv];
+    let files = Files {
+        folder: Path::new("out"),
+        stem: "attia2003",
+    };
     written.extend(plots(
         &*study,
         &outcome,
         &instants,
-        &Files {
-            folder: Path::new("out"),
-            stem: "attia2003",
-        },
+        &files,
+        figures::charts,
     )?);
     let mut report = comparison::text(&Paper::built_in(), &outcome.kept);
+    report.push_str(&figures::text(&outcome.kept));
     report.push('\n');
     report.push_str(&summary::totals(&outcome, study.unit()));
     if let Some(timing) = study.time_a_step(instants.ends()) {
@@ -114,7 +117,8 @@ pub fn motion(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> 
             folder,
             stem: &stem.to_string_lossy(),
         };
-        written.extend(plots(&*study, &outcome, &instants, &files)?);
+        let charts = |rows: [&Rows; 2]| charts(&*study, rows);
+        written.extend(plots(&*study, &outcome, &instants, &files, charts)?);
     }
     if wanted.csv.is_none() && wanted.plots.is_none() {
         print(&summary::text(&*study, &outcome))?;
@@ -143,6 +147,7 @@ fn plots(
     outcome: &Outcome,
     instants: &Instants,
     files: &Files<'_>,
+    charts: impl Fn([&Rows; 2]) -> [(&'static str, Chart); 2],
 ) -> Result<Vec<PathBuf>, Failure> {
     const DENSE: usize = 401;
     let [first, _] = instants.ends();
@@ -158,7 +163,7 @@ fn plots(
         Rows::default()
     };
     let mut written = Vec::new();
-    for (name, chart) in charts(study, [&line, &marks]) {
+    for (name, chart) in charts([&line, &marks]) {
         let path = files.folder.join(format!("{}_{name}.svg", files.stem));
         if let Some(svg) = chart.svg() {
             write_file(&path, &svg)?;
@@ -170,7 +175,7 @@ fn plots(
 
 const TIME: &str = "time t (s)";
 
-/// The paper's Fig. 4 and Fig. 5.
+/// Height of the wheel centre, and the angles of kingpin and wheel.
 fn charts(study: &dyn Study, rows: [&Rows; 2]) -> [(&'static str, Chart); 2] {
     let points = study.points();
     let (centre, [lower, upper]) = (points.wheel_centre, points.kingpin);

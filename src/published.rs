@@ -1,4 +1,5 @@
 //! The published mechanism: the paper's tables, and ours beside them.
 
 pub mod comparison;
+pub mod figures;
 pub mod paper;

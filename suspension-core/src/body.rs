@@ -53,10 +53,19 @@ pub fn angular_acceleration<T: Real>(
     omega: &Vector3<T>,
     accelerations: &Triple<T>,
 ) -> Option<Vector3<T>> {
+    fit_rotation(at, &without_centripetal(at, omega, accelerations))
+}
+
+/// Accelerations less `omega x (omega x r)`, with `r` from the first point: Attia 2003, below eq. (10).
+fn without_centripetal<T: Real>(
+    at: &Triple<T>,
+    omega: &Vector3<T>,
+    accelerations: &Triple<T>,
+) -> Triple<T> {
     let [a, b, c] = at;
     let [acc_a, acc_b, acc_c] = accelerations;
     let tangential = |r: &Vector3<T>, acc: &Vector3<T>| acc - omega.cross(&omega.cross(&(r - a)));
-    fit_rotation(at, &[*acc_a, tangential(b, acc_b), tangential(c, acc_c)])
+    [*acc_a, tangential(b, acc_b), tangential(c, acc_c)]
 }
 
 /// The vector `w` for which `w x r` fits the differences of `rates` best, with `r` measured from
@@ -94,37 +103,34 @@ pub fn angular_velocity_eq9<T: Real>(
     at: &Triple<T>,
     velocities: &Triple<T>,
 ) -> Result<Vector3<T>, Indeterminate<T>> {
-    let [edges, rates] = [at, velocities].map(|[a, b, c]| Frame::new(*a, *b, *c));
-    Ok(rates.u.cross(&rates.v) / eq9_denominator(&edges, &rates)?)
+    quotient(at, velocities)
 }
 
-/// Angular acceleration by Attia 2003, eq. (10): the time derivative of eq. (9).
+/// Angular acceleration by Attia 2003, eq. (10): `(a^ x b^) / (a^ . b)` with `a`, `b` the edges from
+/// the first point and `a^`, `b^` their second rates less `omega x (omega x a)` and `omega x (omega x b)`.
 ///
 /// # Errors
 ///
-/// As [`angular_velocity_eq9`].
+/// The formula is 0/0 wherever the angular acceleration lies in the plane of the three points;
+/// [`angular_acceleration`] has no such hole.
 pub fn angular_acceleration_eq10<T: Real>(
     at: &Triple<T>,
-    velocities: &Triple<T>,
+    omega: &Vector3<T>,
     accelerations: &Triple<T>,
 ) -> Result<Vector3<T>, Indeterminate<T>> {
-    let [edges, rates, seconds] =
-        [at, velocities, accelerations].map(|[a, b, c]| Frame::new(*a, *b, *c));
-    let denominator = eq9_denominator(&edges, &rates)?;
-    let omega = rates.u.cross(&rates.v) / denominator;
-    let numerator_rate = seconds.u.cross(&rates.v) + rates.u.cross(&seconds.v);
-    let denominator_rate = seconds.u.dot(&edges.v) + rates.u.dot(&rates.v);
-    Ok((numerator_rate - omega * denominator_rate) / denominator)
+    quotient(at, &without_centripetal(at, omega, accelerations))
 }
 
-/// `a' . b = omega . (a x b)`, refused where it is zero to rounding.
-fn eq9_denominator<T: Real>(edges: &Frame<T>, rates: &Frame<T>) -> Result<T, Indeterminate<T>> {
+/// The vector `w` with `w x a = a'` and `w x b = b'` for the edges `a`, `b` and their `rates`:
+/// `(a' x b') / (a' . b)`. The denominator `w . (a x b)` is refused where it is zero to rounding.
+fn quotient<T: Real>(at: &Triple<T>, rates: &Triple<T>) -> Result<Vector3<T>, Indeterminate<T>> {
+    let [edges, rates] = [at, rates].map(|[a, b, c]| Frame::new(*a, *b, *c));
     let denominator = rates.u.dot(&edges.v);
     // One edge may lie along the axis of rotation: then its rate is rounding alone.
     let turning = (rates.u.norm() * edges.v.norm()).max(edges.u.norm() * rates.v.norm());
     let threshold = T::EPSILON.sqrt() * turning;
     if denominator.abs() > threshold {
-        Ok(denominator)
+        Ok(rates.u.cross(&rates.v) / denominator)
     } else {
         Err(Indeterminate {
             denominator,

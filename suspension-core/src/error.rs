@@ -335,7 +335,8 @@ impl core::error::Error for GeometryError {}
 /// `|denominator| <= threshold`: a formula of the paper is 0/0 here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indeterminate<T> {
-    /// The denominator, `omega . n` with `n` the normal of the three points.
+    /// The denominator, `w . n` with `w` the angular velocity (eq. 9) or acceleration (eq. 10) and `n`
+    /// the normal of the three points.
     pub denominator: T,
     /// What its magnitude had to exceed.
     pub threshold: T,
@@ -345,7 +346,7 @@ impl<T: fmt::LowerExp> fmt::Display for Indeterminate<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "0/0: the angular velocity lies in the plane of the points (denominator {:.1e}, threshold {:.1e})",
+            "0/0: the vector that is asked for lies in the plane of the points (denominator {:.1e}, threshold {:.1e})",
             self.denominator, self.threshold
         )
     }

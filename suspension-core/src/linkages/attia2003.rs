@@ -10,8 +10,9 @@ linkage! {
     /// Coordinates", KSME International Journal 17(8), 2003. The nine distances of the knuckle
     /// (6 to 10) also admit mirrored knuckles; [`five_link`](super::five_link) does not.
     ///
-    /// The paper prints no coordinates for the wheel centre, point 11. Which position it is given
-    /// is up to the host; that the spin axis runs through points 8 and 11 is an assumption.
+    /// Points 8 and 11 define the spin axis, points 6 and 8 the line of the kingpin angle. The paper
+    /// prints no coordinates for the wheel centre, point 11: which position it is given is up to the
+    /// host. Nor does it say which way x points; here it is forward.
     pub mod attia2003 {
         fixed: p1 at [-1.396, -0.025, -0.082], p2 at [-1.301, 0.1168, 0.106],
                p3 at [-1.0941, 0.1987, 0.09], p4 at [-0.9838, 0.2609, -0.0501],
@@ -59,6 +60,6 @@ linkage! {
         measure height: p11.z;
 
         wheel:   p8 -> p11;
-        kingpin: p6 -> p7;
+        kingpin: p6 -> p8;
     }
 }

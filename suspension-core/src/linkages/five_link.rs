@@ -41,6 +41,6 @@ linkage! {
         measure height: wheel_centre.z;
 
         wheel:   upper_rear_outer -> wheel_centre;
-        kingpin: lower_front_outer -> upper_front_outer;
+        kingpin: lower_front_outer -> upper_rear_outer;
     }
 }

@@ -5,8 +5,9 @@
 /// Coordinates", KSME International Journal 17(8), 2003. The nine distances of the knuckle
 /// (6 to 10) also admit mirrored knuckles; [`five_link`](super::five_link) does not.
 ///
-/// The paper prints no coordinates for the wheel centre, point 11. Which position it is given
-/// is up to the host; that the spin axis runs through points 8 and 11 is an assumption.
+/// Points 8 and 11 define the spin axis, points 6 and 8 the line of the kingpin angle. The paper
+/// prints no coordinates for the wheel centre, point 11: which position it is given is up to the
+/// host. Nor does it say which way x points; here it is forward.
 ///
 /// 15 unknowns `q`: the coordinates of `p6`, `p7`, `p8`, `p9`, `p10`.
 ///
@@ -2062,7 +2063,7 @@ pub mod attia2003 {
 
     impl<T: Scalar> HasKingpin<T> for Points<T> {
         fn kingpin(&self) -> [Vector3<T>; 2] {
-            [self.p6, self.p7]
+            [self.p6, self.p8]
         }
     }
 }

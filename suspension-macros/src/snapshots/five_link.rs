@@ -3056,7 +3056,7 @@ pub mod five_link {
 
     impl<T: Scalar> HasKingpin<T> for Points<T> {
         fn kingpin(&self) -> [Vector3<T>; 2] {
-            [self.lower_front_outer, self.upper_front_outer]
+            [self.lower_front_outer, self.upper_rear_outer]
         }
     }
 }
