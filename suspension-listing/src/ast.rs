@@ -1,16 +1,17 @@
 //! What the user wrote: statements, names, docs and spans.
 
 use proc_macro2::Span;
-use syn::{Attribute, Ident, Visibility};
+use syn::Ident;
+
+use crate::name::{self, Name};
+use crate::vector::Vector;
 
 pub struct Listing {
-    pub docs: Vec<Attribute>,
-    pub vis: Visibility,
-    pub name: Ident,
-    pub fixed: Vec<Named>,
-    pub free: Vec<Named>,
-    /// Design positions, of the points that state one.
-    pub design: Vec<(Ident, [f64; 3])>,
+    pub docs: Vec<String>,
+    pub fixed: Vec<Point>,
+    pub free: Vec<Point>,
+    /// The token for messages about the listing as a whole.
+    pub span: Span,
     /// Where the free points are declared: the token for messages about counts.
     pub free_span: Span,
     pub constraints: Vec<Constraint>,
@@ -25,8 +26,15 @@ pub struct Listing {
 
 #[derive(Clone)]
 pub struct Named {
-    pub docs: Vec<Attribute>,
+    pub docs: Vec<String>,
     pub name: Ident,
+}
+
+/// A chassis point or a free point.
+pub struct Point {
+    pub named: Named,
+    /// The design position, where it is stated.
+    pub at: Option<Vector>,
 }
 
 pub enum Constraint {
@@ -94,6 +102,16 @@ pub struct Axis {
     pub to: Ident,
 }
 
+impl Named {
+    /// The same without the place in the source.
+    pub fn plain(&self) -> name::Named {
+        name::Named {
+            name: Name::from(&self.name),
+            docs: self.docs.clone(),
+        }
+    }
+}
+
 impl Constraint {
     pub fn name(&self) -> &Ident {
         match self {
@@ -149,6 +167,35 @@ impl Measured {
 }
 
 impl Listing {
+    /// The names that it declares.
+    pub fn declared(&self) -> impl Iterator<Item = &Ident> {
+        let points = self
+            .fixed
+            .iter()
+            .chain(&self.free)
+            .map(|point| &point.named);
+        let constraints = self.constraints.iter().map(Constraint::name);
+        let drives = self.drives.iter().map(|drive| &drive.named);
+        let measures = self.measures.iter().map(|measure| &measure.named);
+        let markers = self.markers.iter().map(|marker| &marker.named);
+        let named = points.chain(drives).chain(measures).chain(markers);
+        named.map(|named| &named.name).chain(constraints)
+    }
+
+    /// Where a statement is named, or an operand of it; where a point is declared, if the statement
+    /// is not of the listing.
+    pub fn place_of(&self, statement: &Name, operand: Option<&Name>) -> Span {
+        let is = |ident: &&Ident, name: &Name| Name::from(*ident) == *name;
+        let mut constraints = self.constraints.iter();
+        let constraint = constraints.find(|constraint| is(&constraint.name(), statement));
+        let operands = constraint.into_iter().flat_map(Constraint::points);
+        let mut tokens = operands.chain(self.declared());
+        let sought = operand.unwrap_or(statement);
+        tokens
+            .find(|token| is(token, sought))
+            .map_or(self.span, Ident::span)
+    }
+
     pub fn body(&self, name: &Ident) -> Option<&Body> {
         self.constraints
             .iter()

@@ -4,9 +4,6 @@ mod determined;
 mod names;
 mod uses;
 
-use syn::Ident;
-use syn::ext::IdentExt;
-
 pub use determined::determined;
 pub use names::names;
 pub use uses::{angles, chassis_points};
@@ -28,11 +25,11 @@ const RESERVED: [&str; 12] = [
     "Err",
 ];
 
-fn is_reserved(name: &Ident) -> bool {
-    RESERVED.iter().any(|reserved| name == reserved)
+fn is_reserved(name: &str) -> bool {
+    RESERVED.contains(&name)
 }
 
 /// A name as the generated constants carry it: two names must differ in it.
-fn constant(name: &Ident) -> String {
-    name.unraw().to_string().to_uppercase()
+fn constant(name: &str) -> String {
+    name.to_uppercase()
 }

@@ -3,9 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use quote::format_ident;
-use syn::Ident;
-
+use crate::name::Name;
 use crate::system::{Body, Equation, Site, SiteMotion, distance_between};
 
 /// The clusters among the sites. Each four points are in one of them at most.
@@ -21,10 +19,7 @@ pub fn clusters(sites: &[Site], equations: &[Equation]) -> Vec<Body> {
         let carried: Vec<Site> = reached
             .filter(|site| {
                 let four = frame.iter().chain([*site]);
-                seen.insert(
-                    four.map(|site| site.name.to_string())
-                        .collect::<BTreeSet<_>>(),
-                )
+                seen.insert(four.map(|site| site.name.clone()).collect::<BTreeSet<_>>())
             })
             .cloned()
             .collect();
@@ -64,6 +59,6 @@ fn is_rigid(a: &Site, b: &Site, equations: &[Equation]) -> bool {
     is_anchor(a) && is_anchor(b) || distance_between(equations, &a.name, &b.name).is_some()
 }
 
-fn name([a, b, c]: &[Site; 3]) -> Ident {
-    format_ident!("{}_{}_{}", a.name, b.name, c.name, span = c.name.span())
+fn name([a, b, c]: &[Site; 3]) -> Name {
+    Name::made(format!("{}_{}_{}", a.name, b.name, c.name))
 }

@@ -24,6 +24,12 @@ impl Errors {
         }
     }
 
+    pub fn append(&mut self, others: Self) {
+        if let Some(error) = others.0 {
+            self.push(error);
+        }
+    }
+
     pub fn is_empty(&self) -> bool {
         self.0.is_none()
     }

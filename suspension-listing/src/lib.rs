@@ -4,13 +4,46 @@
 //! `suspension-macros` writes Rust of it; at run time the same system is walked.
 
 pub mod ast;
-pub mod check;
+mod check;
 mod cluster;
 pub mod eliminate;
 pub mod errors;
-pub mod lower;
+pub mod form;
+mod lower;
+pub mod name;
 pub mod parse;
-pub mod sample;
+mod sample;
 pub mod system;
 #[cfg(test)]
 mod tests;
+mod vector;
+
+use ast::Listing;
+use eliminate::Order;
+use errors::Errors;
+use system::System;
+
+/// The system of a listing, and all that is wrong with it, `errors` of its statements included. Of a
+/// listing with mistakes the system has what can be told.
+pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()>) {
+    check::names(listing, &mut errors);
+    let mut of_bodies = Errors::default();
+    let system = lower::system(listing, &mut of_bodies);
+    check::angles(listing, &system, &mut errors);
+    if errors.is_empty() {
+        check::chassis_points(listing, &mut errors);
+        errors.append(of_bodies);
+        check::determined(listing, &system, &mut errors);
+    }
+    (system, errors.into_result())
+}
+
+/// In which order a system without mistakes is eliminated: by the positions around its design, where the listing
+/// states it, or by structure alone.
+pub fn order(system: &System) -> Order {
+    let positions = system
+        .design()
+        .map(|design| sample::positions(system, design));
+    let entries = system.entries(&positions.unwrap_or_default());
+    eliminate::order(system.size(), &entries)
+}

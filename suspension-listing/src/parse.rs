@@ -1,37 +1,36 @@
 //! From tokens to the listing. A statement that cannot be read is reported and skipped.
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
-use syn::parse::{Parse, ParseStream, Parser};
+use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Ident, Lit, Token, Visibility, braced, bracketed, parenthesized};
+use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, bracketed, parenthesized};
 
 use crate::ast::{
     Axis, Body, Constraint, Coordinate, Drive, Link, Listing, Marker, Measure, Measured, Named,
-    Quantity,
+    Point, Quantity,
 };
 use crate::errors::{self, Errors};
+use crate::vector::Vector;
 
-/// Reads a listing and the errors of the statements that could not be read.
-pub fn listing(tokens: TokenStream) -> syn::Result<(Listing, Errors)> {
-    parse_listing.parse2(tokens)
-}
-
-fn parse_listing(input: ParseStream<'_>) -> syn::Result<(Listing, Errors)> {
-    let docs = input.call(Attribute::parse_outer)?;
-    let vis: Visibility = input.parse()?;
-    input.parse::<Token![mod]>()?;
-    let name: Ident = input.parse()?;
-    let content;
-    braced!(content in input);
+/// Reads the statements of a listing, to the end of the input, and the errors of those that could not be
+/// read. Messages about the listing as a whole point to `span`.
+///
+/// # Errors
+///
+/// What stands behind a statement that cannot be read, and cannot be skipped.
+pub fn statements(input: ParseStream<'_>, span: Span) -> syn::Result<(Listing, Errors)> {
+    let mut errors = Errors::default();
+    let docs = docs(&input.call(Attribute::parse_inner)?).unwrap_or_else(|error| {
+        errors.push(error);
+        Vec::new()
+    });
     let mut listing = Listing {
         docs,
-        vis,
-        free_span: name.span(),
-        name,
+        span,
+        free_span: span,
         fixed: Vec::new(),
         free: Vec::new(),
-        design: Vec::new(),
         constraints: Vec::new(),
         drives: Vec::new(),
         measures: Vec::new(),
@@ -40,19 +39,29 @@ fn parse_listing(input: ParseStream<'_>) -> syn::Result<(Listing, Errors)> {
         kingpin: Vec::new(),
         incomplete: false,
     };
-    let mut errors = Errors::default();
-    while !content.is_empty() {
-        if let Err(error) = statement(&content, &mut listing) {
+    while !input.is_empty() {
+        if let Err(error) = statement(input, &mut listing) {
             errors.push(error);
             listing.incomplete = true;
-            skip_statement(&content)?;
+            skip_statement(input)?;
         }
     }
-    if !input.is_empty() {
-        errors.push(errors::behind_the_listing(input.span()));
-        input.parse::<TokenStream>()?;
-    }
     Ok((listing, errors))
+}
+
+/// The lines of doc comments.
+fn docs(attributes: &[Attribute]) -> syn::Result<Vec<String>> {
+    let line = |attribute: &Attribute| match &attribute.meta {
+        Meta::NameValue(meta) if meta.path.is_ident("doc") => match &meta.value {
+            Expr::Lit(ExprLit {
+                lit: Lit::Str(line),
+                ..
+            }) => Ok(line.value()),
+            _ => Err(errors::not_a_doc_comment(attribute)),
+        },
+        _ => Err(errors::not_a_doc_comment(attribute)),
+    };
+    attributes.iter().map(line).collect()
 }
 
 /// A name of the listing. `r#name` is the same name where it needs no `r#`.
@@ -65,22 +74,16 @@ fn name(input: ParseStream<'_>) -> syn::Result<Ident> {
 }
 
 fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
-    let docs = input.call(Attribute::parse_outer)?;
-    if let Some(other) = docs
-        .iter()
-        .find(|attribute| !attribute.path().is_ident("doc"))
-    {
-        return Err(errors::not_a_doc_comment(other));
-    }
+    let docs = docs(&input.call(Attribute::parse_outer)?)?;
     let keyword: Ident = input.parse()?;
     match keyword.to_string().as_str() {
         "fixed" => {
-            let points = points(input, &keyword, &mut listing.design)?;
+            let points = points(input, &keyword)?;
             listing.fixed.extend(points);
         }
         "free" => {
             listing.free_span = keyword.span();
-            let points = points(input, &keyword, &mut listing.design)?;
+            let points = points(input, &keyword)?;
             listing.free.extend(points);
         }
         "link" => {
@@ -128,27 +131,22 @@ fn skip_statement(input: ParseStream<'_>) -> syn::Result<()> {
 }
 
 /// `name:` behind a keyword.
-fn named(input: ParseStream<'_>, docs: Vec<Attribute>) -> syn::Result<Named> {
+fn named(input: ParseStream<'_>, docs: Vec<String>) -> syn::Result<Named> {
     let name = name(input)?;
     input.parse::<Token![:]>()?;
     Ok(Named { docs, name })
 }
 
 /// `: a, b at [x, y, z], c`, each with its own docs.
-fn points(
-    input: ParseStream<'_>,
-    keyword: &Ident,
-    design: &mut Vec<(Ident, [f64; 3])>,
-) -> syn::Result<Vec<Named>> {
+fn points(input: ParseStream<'_>, keyword: &Ident) -> syn::Result<Vec<Point>> {
     input.parse::<Token![:]>()?;
     let mut points = Vec::new();
     while !input.peek(Token![;]) {
-        let docs = input.call(Attribute::parse_outer)?;
+        let docs = docs(&input.call(Attribute::parse_outer)?)?;
         let name = name(input)?;
-        if input.peek(Ident) {
-            design.push((name.clone(), position(input)?));
-        }
-        points.push(Named { docs, name });
+        let at = input.peek(Ident).then(|| position(input)).transpose()?;
+        let named = Named { docs, name };
+        points.push(Point { named, at });
         if !input.peek(Token![;]) {
             input.parse::<Token![,]>()?;
         }
@@ -160,7 +158,7 @@ fn points(
 }
 
 /// `at [x, y, z]`.
-fn position(input: ParseStream<'_>) -> syn::Result<[f64; 3]> {
+fn position(input: ParseStream<'_>) -> syn::Result<Vector> {
     let keyword: Ident = input.parse()?;
     if keyword != "at" {
         return Err(errors::not_a_position(&keyword));
@@ -169,7 +167,7 @@ fn position(input: ParseStream<'_>) -> syn::Result<[f64; 3]> {
     let bracket = bracketed!(content in input);
     let numbers = Punctuated::<Number, Token![,]>::parse_terminated(&content)?;
     let numbers: Vec<f64> = numbers.into_iter().map(|Number(value)| value).collect();
-    <[f64; 3]>::try_from(numbers)
+    Vector::try_from(numbers)
         .map_err(|numbers| errors::not_three_coordinates(bracket.span.join(), numbers.len()))
 }
 

@@ -1,48 +1,49 @@
-//! The intermediate representation: named points, named equations, and which unknowns each
-//! equation depends on. Emission sees nothing else.
+//! What a listing is lowered to: named points and named equations, as plain data. Both back ends, the one that
+//! writes Rust and the one that walks it at run time, see nothing else.
 
 mod places;
 
-use proc_macro2::Span;
-use quote::format_ident;
-use syn::{Attribute, Ident, Visibility};
+use crate::form::Form;
+use crate::name::{Name, Named};
+use crate::vector::Vector;
 
-use crate::ast::Named;
-use crate::sample::Design;
-
-pub use places::Substituted;
+pub use places::{Place, Substituted};
 
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 
 pub struct System {
-    pub docs: Vec<Attribute>,
-    pub vis: Visibility,
-    pub name: Ident,
-    pub free_span: Span,
-    pub fixed: Vec<Named>,
-    pub free: Vec<Named>,
-    pub design: Design,
+    pub docs: Vec<String>,
+    pub fixed: Vec<Point>,
+    pub free: Vec<Point>,
     pub markers: Vec<Marker>,
     pub bodies: Vec<Body>,
     /// Points that links alone make rigid bodies; they have no equations of their own.
     pub clusters: Vec<Body>,
     pub equations: Vec<Equation>,
-    /// Bodies, each with two of its points whose distance another body keeps already.
-    pub closed_twice: Vec<[Ident; 3]>,
     pub drives: Vec<Drive>,
     pub measures: Vec<Measure>,
     pub wheel: Option<Wheel>,
-    pub kingpin: Option<[Ident; 2]>,
+    pub kingpin: Option<[Name; 2]>,
+}
+
+/// A chassis point or a free point.
+#[derive(Clone, Debug)]
+pub struct Point {
+    pub named: Named,
+    /// The design position, where it is stated.
+    pub at: Option<Vector>,
 }
 
 /// A point of the mechanism and how it moves.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Site {
-    pub name: Ident,
+    pub name: Name,
+    /// Which of the chassis points, or of the free points, it is.
+    pub index: usize,
     pub motion: SiteMotion,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SiteMotion {
     Free,
     /// On the chassis.
@@ -51,106 +52,117 @@ pub enum SiteMotion {
     DrivenAnchor,
 }
 
-impl Site {
-    pub fn is_free(&self) -> bool {
-        self.motion == SiteMotion::Free
-    }
+/// Named rows over a form.
+#[derive(Clone, Debug)]
+pub struct Equation {
+    pub named: Named,
+    pub origin: Origin,
+    pub form: Form,
 }
 
-/// Equations of one kind; each is one row of the Jacobian, or three.
-pub enum Equation {
-    /// A constant length; where one end is on the chassis, it is `from`.
-    Distance {
-        named: Named,
-        from: Site,
-        to: Site,
-        of_body: bool,
-    },
-    /// A point carried by the frame of a body: three rows.
-    Carried {
-        body: Ident,
-        point: Site,
-        frame: [Site; 3],
-    },
-    /// A prescribed coordinate, or difference of two.
-    Coordinate {
-        drive: Ident,
-        axis: usize,
-        of: Site,
-        minus: Option<Site>,
-    },
+/// What of the listing an equation is of.
+#[derive(Clone, Debug)]
+pub struct Origin {
+    /// The statement's first word.
+    pub word: &'static str,
+    /// The statement's name.
+    pub statement: Name,
+    /// The operand that it is about, where it is not about the whole.
+    pub operand: Option<Name>,
 }
 
 /// A body of three points or more, or a cluster of links that is as rigid.
+#[derive(Clone, Debug)]
 pub struct Body {
-    pub name: Ident,
+    pub name: Name,
     pub frame: [Site; 3],
     pub carried: Vec<Site>,
 }
 
+#[derive(Clone, Debug)]
 pub struct Drive {
     pub named: Named,
     pub axis: usize,
     pub of: Site,
-    pub minus: Option<Ident>,
+    pub minus: Option<Name>,
     /// The distance whose angle it is.
-    pub angle_of: Option<Ident>,
+    pub angle_of: Option<Name>,
 }
 
 /// A quantity that is read off the points.
+#[derive(Clone, Debug)]
 pub struct Measure {
     pub named: Named,
     pub measured: Measured,
 }
 
+#[derive(Clone, Debug)]
 pub enum Measured {
     /// A coordinate, or difference of two.
     Coordinate {
         axis: usize,
-        of: Ident,
-        minus: Option<Ident>,
+        of: Name,
+        minus: Option<Name>,
     },
     /// The angle of the line between two points from an axis.
-    Angle { axis: usize, line: [Ident; 2] },
+    Angle { axis: usize, line: [Name; 2] },
     /// The distance of two points.
-    Length { line: [Ident; 2] },
+    Length { line: [Name; 2] },
 }
 
+#[derive(Clone, Debug)]
 pub struct Marker {
     pub named: Named,
     pub frame: [Site; 3],
 }
 
+#[derive(Clone, Debug)]
 pub struct Wheel {
-    pub axis: [Ident; 2],
-    pub carrier: [Ident; 3],
+    pub axis: [Name; 2],
+    pub carrier: [Name; 3],
 }
 
 /// The frame of three points under its name in the generated code.
-pub fn frame_name(owner: &Ident) -> Ident {
-    format_ident!("{}_frame", owner)
+pub fn frame_name(owner: &Name) -> Name {
+    Name::made(format!("{owner}_frame"))
 }
 
 /// The constants of a carried point under their name in the generated code.
-pub fn carried_name(body: &Ident, point: &Ident) -> Ident {
-    format_ident!("{}_{}", body, point, span = point.span())
+pub fn carried_name(body: &Name, point: &Name) -> Name {
+    Name::made(format!("{body}_{point}"))
 }
 
 /// The length between two points of a body under its name in the generated code.
-pub fn pair_name(body: &Ident, a: &Ident, b: &Ident) -> Ident {
-    format_ident!("{}_{}_{}", body, a, b, span = a.span())
+pub fn pair_name(body: &Name, a: &Name, b: &Name) -> Name {
+    Name::made(format!("{body}_{a}_{b}"))
+}
+
+/// A coordinate of a vector under its name in the generated code.
+pub fn coordinate_name(vector: &Name, axis: usize) -> Name {
+    Name::made(format!("{vector}_{}", AXES[axis]))
 }
 
 /// The equation that keeps the distance of two points.
-pub fn distance_between(equations: &[Equation], a: &Ident, b: &Ident) -> Option<Ident> {
-    equations.iter().find_map(|equation| match equation {
-        Equation::Distance {
-            named, from, to, ..
-        } if [[&from.name, &to.name], [&to.name, &from.name]].contains(&[a, b]) => {
-            Some(named.name.clone())
-        }
-        _ => None,
-    })
+pub fn distance_between<'a>(equations: &'a [Equation], a: &Name, b: &Name) -> Option<&'a Name> {
+    let mut equations = equations.iter();
+    let equation = equations.find(|equation| {
+        let kept = equation.form.equations().keeps();
+        kept.is_some_and(|[from, to]| {
+            [[&from.name, &to.name], [&to.name, &from.name]].contains(&[a, b])
+        })
+    })?;
+    Some(&equation.named.name)
+}
+
+impl Site {
+    pub fn is_free(&self) -> bool {
+        self.motion == SiteMotion::Free
+    }
+
+    /// The column of its first coordinate, where it is free.
+    pub fn first_column(&self) -> Option<usize> {
+        self.is_free().then_some(3 * self.index)
+    }
 }
 
 impl Body {
@@ -168,16 +180,11 @@ impl Body {
 
 impl Equation {
     /// The rows' names.
-    pub fn rows(&self) -> Vec<Ident> {
-        match self {
-            Self::Distance { named, .. } => vec![named.name.clone()],
-            Self::Carried { body, point, .. } => {
-                let name = carried_name(body, &point.name);
-                AXES.iter()
-                    .map(|axis| format_ident!("{name}_{axis}"))
-                    .collect()
-            }
-            Self::Coordinate { drive, .. } => vec![drive.clone()],
+    pub fn rows(&self) -> Vec<Name> {
+        let name = &self.named.name;
+        match self.form.equations().rows() {
+            1 => vec![name.clone()],
+            rows => (0..rows).map(|axis| coordinate_name(name, axis)).collect(),
         }
     }
 }
@@ -189,7 +196,44 @@ impl System {
     }
 
     /// The rows' names, in order.
-    pub fn rows(&self) -> Vec<Ident> {
+    pub fn rows(&self) -> Vec<Name> {
         self.equations.iter().flat_map(Equation::rows).collect()
+    }
+
+    /// The points' names: chassis points, free points, markers.
+    pub fn points(&self) -> Vec<&Name> {
+        let points = self.fixed.iter().chain(&self.free);
+        let markers = self.markers.iter().map(|marker| &marker.named.name);
+        points
+            .map(|point| &point.named.name)
+            .chain(markers)
+            .collect()
+    }
+
+    /// The design position, where the listing states all of it.
+    pub fn design(&self) -> Option<Positions> {
+        let stated =
+            |points: &[Point]| -> Option<Vec<Vector>> { points.iter().map(|p| p.at).collect() };
+        Some(Positions {
+            fixed: stated(&self.fixed)?,
+            free: stated(&self.free)?,
+        })
+    }
+}
+
+/// Where the points are.
+#[derive(Clone, Debug)]
+pub struct Positions {
+    pub fixed: Vec<Vector>,
+    pub free: Vec<Vector>,
+}
+
+impl Positions {
+    pub fn of(&self, site: &Site) -> Vector {
+        if site.is_free() {
+            self.free[site.index]
+        } else {
+            self.fixed[site.index]
+        }
     }
 }

@@ -4,11 +4,42 @@ mod elimination;
 mod lowering;
 mod sampling;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
+use syn::parse::{ParseStream, Parser};
+use syn::{Attribute, Ident, Token, Visibility, braced};
 
-use crate::system::System;
-use crate::{lower, parse};
+use crate::ast::Listing;
+use crate::errors::Errors;
+use crate::system::{Positions, System};
+use crate::{checked, parse, sample};
+
+/// The listing of `mod name { statements }`.
+fn listing(module: TokenStream) -> (Listing, Errors) {
+    let parser = |input: ParseStream<'_>| {
+        input.call(Attribute::parse_outer)?;
+        input.parse::<Visibility>()?;
+        input.parse::<Token![mod]>()?;
+        input.parse::<Ident>()?;
+        let content;
+        braced!(content in input);
+        parse::statements(&content, Span::call_site())
+    };
+    parser.parse2(module).expect("a listing")
+}
+
+/// The system of a listing, and its mistakes.
+fn lower(module: TokenStream) -> (System, Vec<String>) {
+    let (listing, errors) = listing(module);
+    let (system, found) = checked(&listing, errors);
+    let errors = found.err().into_iter().flatten();
+    (system, errors.map(|error| error.to_string()).collect())
+}
+
+/// The design position, and others that the drives lead to from there.
+fn positions(system: &System) -> Vec<Positions> {
+    sample::positions(system, system.design().expect("a design position"))
+}
 
 /// The tokens inside the `linkage! { .. }` of a catalogue file.
 fn catalogue_listing(name: &str) -> TokenStream {
@@ -27,6 +58,7 @@ fn catalogue_listing(name: &str) -> TokenStream {
 
 /// The system of a catalogue file.
 fn catalogue_system(name: &str) -> System {
-    let (listing, _) = parse::listing(catalogue_listing(name)).expect("a listing");
-    lower::system(&listing)
+    let (system, errors) = lower(catalogue_listing(name));
+    assert!(errors.is_empty(), "{errors:?}");
+    system
 }

@@ -7,6 +7,7 @@ mod docs;
 mod elimination;
 mod equations;
 mod fields;
+mod form;
 mod gather;
 mod indices;
 mod jacobian;
@@ -22,18 +23,29 @@ mod types;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use suspension_listing::ast::Listing;
 use suspension_listing::eliminate::Order;
 use suspension_listing::system::System;
+
+use crate::module::Module;
 
 pub(crate) use stub::stub;
 
 /// The whole module.
-pub(crate) fn module(system: &System, order: &Order) -> TokenStream {
-    let System {
-        docs, vis, name, ..
-    } = system;
+pub(crate) fn module(
+    module: &Module,
+    listing: &Listing,
+    system: &System,
+    order: &Order,
+) -> TokenStream {
+    let Module {
+        attributes,
+        vis,
+        name,
+    } = module;
+    let docs = &system.docs;
     let header = docs::header(system, order);
-    let types = types::all(system);
+    let types = types::all(listing, system);
     let indices = indices::modules(system);
     let linkage = equations::linkage_impl(system, order);
     let factors = elimination::factors(system, order);
@@ -41,7 +53,8 @@ pub(crate) fn module(system: &System, order: &Order) -> TokenStream {
     let build = build::build_impl(system);
     let roles = readout::roles_of_points(system);
     quote! {
-        #(#docs)*
+        #(#attributes)*
+        #(#[doc = #docs])*
         #header
         // A program need not use every name, nor pass the module on.
         #[allow(dead_code, unreachable_pub)]

@@ -4,6 +4,7 @@
 
 mod emit;
 mod expand;
+mod module;
 #[cfg(test)]
 mod tests;
 

@@ -1,100 +1,130 @@
 //! Whether the equations can determine the unknowns: counts and structural rank.
 
-use quote::format_ident;
-use syn::Ident;
+use proc_macro2::Span;
 
 use super::{constant, is_reserved};
+use crate::ast::Listing;
 use crate::errors::{self, Errors};
-use crate::system::{AXES, Equation, System, carried_name, frame_name, pair_name};
+use crate::name::Name;
+use crate::system::{
+    AXES, Body, Equation, System, carried_name, coordinate_name, frame_name, pair_name,
+};
 
 /// Checks that no generated name stands for two things, that there are as many equations as
 /// unknowns, and that each equation can be given an unknown of its own (structural rank).
-pub fn determined(system: &System, errors: &mut Errors) {
-    generated_names(system, errors);
-    for [body, a, b] in &system.closed_twice {
-        errors.push(errors::closed_twice(body, a, b));
-    }
+pub fn determined(listing: &Listing, system: &System, errors: &mut Errors) {
+    generated_names(listing, system, errors);
     if system.rows().len() == system.size() {
-        structural_rank(system, errors);
+        structural_rank(listing, system, errors);
     } else {
-        errors.push(wrong_count(system));
+        errors.push(wrong_count(listing, system));
     }
 }
 
+/// A name in the generated code, and what of the listing it is made of.
+type Generated = (Name, Span);
+
 /// Checks the names that bodies are given in the generated code against each other and against
 /// the user's.
-fn generated_names(system: &System, errors: &mut Errors) {
+fn generated_names(listing: &Listing, system: &System, errors: &mut Errors) {
     let (mut constants, mut lengths) = (Vec::new(), Vec::new());
     for body in &system.bodies {
         let frame = frame_name(&body.name);
-        constants.extend(["_v", "_w"].map(|suffix| format_ident!("{frame}{suffix}")));
-        constants.push(frame);
-        for point in &body.carried {
-            let name = carried_name(&body.name, &point.name);
-            constants.extend(AXES.map(|axis| format_ident!("{name}_{axis}", span = name.span())));
-            constants.push(name);
-            let pairs = body.frame.iter();
-            lengths.extend(pairs.map(|site| pair_name(&body.name, &point.name, &site.name)));
-        }
+        let rates = ["_v", "_w"].map(|suffix| Name::made(format!("{frame}{suffix}")));
+        let at = listing.place_of(&body.name, None);
+        constants.extend(rates.into_iter().chain([frame]).map(|name| (name, at)));
+        let [of_points, of_pairs] = carried_names(listing, body);
+        constants.extend(of_points);
+        lengths.extend(of_pairs);
     }
     for cluster in &system.clusters {
+        let [.., third] = &cluster.frame;
+        let at = |point: &Name| listing.place_of(&cluster.name, Some(point));
+        constants.push((frame_name(&cluster.name), at(&third.name)));
         let points = cluster.carried.iter();
-        constants.push(frame_name(&cluster.name));
-        constants.extend(points.map(|point| carried_name(&cluster.name, &point.name)));
+        let names = points.map(|point| {
+            let name = carried_name(&cluster.name, &point.name);
+            (name, at(&point.name))
+        });
+        constants.extend(names);
     }
-    let mut stated: Vec<Ident> = Vec::new();
+    let mut stated: Vec<Generated> = Vec::new();
     for equation in &system.equations {
-        match equation {
-            Equation::Distance { named, .. } => stated.push(named.name.clone()),
-            Equation::Coordinate { drive, .. } => constants.push(drive.clone()),
-            Equation::Carried { .. } => {}
+        let (name, form) = (&equation.named.name, equation.form.equations());
+        if form.keeps().is_some() {
+            stated.push((name.clone(), place_of(listing, equation)));
+        } else if form.drive().is_some() {
+            constants.push((name.clone(), place_of(listing, equation)));
         }
     }
-    let markers = system.markers.iter();
-    constants.extend(markers.map(|marker| marker.named.name.clone()));
+    let markers = system.markers.iter().map(|marker| &marker.named.name);
+    constants.extend(markers.map(|name| (name.clone(), listing.place_of(name, None))));
     for names in [constants, lengths] {
         let mut taken: Vec<String> = Vec::new();
-        for name in names.iter().chain(&stated) {
-            let key = constant(name);
-            if is_reserved(name) || taken.contains(&key) {
-                errors.push(errors::reserved_name(name));
+        for (name, at) in names.iter().chain(&stated) {
+            let key = constant(name.as_str());
+            if is_reserved(name.as_str()) || taken.contains(&key) {
+                errors.push(errors::reserved_name(&name.at(*at)));
             }
             taken.push(key);
         }
     }
 }
 
-fn wrong_count(system: &System) -> syn::Error {
-    let count = |kind: fn(&Equation) -> bool| -> usize {
-        let equations = system.equations.iter().filter(|equation| kind(equation));
-        equations.map(|equation| equation.rows().len()).sum()
+/// Those of a body's carried points, and of the lengths to them.
+fn carried_names(listing: &Listing, body: &Body) -> [Vec<Generated>; 2] {
+    let (mut constants, mut lengths) = (Vec::new(), Vec::new());
+    for point in &body.carried {
+        let name = carried_name(&body.name, &point.name);
+        let at = listing.place_of(&body.name, Some(&point.name));
+        let rows = (0..3).map(|axis| coordinate_name(&name, axis));
+        constants.extend(rows.chain([name.clone()]).map(|name| (name, at)));
+        let of_frame = body.frame.iter();
+        let pairs = of_frame.map(|site| pair_name(&body.name, &point.name, &site.name));
+        lengths.extend(pairs.map(|name| (name, at)));
+    }
+    [constants, lengths]
+}
+
+fn place_of(listing: &Listing, equation: &Equation) -> Span {
+    let origin = &equation.origin;
+    listing.place_of(&origin.statement, origin.operand.as_ref())
+}
+
+fn wrong_count(listing: &Listing, system: &System) -> syn::Error {
+    let count = |word: &str| -> usize {
+        let equations = system.equations.iter();
+        let of_word = equations.filter(|equation| equation.origin.word == word);
+        of_word.map(|equation| equation.rows().len()).sum()
     };
-    let links = count(|e| matches!(e, Equation::Distance { of_body: false, .. }));
-    let drives = count(|e| matches!(e, Equation::Coordinate { .. }));
-    let bodies = system.rows().len() - links - drives;
     let drives_chassis = system
         .drives
         .iter()
         .any(|drive| !drive.of.is_free() && drive.minus.is_none());
     errors::wrong_count(
-        system.free_span,
+        listing.free_span,
         system.size(),
-        [links, bodies, drives],
+        ["link", "body", "drive"].map(count),
         drives_chassis,
     )
 }
 
-fn structural_rank(system: &System, errors: &mut Errors) {
+fn structural_rank(listing: &Listing, system: &System, errors: &mut Errors) {
     let pattern = system.pattern();
     let mut row_of = vec![None; system.size()];
-    for (row, name) in system.rows().iter().enumerate() {
+    let equations = system.equations.iter();
+    let rows = equations.flat_map(|equation| equation.rows().into_iter().map(move |_| equation));
+    let names = system.rows();
+    for (row, (equation, name)) in rows.zip(&names).enumerate() {
         if !augment(row, &pattern, &mut row_of, &mut vec![false; system.size()]) {
-            errors.push(errors::redundant_equation(name));
+            let name = name.at(place_of(listing, equation));
+            errors.push(errors::redundant_equation(&name));
         }
     }
     for column in (0..system.size()).filter(|column| row_of[*column].is_none()) {
-        let point = &system.free[column / 3].name;
-        errors.push(errors::undetermined(point, AXES[column % 3]));
+        let point = &system.free[column / 3].named.name;
+        let point = point.at(listing.place_of(point, None));
+        errors.push(errors::undetermined(&point, AXES[column % 3]));
     }
 }
 

@@ -10,6 +10,7 @@ use syn::Ident;
 use super::{constant, is_reserved};
 use crate::ast::{Constraint, Listing};
 use crate::errors::{self, Errors};
+use crate::name::Name;
 
 /// Checks every name and operand of the listing.
 pub fn names(listing: &Listing, errors: &mut Errors) {
@@ -51,9 +52,9 @@ impl<'a> Check<'a> {
         ] {
             points
                 .iter()
-                .for_each(|point| self.declare(&point.name, kind));
+                .for_each(|point| self.declare(&point.named.name, kind));
             if points.is_empty() {
-                self.missing(errors::nothing_declared(&listing.name, keyword));
+                self.missing(errors::nothing_declared(listing.span, keyword));
             }
         }
         listing
@@ -75,7 +76,7 @@ impl<'a> Check<'a> {
             .iter()
             .for_each(|measure| self.declare(&measure.named.name, "measure"));
         if listing.drives.is_empty() {
-            self.missing(errors::nothing_declared(&listing.name, "drive"));
+            self.missing(errors::nothing_declared(listing.span, "drive"));
         }
     }
 
@@ -87,7 +88,8 @@ impl<'a> Check<'a> {
     }
 
     fn declare(&mut self, name: &Ident, kind: &'static str) {
-        if is_reserved(name) {
+        let constant = |name: &Ident| constant(Name::from(name).as_str());
+        if is_reserved(&name.to_string()) {
             self.errors.push(errors::reserved_name(name));
         }
         let mut taken = self.taken.iter();

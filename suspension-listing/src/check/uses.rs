@@ -6,6 +6,7 @@ use syn::Ident;
 
 use crate::ast::{Listing, Quantity};
 use crate::errors::{self, Errors};
+use crate::name::Name;
 use crate::system::System;
 
 /// Checks that an equation keeps the distance of the two points of each angle.
@@ -18,8 +19,8 @@ pub fn angles(listing: &Listing, system: &System, errors: &mut Errors) {
             continue;
         };
         // Anything else is reported as an operand.
-        let is_free = |name: &Ident| listing.free.iter().any(|point| point.name == *name);
-        let is_fixed = |name: &Ident| listing.fixed.iter().any(|point| point.name == *name);
+        let is_free = |name: &Ident| listing.free.iter().any(|point| point.named.name == *name);
+        let is_fixed = |name: &Ident| listing.fixed.iter().any(|point| point.named.name == *name);
         let can_turn =
             (is_free(from) && (is_free(to) || is_fixed(to))) || (is_fixed(from) && is_free(to));
         if drive.angle_of.is_some() || !can_turn || from == to {
@@ -28,7 +29,7 @@ pub fn angles(listing: &Listing, system: &System, errors: &mut Errors) {
         let body = system.bodies.iter().find(|body| {
             let lists = |name: &Ident| {
                 let mut sites = body.frame.iter().chain(&body.carried);
-                sites.any(|site| site.name == *name)
+                sites.any(|site| site.name == Name::from(name))
             };
             lists(from) && lists(to)
         });
@@ -42,7 +43,7 @@ pub fn angles(listing: &Listing, system: &System, errors: &mut Errors) {
 /// Checks that something depends on each chassis point.
 pub fn chassis_points(listing: &Listing, errors: &mut Errors) {
     let used = used_points(listing);
-    for point in listing.fixed.iter().map(|point| &point.name) {
+    for point in listing.fixed.iter().map(|point| &point.named.name) {
         if used.contains(point) {
             continue;
         }

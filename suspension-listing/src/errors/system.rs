@@ -4,6 +4,7 @@ use proc_macro2::Span;
 use syn::{Error, Ident};
 
 use super::at;
+use crate::name::Name;
 use crate::system::Body;
 
 pub fn no_such_link(from: &Ident, to: &Ident) -> Error {
@@ -22,12 +23,13 @@ pub fn angle_beside_frame(ends: [&Ident; 2], body: &Body) -> Error {
     let Body { name, frame, .. } = body;
     let [a, b, c] = frame.each_ref().map(|site| &site.name);
     // A frame takes chassis points first, wherever they are listed.
-    let anchors: Vec<&Ident> = frame
+    let anchors: Vec<&Name> = frame
         .iter()
         .filter(|site| !site.is_free())
         .map(|site| &site.name)
         .collect();
-    let others = ends.iter().filter(|end| !anchors.contains(end)).count();
+    let is_other = |end: &&&Ident| !anchors.contains(&&Name::from(**end));
+    let others = ends.iter().filter(is_other).count();
     let remedy = if anchors.len() + others > 3 {
         String::new()
     } else {
@@ -61,10 +63,10 @@ pub fn unused_chassis_point(point: &Ident) -> Error {
     )
 }
 
-pub fn nothing_declared(module: &Ident, keyword: &str) -> Error {
-    at(
-        module,
-        format!("`{module}` has no `{keyword}` statement; a linkage needs at least one"),
+pub fn nothing_declared(span: Span, keyword: &str) -> Error {
+    Error::new(
+        span,
+        format!("there is no `{keyword}` statement; a linkage needs at least one"),
     )
 }
 
@@ -119,7 +121,7 @@ pub fn undetermined(point: &Ident, axis: &str) -> Error {
     )
 }
 
-pub fn closed_twice(body: &Ident, a: &Ident, b: &Ident) -> Error {
+pub fn closed_twice(body: &Ident, a: &Name, b: &Name) -> Error {
     at(
         body,
         format!(

@@ -2,8 +2,9 @@
 //! tangent.
 //! Lengths drift a little on the way, which the size of pivots does not notice.
 
-use super::{Design, derivative};
-use crate::system::{Equation, System};
+use super::gradients;
+use crate::system::{Place, Positions, System};
+use crate::vector::{dot, minus};
 
 /// A step of a drive, and the farthest that it goes, as parts of the longest distance.
 const STEP: f64 = 0.1;
@@ -18,26 +19,19 @@ const LARGEST_RATE: f64 = 6.0;
 /// More unknowns than a compiler should be held up with.
 const MOST_UNKNOWNS: usize = 60;
 
-/// The design position, where all of it is stated, and others that the drives lead to from there.
-pub fn positions(system: &System) -> Vec<Design> {
-    let points = system.free.iter().chain(&system.fixed);
-    let is_stated = points.map(|point| point.name.to_string());
-    if !is_stated
-        .into_iter()
-        .all(|name| system.design.contains_key(&name))
-    {
-        return Vec::new();
-    }
-    let mut positions = vec![system.design.clone()];
+/// A design position, and others that the drives lead to from there.
+pub fn positions(system: &System, design: Positions) -> Vec<Positions> {
+    let mut positions = vec![design.clone()];
     if system.size() > MOST_UNKNOWNS {
         return positions;
     }
-    let step = STEP * longest(system);
+    let step = STEP * longest(system, &design);
+    let places = system.places();
     for row in driven_rows(system) {
         for step in [step, -step] {
             let substep = step / SUBSTEPS as f64;
-            let substeps = std::iter::successors(Some(system.design.clone()), |design| {
-                moved(system, design, row, substep)
+            let substeps = std::iter::successors(Some(design.clone()), |position| {
+                moved(system, &places, position, row, substep)
             });
             let steps = substeps.step_by(SUBSTEPS).skip(1);
             positions.extend(steps.take(STEPS));
@@ -46,67 +40,65 @@ pub fn positions(system: &System) -> Vec<Design> {
     positions
 }
 
-/// The rows that prescribe a coordinate of a free point.
+/// The rows that prescribe something of a free point.
 fn driven_rows(system: &System) -> Vec<usize> {
     let mut first_row = 0;
     let mut rows = Vec::new();
     for equation in &system.equations {
-        if matches!(equation, Equation::Coordinate { .. }) {
+        let form = equation.form.equations();
+        if form.drive().is_some() {
             rows.push(first_row);
         }
-        first_row += equation.rows().len();
+        first_row += form.rows();
     }
     rows
 }
 
-fn longest(system: &System) -> f64 {
-    let lengths = system
-        .equations
-        .iter()
-        .filter_map(|equation| match equation {
-            Equation::Distance { from, to, .. } => {
-                let at = |name: &syn::Ident| system.design.get(&name.to_string()).copied();
-                let d = super::minus(at(&to.name)?, at(&from.name)?);
-                Some(super::dot(d, d).sqrt())
-            }
-            _ => None,
-        });
+fn longest(system: &System, design: &Positions) -> f64 {
+    let equations = system.equations.iter();
+    let kept = equations.filter_map(|equation| equation.form.equations().keeps());
+    let lengths = kept.map(|[from, to]| {
+        let d = minus(design.of(to), design.of(from));
+        dot(d, d).sqrt()
+    });
     lengths.fold(0.0, f64::max)
 }
 
-/// The design after a step of one drive, by the midpoint rule; `None` where the motion ends.
-fn moved(system: &System, design: &Design, row: usize, step: f64) -> Option<Design> {
-    let half = displaced(system, design, &tangent(system, design, row)?, step / 2.0);
-    let rate = tangent(system, &half, row)?;
+/// The position after a step of one drive, by the midpoint rule; `None` where the motion ends.
+fn moved(
+    system: &System,
+    places: &[Place<'_>],
+    position: &Positions,
+    row: usize,
+    step: f64,
+) -> Option<Positions> {
+    let start = tangent(system, places, position, row)?;
+    let half = displaced(position, &start, step / 2.0);
+    let rate = tangent(system, places, &half, row)?;
     let is_gentle = rate.iter().all(|rate| rate.abs() <= LARGEST_RATE);
-    is_gentle.then(|| displaced(system, design, &rate, step))
+    is_gentle.then(|| displaced(position, &rate, step))
 }
 
-fn displaced(system: &System, design: &Design, rate: &[f64], step: f64) -> Design {
-    let mut design = design.clone();
-    for (point, rate) in system.free.iter().zip(rate.chunks_exact(3)) {
-        if let Some(position) = design.get_mut(&point.name.to_string()) {
-            for (coordinate, rate) in position.iter_mut().zip(rate) {
-                *coordinate += step * rate;
-            }
-        }
+fn displaced(position: &Positions, rate: &[f64], step: f64) -> Positions {
+    let mut displaced = position.clone();
+    for (coordinate, rate) in displaced.free.iter_mut().flatten().zip(rate) {
+        *coordinate += step * rate;
     }
-    design
+    displaced
 }
 
 /// How the unknowns change with the drive of a row.
-fn tangent(system: &System, design: &Design, row: usize) -> Option<Vec<f64>> {
+fn tangent(
+    system: &System,
+    places: &[Place<'_>],
+    position: &Positions,
+    row: usize,
+) -> Option<Vec<f64>> {
     let n = system.size();
+    let gradients = gradients(system, position)?;
     let mut matrix = vec![vec![0.0; n + 1]; n];
-    for place in system.places() {
-        let value = derivative(
-            place.equation,
-            place.row_of_equation,
-            place.point,
-            place.axis,
-            design,
-        );
-        matrix[place.row][place.column] = value?;
+    for place in places {
+        matrix[place.row][place.column] = place.value(&gradients);
     }
     matrix[row][n] = 1.0;
     solved(matrix)

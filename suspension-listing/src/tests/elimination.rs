@@ -2,9 +2,8 @@
 
 use std::time::Instant;
 
-use super::catalogue_system;
+use super::{catalogue_system, positions};
 use crate::eliminate::{Entry, Order, THRESHOLD, order};
-use crate::sample::positions;
 
 type Matrix = Vec<Vec<f64>>;
 
@@ -111,10 +110,7 @@ fn largest_difference(a: &Matrix, b: &Matrix) -> f64 {
 fn systems() -> Vec<(usize, Vec<Entry>)> {
     let catalogue = ["attia2003", "five_link"].map(|name| {
         let system = catalogue_system(name);
-        (
-            system.size(),
-            system.entries(std::slice::from_ref(&system.design)),
-        )
+        (system.size(), system.entries(&positions(&system)[..1]))
     });
     let ladders = [1, 2, 7, 20].map(|bodies| (3 * bodies, ladder(bodies)));
     catalogue.into_iter().chain(ladders).collect()

@@ -2,17 +2,18 @@
 
 use nalgebra::Vector3;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Build, Linkage, Named};
+use suspension_core::{Build, Linkage, Values};
 
-use super::catalogue_system;
-use crate::sample::positions;
+use super::{catalogue_system, lower, positions};
+use crate::system::Positions;
 
 /// Compares every entry of the sampled Jacobian with the one that the model computes.
-fn compare<L: Build<15, Scalar = f64, Points: Named<Vector3<f64>>>>(name: &str) {
+fn compare<L: Build<15, Scalar = f64>>(name: &str) {
     let system = catalogue_system(name);
+    let stated = system.fixed.iter().chain(&system.free);
+    let stated: Vec<_> = stated.filter_map(|point| point.at).collect();
     // Markers need no design position.
-    let at = |point: &str| system.design.get(point).copied().unwrap_or_default();
-    let design = L::Points::from_fn(|point| Vector3::from(at(point)));
+    let design = L::Points::from_values(stated.into_iter().map(Vector3::from));
     let model = L::new(&design).expect("a geometry");
     let mut jacobian = model.jacobian(&model.unknowns(&design), model.fixed());
     for entry in system.entries(&positions(&system)) {
@@ -40,9 +41,9 @@ fn the_drive_leads_to_other_positions() {
     let system = catalogue_system("five_link");
     let positions = positions(&system);
     assert!(positions.len() > 5, "{} positions", positions.len());
-    let length = |design: &std::collections::BTreeMap<String, [f64; 3]>| {
-        let [a, b] =
-            ["upper_front_outer", "upper_rear_outer"].map(|name| Vector3::from(design[name]));
+    // From the upper front to the upper rear outer point.
+    let length = |position: &Positions| {
+        let [a, b] = [1, 2].map(|index| Vector3::from(position.free[index]));
         (a - b).norm()
     };
     for position in &positions {
@@ -62,6 +63,5 @@ fn without_a_design_position_nothing_is_known() {
             drive z: p.z - a.z;
         }
     };
-    let (listing, _) = crate::parse::listing(listing).expect("a listing");
-    assert!(positions(&crate::lower::system(&listing)).is_empty());
+    assert!(lower(listing).0.design().is_none());
 }

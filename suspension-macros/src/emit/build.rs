@@ -3,11 +3,9 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::clusters;
-use super::fields::{length_index, point_index};
-use super::lengths::{self, distances};
-use super::readout;
+use super::fields::point_index;
 use super::terms::{ident, parameter, value_of};
+use super::{clusters, form, lengths, readout};
 use suspension_listing::system::{AXES, Drive, System, carried_name, frame_name};
 
 pub(super) fn build_impl(system: &System) -> TokenStream {
@@ -33,7 +31,7 @@ pub(super) fn build_impl(system: &System) -> TokenStream {
 }
 
 fn new(system: &System) -> TokenStream {
-    let fixed = system.fixed.iter().map(|point| &point.name);
+    let fixed = system.fixed.iter().map(|point| &point.named.name);
     let frames = system.bodies.iter().map(|body| {
         let name = frame_name(&body.name);
         let [.., third] = &body.frame;
@@ -42,16 +40,11 @@ fn new(system: &System) -> TokenStream {
         quote!(let #name = parts::frame(#third, Frame::new(#(design.#points),*))?;)
     });
     let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
-    let distances = distances(system).into_iter().map(|(name, [from, to])| {
-        let index = length_index(system, &name);
-        quote!(#name: parts::distance(#index, design.#from, design.#to)?)
-    });
-    let carried = system.bodies.iter().flat_map(|body| {
-        let frame = frame_name(&body.name);
-        body.carried.iter().map(move |point| {
-            let (name, point) = (carried_name(&body.name, &point.name), &point.name);
-            let index = point_index(system, point);
-            quote!(#name: parts::carried(#index, design.#point, &#frame)?)
+    let [stated, framed] = [false, true].map(|framed| {
+        let constants = form::constants(system, framed);
+        constants.map(|form::Constant { name, form, .. }| {
+            let value = form.of_points(name, system);
+            quote!(#name: #value)
         })
     });
     let [cluster_frames, clustered] = clusters::designed(system);
@@ -65,9 +58,9 @@ fn new(system: &System) -> TokenStream {
             let model = Self {
                 fixed: Fixed { #(#fixed: design.#fixed),* },
                 size: T::zero(),
-                #(#distances,)*
+                #(#stated,)*
                 #(#frame_names,)*
-                #(#carried,)*
+                #(#framed,)*
                 #clustered
                 #(#markers,)*
             };
@@ -86,7 +79,7 @@ fn markers<'a>(system: &'a System, points: &'a TokenStream) -> impl Iterator<Ite
 
 /// Sets `size`, which depends on all other constants.
 fn sized(system: &System) -> TokenStream {
-    let distances = distances(system).into_iter().map(|(name, _)| name);
+    let distances = lengths::distances(system);
     quote! {
         impl<T: Real> Model<T> {
             /// With `size` brought up to the other constants.

@@ -6,34 +6,34 @@ use std::collections::BTreeSet;
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
-use syn::Ident;
 
 use super::elimination::Unrolled;
 use super::terms::ident;
+use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, Substituted, System, carried_name, frame_name};
 
 /// A substituted point in the generated code.
 pub(super) trait Emitted {
     /// Its constants under their name.
-    fn constants(&self) -> Ident;
+    fn constants(&self) -> Name;
 
     /// Its frame under its name.
-    fn frame_name(&self) -> Ident;
+    fn frame_name(&self) -> Name;
 }
 
 impl Emitted for Substituted<'_> {
-    fn constants(&self) -> Ident {
+    fn constants(&self) -> Name {
         carried_name(self.body, self.point)
     }
 
-    fn frame_name(&self) -> Ident {
+    fn frame_name(&self) -> Name {
         frame_name(self.body)
     }
 }
 
 /// One frame a body.
-pub(super) fn frames(substituted: &[Substituted<'_>]) -> Vec<Ident> {
-    let mut names: Vec<Ident> = substituted.iter().map(Emitted::frame_name).collect();
+pub(super) fn frames(substituted: &[Substituted<'_>]) -> Vec<Name> {
+    let mut names: Vec<Name> = substituted.iter().map(Emitted::frame_name).collect();
     names.dedup();
     names
 }
@@ -49,7 +49,7 @@ pub(super) fn fields(system: &System) -> TokenStream {
 /// Their values.
 pub(super) fn values(system: &System) -> TokenStream {
     let substituted = system.substituted();
-    let constants: Vec<Ident> = substituted.iter().map(Emitted::constants).collect();
+    let constants: Vec<Name> = substituted.iter().map(Emitted::constants).collect();
     let frames = frames(&substituted);
     quote!(#(#frames,)* #(#constants: self.#constants,)*)
 }

@@ -2,15 +2,15 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::Ident;
 
 use super::fields::point_index;
 use super::terms::{Binding, bind, ident, parameter, value_of};
+use suspension_listing::name::Name;
 use suspension_listing::system::{Body, Site, System, carried_name, distance_between, frame_name};
 
 /// A clustered point: the constant's name, the point, and its cluster.
 struct Clustered<'a> {
-    constant: Ident,
+    constant: Name,
     point: &'a Site,
     cluster: &'a Body,
 }
@@ -77,7 +77,7 @@ pub(super) fn of_lengths(system: &System) -> [TokenStream; 2] {
     [quote!(#(#frames)*), quote!(#(#names,)* #(#linked,)*)]
 }
 
-fn frame_names(system: &System) -> impl Iterator<Item = Ident> {
+fn frame_names(system: &System) -> impl Iterator<Item = Name> {
     system
         .clusters
         .iter()
@@ -96,7 +96,7 @@ fn length(system: &System, [a, b]: [&Site; 2]) -> TokenStream {
 }
 
 /// Names and types of the model's constants.
-pub(super) fn constants(system: &System) -> impl Iterator<Item = (Ident, TokenStream)> {
+pub(super) fn constants(system: &System) -> impl Iterator<Item = (Name, TokenStream)> {
     let frames = frame_names(system).map(|name| (name, quote!(Frame)));
     let points = clustered(system).map(|clustered| (clustered.constant, quote!(Linked)));
     frames.chain(points)
@@ -119,7 +119,7 @@ pub(super) fn mirrored(system: &System) -> TokenStream {
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let frames = system.clusters.iter().map(|cluster| {
         let points = cluster.frame.iter().map(|site| value_of(site, free, fixed));
-        Binding::new(frame_name(&cluster.name), quote!(Frame::new(#(#points),*)))
+        Binding::new(&frame_name(&cluster.name), quote!(Frame::new(#(#points),*)))
     });
     let values: Vec<TokenStream> = clustered(system)
         .map(

@@ -3,16 +3,28 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::carried;
+use super::{carried, form};
 use suspension_listing::eliminate::{self, Order};
-use suspension_listing::system::{Equation, System};
+use suspension_listing::name::Name;
+use suspension_listing::system::System;
 
 /// Operations of straight-line code. A change of sign is none.
 #[derive(Clone, Copy, Default)]
-struct Operations {
+pub(super) struct Operations {
     multiplications: usize,
     additions: usize,
     divisions: usize,
+}
+
+impl From<(usize, usize)> for Operations {
+    /// Multiplications and additions.
+    fn from((multiplications, additions): (usize, usize)) -> Self {
+        Self {
+            multiplications,
+            additions,
+            divisions: 0,
+        }
+    }
 }
 
 fn add(total: &mut Operations, multiplications: usize, additions: usize) {
@@ -20,32 +32,17 @@ fn add(total: &mut Operations, multiplications: usize, additions: usize) {
     total.additions += additions;
 }
 
-/// Operations of residual, Jacobian and curvature, as `suspension_core::constraint` writes them.
+/// Operations of residual, Jacobian and curvature.
 fn evaluations(system: &System) -> [Operations; 3] {
-    let [mut residual, mut jacobian, mut curvature] = [Operations::default(); 3];
     let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
     let frames = bodies.count();
-    add(&mut residual, 0, 6 * frames);
-    add(&mut jacobian, 0, 6 * frames);
-    add(&mut curvature, 0, 12 * frames);
+    let mut totals = [(0, 6 * frames), (0, 6 * frames), (0, 12 * frames)].map(Operations::from);
     for equation in &system.equations {
-        match equation {
-            Equation::Distance { .. } => {
-                add(&mut residual, 7, 6);
-                add(&mut jacobian, 3, 3);
-                add(&mut curvature, 4, 8);
-            }
-            Equation::Carried { .. } => {
-                add(&mut residual, 15, 15);
-                add(&mut jacobian, 6, 5);
-                add(&mut curvature, 15, 9);
-            }
-            Equation::Coordinate { minus, .. } => {
-                add(&mut residual, 0, 1 + usize::from(minus.is_some()));
-            }
+        for (total, cost) in totals.iter_mut().zip(form::of(equation).cost()) {
+            add(total, cost.multiplications, cost.additions);
         }
     }
-    [residual, jacobian, curvature]
+    totals
 }
 
 /// Operations of the factorisation, of which those of the Jacobian are part, and of a solution.
@@ -86,7 +83,7 @@ fn eliminations(system: &System, order: &Order, jacobian: Operations) -> [Operat
 pub(super) fn header(system: &System, order: &Order) -> TokenStream {
     let n = system.size();
     let non_zeros = system.places().len();
-    let unknowns = list(system.free.iter().map(|point| &point.name));
+    let unknowns = list(system.free.iter().map(|point| &point.named.name));
     let equations = list(system.rows().iter());
     let [residual, jacobian, curvature] = evaluations(system);
     let [factor, solve] = eliminations(system, order, jacobian);
@@ -128,7 +125,7 @@ pub(super) fn header(system: &System, order: &Order) -> TokenStream {
     quote!(#(#[doc = #text])* #(#[doc = #counts])*)
 }
 
-fn list<'a>(names: impl Iterator<Item = &'a syn::Ident>) -> String {
+fn list<'a>(names: impl Iterator<Item = &'a Name>) -> String {
     names
         .map(|name| format!("`{name}`"))
         .collect::<Vec<_>>()

@@ -7,14 +7,15 @@ use syn::Ident;
 use super::jacobian::{entries, parameters, with_points};
 use super::{carried, indices, substitution, written_out};
 use suspension_listing::eliminate::{Order, Step};
+use suspension_listing::name::Name;
 use suspension_listing::system::System;
 
 /// Rows, columns and order of an elimination under their names.
 pub(super) struct Unrolled<'a> {
     pub(super) system: &'a System,
     pub(super) order: &'a Order,
-    rows: Vec<Ident>,
-    columns: Vec<Ident>,
+    rows: Vec<Name>,
+    columns: Vec<Name>,
 }
 
 /// The struct and its solutions.
@@ -108,20 +109,17 @@ pub(super) fn factor(system: &System, order: &Order) -> TokenStream {
 }
 
 /// An entry of the Jacobian, later of its factors: `row_by_column`.
-fn entry(row: &Ident, column: &Ident) -> Ident {
+fn entry(row: &Name, column: &Name) -> Ident {
     format_ident!("{row}_by_{column}")
 }
 
 impl<'a> Unrolled<'a> {
     fn new(system: &'a System, order: &'a Order) -> Self {
-        let points = system.free.iter();
         Self {
             system,
             order,
             rows: system.rows(),
-            columns: points
-                .flat_map(|point| indices::unknown_names(&point.name))
-                .collect(),
+            columns: indices::unknowns(system),
         }
     }
 

@@ -3,13 +3,10 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::terms::{
-    Binding, assign, assign_carried, bind, carried, frames, ident, parameter, rows, value_of,
-    vector,
-};
-use super::{clusters, elimination, jacobian, measures, rates, readout, written_out};
+use super::terms::{Binding, frames, ident, parameter, vector};
+use super::{clusters, elimination, form, jacobian, measures, rates, readout, written_out};
 use suspension_listing::eliminate::Order;
-use suspension_listing::system::{AXES, Equation, System, carried_name, frame_name};
+use suspension_listing::system::{AXES, System};
 
 pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
@@ -115,38 +112,11 @@ fn drive_anchors(system: &System) -> TokenStream {
 fn residual(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
-    let carried = carried(system, |body, point| {
-        let (point, frame) = (value_of(point, free, fixed), frame_name(&body.name));
-        quote!(residual(#point, &#frame))
-    });
-    let assignments = system.equations.iter().map(|equation| match equation {
-        Equation::Distance {
-            named, from, to, ..
-        } => {
-            let (name, vector) = (&named.name, vector(from, to, free, fixed));
-            assign(name, &quote!(self.#name.residual(#vector)))
-        }
-        Equation::Carried { body, point, .. } => {
-            assign_carried(body, point, &carried_name(body, &point.name))
-        }
-        Equation::Coordinate {
-            drive,
-            axis,
-            of,
-            minus,
-        } => {
-            let (axis, of) = (ident(AXES[*axis]), value_of(of, free, fixed));
-            let minus = minus.as_ref().map(|minus| value_of(minus, free, fixed));
-            let minus = minus.map(|minus| quote!(- #minus.#axis));
-            assign(drive, &quote!(#of.#axis #minus - drives.#drive))
-        }
-    });
-    let result = rows(system, &assignments.collect::<Vec<_>>());
-    let bindings = [Binding::free(free, "q")]
-        .into_iter()
-        .chain(frames(system, "", free, fixed))
-        .chain(carried);
-    let body = bind(bindings.collect(), result);
+    let equations = system.equations.iter();
+    let rows = equations.map(|equation| form::of(equation).residual(&equation.named.name));
+    let bindings = [Binding::free(free, "q")];
+    let bindings = bindings.into_iter().chain(frames(system, "", free, fixed));
+    let body = vector(system, bindings, rows);
     let q = parameter("q", &quote!(&SVector<T, #n>), &body);
     let fixed = parameter("fixed", &quote!(&Fixed<T>), &body);
     let drives = parameter("drives", &quote!(&Drives<T>), &body);
@@ -160,35 +130,13 @@ fn residual(system: &System) -> TokenStream {
 fn curvature(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let [v, v_fixed, w, w_fixed] = &["v", "v_fixed", "w", "w_fixed"].map(ident);
-    let carried = carried(system, |body, _| {
-        let frame = frame_name(&body.name);
-        let [v, w] = ["v", "w"].map(|rate| quote::format_ident!("{frame}_{rate}"));
-        quote!(curvature(&#v, &#w))
-    });
-    let assignments = system
-        .equations
-        .iter()
-        .filter_map(|equation| match equation {
-            Equation::Distance {
-                named, from, to, ..
-            } => {
-                let name = &named.name;
-                let (v, w) = (vector(from, to, v, v_fixed), vector(from, to, w, w_fixed));
-                Some(assign(name, &quote!(self.#name.curvature(#v, #w))))
-            }
-            Equation::Carried { body, point, .. } => {
-                let name = carried_name(body, &point.name);
-                Some(assign_carried(body, point, &name))
-            }
-            Equation::Coordinate { .. } => None,
-        });
-    let result = rows(system, &assignments.collect::<Vec<_>>());
+    let equations = system.equations.iter();
+    let rows = equations.filter_map(|equation| form::of(equation).curvature(&equation.named.name));
     let bindings = [Binding::free(v, "v"), Binding::free(w, "w")]
         .into_iter()
         .chain(frames(system, "_v", v, v_fixed))
-        .chain(frames(system, "_w", w, w_fixed))
-        .chain(carried);
-    let body = bind(bindings.collect(), result);
+        .chain(frames(system, "_w", w, w_fixed));
+    let body = vector(system, bindings, rows);
     let vectors = ["v", "w"].map(|name| parameter(name, &quote!(&SVector<T, #n>), &body));
     let fixed = ["v_fixed", "w_fixed"].map(|name| parameter(name, &quote!(&Fixed<T>), &body));
     written_out(&quote! {

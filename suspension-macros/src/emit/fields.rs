@@ -2,27 +2,30 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::{Attribute, Ident};
 
-use suspension_listing::system::{
-    AXES, Body, Drive, Equation, Measure, Measured, System, pair_name,
-};
+use suspension_listing::name::{Name, Named};
+use suspension_listing::system::{AXES, Body, Drive, Measure, Measured, System, pair_name};
 
 /// A field of a generated struct.
 pub(super) struct Field {
-    pub(super) docs: Vec<Attribute>,
-    pub(super) name: Ident,
+    pub(super) docs: Vec<String>,
+    pub(super) name: Name,
     /// Documents the field where the user did not.
     pub(super) fallback: String,
 }
 
 impl Field {
-    pub(super) fn new(docs: &[Attribute], name: &Ident, fallback: String) -> Self {
+    pub(super) fn new(Named { name, docs }: &Named, fallback: String) -> Self {
         Self {
-            docs: docs.to_vec(),
+            docs: docs.clone(),
             name: name.clone(),
             fallback,
         }
+    }
+
+    pub(super) fn undocumented(name: Name, fallback: String) -> Self {
+        let docs = Vec::new();
+        Self::new(&Named { name, docs }, fallback)
     }
 
     pub(super) fn docs(&self) -> TokenStream {
@@ -30,23 +33,21 @@ impl Field {
         if docs.is_empty() {
             quote!(#[doc = #fallback])
         } else {
-            quote!(#(#docs)*)
+            quote!(#(#[doc = #docs])*)
         }
     }
 }
 
 pub(super) fn point_fields(system: &System) -> Vec<Field> {
-    let free = system
-        .free
-        .iter()
-        .map(|p| Field::new(&p.docs, &p.name, format!(" Free point `{}`.", p.name)));
+    let free = system.free.iter();
+    let free = free.map(|p| Field::new(&p.named, format!(" Free point `{}`.", p.named.name)));
     let markers = system.markers.iter().map(|marker| {
         let [a, b, c] = &marker.frame;
         let fallback = format!(
             " Marker, carried by `{}`, `{}`, `{}`.",
             a.name, b.name, c.name
         );
-        Field::new(&marker.named.docs, &marker.named.name, fallback)
+        Field::new(&marker.named, fallback)
     });
     fixed_fields(system)
         .into_iter()
@@ -58,7 +59,7 @@ pub(super) fn point_fields(system: &System) -> Vec<Field> {
 pub(super) fn fixed_fields(system: &System) -> Vec<Field> {
     let fixed = system.fixed.iter();
     fixed
-        .map(|p| Field::new(&p.docs, &p.name, format!(" Chassis point `{}`.", p.name)))
+        .map(|p| Field::new(&p.named, format!(" Chassis point `{}`.", p.named.name)))
         .collect()
 }
 
@@ -69,7 +70,7 @@ pub(super) fn drive_fields(system: &System) -> Vec<Field> {
             (Some(from), Some(_)) => angle_in_words([from, of], drive.axis),
             (minus, _) => coordinate_in_words(of, minus.as_ref(), drive.axis),
         };
-        Field::new(&drive.named.docs, &drive.named.name, fallback)
+        Field::new(&drive.named, fallback)
     };
     system.drives.iter().map(field).collect()
 }
@@ -83,23 +84,23 @@ pub(super) fn measure_fields(system: &System) -> Vec<Field> {
             Measured::Angle { axis, line } => angle_in_words(line.each_ref(), *axis),
             Measured::Length { line: [from, to] } => between(from, to),
         };
-        Field::new(&named.docs, &named.name, fallback)
+        Field::new(named, fallback)
     };
     system.measures.iter().map(field).collect()
 }
 
-fn coordinate_in_words(of: &Ident, minus: Option<&Ident>, axis: usize) -> String {
+fn coordinate_in_words(of: &Name, minus: Option<&Name>, axis: usize) -> String {
     let axis = AXES[axis];
     let minus = minus.map_or(String::new(), |minus| format!(" - {minus}.{axis}"));
     format!(" `{of}.{axis}{minus}`.")
 }
 
-fn angle_in_words([from, to]: [&Ident; 2], axis: usize) -> String {
+fn angle_in_words([from, to]: [&Name; 2], axis: usize) -> String {
     let axis = AXES[axis];
     format!(" Angle of `{from} -> {to}` from the {axis} axis, radians.")
 }
 
-fn between(a: &Ident, b: &Ident) -> String {
+fn between(a: &Name, b: &Name) -> String {
     format!(" From `{a}` to `{b}`.")
 }
 
@@ -108,19 +109,13 @@ fn between(a: &Ident, b: &Ident) -> String {
 pub(super) fn length_fields(system: &System) -> Vec<Field> {
     let mut fields = Vec::new();
     for equation in &system.equations {
-        if let Equation::Distance {
-            named, from, to, ..
-        } = equation
-            && !system
-                .bodies
-                .iter()
-                .any(|body| frame_lengths(body).any(|name| name == named.name))
+        let name = &equation.named.name;
+        let mut bodies = system.bodies.iter();
+        if let Some([from, to]) = equation.form.equations().keeps()
+            && !bodies.any(|body| frame_lengths(body).any(|of_frame| of_frame == *name))
         {
-            fields.push(Field::new(
-                &named.docs,
-                &named.name,
-                between(&from.name, &to.name),
-            ));
+            let between = between(&from.name, &to.name);
+            fields.push(Field::new(&equation.named, between));
         }
     }
     for body in &system.bodies {
@@ -130,12 +125,13 @@ pub(super) fn length_fields(system: &System) -> Vec<Field> {
             .filter(|[a, b]| a.is_free() || b.is_free())
         {
             let name = pair_name(&body.name, &a.name, &b.name);
-            fields.push(Field::new(&[], &name, between(&a.name, &b.name)));
+            fields.push(Field::undocumented(name, between(&a.name, &b.name)));
         }
         for point in &body.carried {
             for of_frame in &body.frame {
                 let name = pair_name(&body.name, &point.name, &of_frame.name);
-                fields.push(Field::new(&[], &name, between(&point.name, &of_frame.name)));
+                let between = between(&point.name, &of_frame.name);
+                fields.push(Field::undocumented(name, between));
             }
         }
     }
@@ -143,21 +139,21 @@ pub(super) fn length_fields(system: &System) -> Vec<Field> {
 }
 
 /// The index of a point among all.
-pub(super) fn point_index(system: &System, name: &Ident) -> Literal {
-    index(&point_fields(system), name)
+pub(super) fn point_index(system: &System, name: &Name) -> Literal {
+    index(system.points().into_iter(), name)
 }
 
 /// The index of a length.
-pub(super) fn length_index(system: &System, name: &Ident) -> Literal {
-    index(&length_fields(system), name)
+pub(super) fn length_index(system: &System, name: &Name) -> Literal {
+    index(length_fields(system).iter().map(|field| &field.name), name)
 }
 
-fn index(fields: &[Field], name: &Ident) -> Literal {
-    let index = fields.iter().position(|field| field.name == *name);
-    Literal::usize_unsuffixed(index.unwrap_or(fields.len()))
+fn index<'a>(mut names: impl Iterator<Item = &'a Name>, name: &Name) -> Literal {
+    let index = names.position(|other| other == name);
+    Literal::usize_unsuffixed(index.unwrap_or_default())
 }
 
-fn frame_lengths(body: &Body) -> impl Iterator<Item = Ident> {
+fn frame_lengths(body: &Body) -> impl Iterator<Item = Name> {
     body.frame_pairs()
         .into_iter()
         .map(|[a, b]| pair_name(&body.name, &a.name, &b.name))

@@ -2,7 +2,6 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::ext::IdentExt;
 
 use super::measures;
 use super::types::constants;
@@ -10,7 +9,7 @@ use suspension_listing::system::{AXES, System};
 
 pub(super) fn listing(system: &System) -> TokenStream {
     let fixed = system.fixed.iter().map(|point| {
-        let name = &point.name;
+        let name = &point.named.name;
         quote!(#name: gather_vectors(models.map(|model| model.fixed.#name), &gather))
     });
     let no_fixed = system
@@ -67,9 +66,9 @@ pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
 }
 
 fn names(system: &System) -> TokenStream {
-    let equations = system.rows().into_iter().map(|row| row.unraw().to_string());
+    let equations = system.rows().into_iter().map(|row| row.to_string());
     let free = system.free.iter();
-    let unknowns = free.flat_map(|point| AXES.map(|axis| format!("{}.{axis}", point.name.unraw())));
+    let unknowns = free.flat_map(|point| AXES.map(|axis| format!("{}.{axis}", point.named.name)));
     let markers = Literal::usize_unsuffixed(system.markers.len());
     let drive_kinds = system.drives.iter().map(|drive| match drive.angle_of {
         Some(_) => quote!(DriveKind::Angle),

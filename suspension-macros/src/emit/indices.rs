@@ -1,20 +1,15 @@
 //! Names for the rows and columns of the Jacobian.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 use syn::Ident;
-use syn::ext::IdentExt;
 
-use suspension_listing::system::{AXES, System};
+use suspension_listing::name::Name;
+use suspension_listing::system::{System, coordinate_name};
 
 pub(super) fn modules(system: &System) -> TokenStream {
     let equations = constants(&system.rows());
-    let unknowns: Vec<Ident> = system
-        .free
-        .iter()
-        .flat_map(|point| unknown_names(&point.name))
-        .collect();
-    let unknowns = constants(&unknowns);
+    let unknowns = constants(&unknowns(system));
     quote! {
         /// Rows of the residual and the Jacobian.
         #[allow(missing_docs)]
@@ -31,11 +26,18 @@ pub(super) fn modules(system: &System) -> TokenStream {
 }
 
 /// Names of the three coordinates of a point.
-pub(super) fn unknown_names(point: &Ident) -> [Ident; 3] {
-    AXES.map(|axis| format_ident!("{}_{axis}", point))
+pub(super) fn unknown_names(point: &Name) -> [Name; 3] {
+    [0, 1, 2].map(|axis| coordinate_name(point, axis))
 }
 
-fn constants(names: &[Ident]) -> TokenStream {
+/// Names of the unknowns.
+pub(super) fn unknowns(system: &System) -> Vec<Name> {
+    let free = system.free.iter();
+    free.flat_map(|point| unknown_names(&point.named.name))
+        .collect()
+}
+
+fn constants(names: &[Name]) -> TokenStream {
     let mut seen = std::collections::BTreeSet::new();
     let distinct = names.iter().filter(|name| seen.insert(upper(name)));
     let constants = distinct.enumerate().map(|(index, name)| {
@@ -45,21 +47,21 @@ fn constants(names: &[Ident]) -> TokenStream {
     quote!(#(#constants)*)
 }
 
-fn upper(name: &Ident) -> Ident {
+fn upper(name: &Name) -> Ident {
     Ident::new(
-        &name.unraw().to_string().to_uppercase(),
+        &name.as_str().to_uppercase(),
         proc_macro2::Span::call_site(),
     )
 }
 
 /// `equation::NAME`.
-pub(super) fn equation(row: &Ident) -> TokenStream {
+pub(super) fn equation(row: &Name) -> TokenStream {
     let name = upper(row);
     quote!(equation::#name)
 }
 
 /// `unknown::NAME`.
-pub(super) fn unknown(column: &Ident) -> TokenStream {
+pub(super) fn unknown(column: &Name) -> TokenStream {
     let name = upper(column);
     quote!(unknown::#name)
 }

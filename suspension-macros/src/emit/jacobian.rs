@@ -1,15 +1,15 @@
 //! The unrolled Jacobian: each equation gives its non-zero entries under their names.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
-use syn::Ident;
+use quote::quote;
 
-use super::terms::{Binding, bind, frames, ident, parameter, vector};
-use super::{indices, written_out};
-use suspension_listing::system::{AXES, Equation, Site, System, carried_name, frame_name};
+use super::terms::{Binding, bind, frames, ident, parameter};
+use super::{form, indices, written_out};
+use suspension_listing::name::Name;
+use suspension_listing::system::System;
 
 /// Writes an entry: its row, its column, its value.
-type Write<'a> = dyn Fn(&Ident, &Ident, TokenStream) -> TokenStream + 'a;
+pub(super) type Write<'a> = dyn Fn(&Name, &Name, TokenStream) -> TokenStream + 'a;
 
 pub(super) fn jacobian(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
@@ -56,74 +56,6 @@ pub(super) fn entries(system: &System, write: &Write<'_>) -> TokenStream {
     let of_equations = system
         .equations
         .iter()
-        .map(|equation| of_equation(equation, write));
+        .map(|equation| form::of(equation).jacobian(equation, write));
     quote!(#(#of_equations)*)
-}
-
-fn of_equation(equation: &Equation, write: &Write<'_>) -> TokenStream {
-    let rows = equation.rows();
-    match equation {
-        Equation::Distance {
-            named, from, to, ..
-        } => {
-            let vector = vector(from, to, &ident("free"), &ident("fixed"));
-            let name = &named.name;
-            let to = of_gradient(to, &rows[0], &quote!(), write);
-            let from = of_gradient(from, &rows[0], &quote!(-), write);
-            quote! {
-                let gradient = self.#name.gradient(#vector);
-                #to
-                #from
-            }
-        }
-        Equation::Carried { body, point, frame } => {
-            let (name, frame_of) = (carried_name(body, &point.name), frame_name(body));
-            let columns = indices::unknown_names(&point.name);
-            let identity = rows.iter().zip(&columns);
-            let identity = identity.map(|(row, column)| write(row, column, quote!(T::one())));
-            let blocks = ["origin", "second", "third"].into_iter().zip(frame);
-            let blocks = blocks.map(|(block, site)| of_block(site, &rows, &ident(block), write));
-            let entries = quote!(#(#identity)* #(#blocks)*);
-            let gradient = (!entries.is_empty())
-                .then(|| quote!(let gradient = self.#name.gradient(&#frame_of);));
-            quote!(#gradient #entries)
-        }
-        Equation::Coordinate {
-            axis, of, minus, ..
-        } => {
-            let entry = |site: &Site, value: TokenStream| {
-                let column = &indices::unknown_names(&site.name)[*axis];
-                site.is_free().then(|| write(&rows[0], column, value))
-            };
-            let of = entry(of, quote!(T::one()));
-            let minus = minus
-                .as_ref()
-                .and_then(|minus| entry(minus, quote!(-T::one())));
-            quote!(#of #minus)
-        }
-    }
-}
-
-fn of_gradient(site: &Site, row: &Ident, sign: &TokenStream, write: &Write<'_>) -> TokenStream {
-    let columns = indices::unknown_names(&site.name);
-    let free = columns.iter().zip(AXES).filter(|_| site.is_free());
-    let entries = free.map(|(column, axis)| {
-        let axis = ident(axis);
-        write(row, column, quote!(#sign gradient.#axis))
-    });
-    quote!(#(#entries)*)
-}
-
-fn of_block(site: &Site, rows: &[Ident], block: &Ident, write: &Write<'_>) -> TokenStream {
-    if !site.is_free() {
-        return TokenStream::new();
-    }
-    let mut entries = TokenStream::new();
-    for (i, row) in (1..).zip(rows) {
-        for (j, column) in (1..).zip(&indices::unknown_names(&site.name)) {
-            let entry = format_ident!("m{i}{j}");
-            entries.extend(write(row, column, quote!(gradient.#block.#entry)));
-        }
-    }
-    entries
 }

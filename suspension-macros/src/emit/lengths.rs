@@ -2,23 +2,16 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::Ident;
 
-use super::{clusters, fields};
-use suspension_listing::system::{Body, Equation, System, carried_name, frame_name, pair_name};
+use super::{clusters, fields, form};
+use suspension_listing::name::Name;
+use suspension_listing::system::{Body, System, carried_name, frame_name, pair_name};
 
-/// The distances that equations keep, with the points between which they stand.
-pub(super) fn distances(system: &System) -> Vec<(Ident, [Ident; 2])> {
-    let mut distances = Vec::new();
-    for equation in &system.equations {
-        if let Equation::Distance {
-            named, from, to, ..
-        } = equation
-        {
-            distances.push((named.name.clone(), [from.name.clone(), to.name.clone()]));
-        }
-    }
-    distances
+/// The distances that equations keep.
+pub(super) fn distances(system: &System) -> impl Iterator<Item = &Name> {
+    let equations = system.equations.iter();
+    let kept = equations.filter(|equation| equation.form.equations().keeps().is_some());
+    kept.map(|equation| &equation.named.name)
 }
 
 /// The length of a frame's edge: given, or where both ends are on the chassis, as it stands.
@@ -42,19 +35,11 @@ pub(super) fn with_lengths(system: &System) -> TokenStream {
         quote!(let #name = parts::frame_of_lengths(#third, [#(#edges),*])?;)
     });
     let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
-    let distances = distances(system)
-        .into_iter()
-        .map(|(name, _)| quote!(#name: Distance::new(lengths.#name)));
-    let carried = system.bodies.iter().flat_map(|body| {
-        let frame = frame_name(&body.name);
-        body.carried.iter().map(move |point| {
-            let name = carried_name(&body.name, &point.name);
-            let index = fields::point_index(system, &point.name);
-            let lengths = body
-                .frame
-                .iter()
-                .map(|site| pair_name(&body.name, &point.name, &site.name));
-            quote!(#name: parts::carried_at(#index, &self.#name, &#frame, [#(lengths.#lengths),*])?)
+    let [stated, framed] = [false, true].map(|framed| {
+        let constants = form::constants(system, framed);
+        constants.map(|form::Constant { name, form, .. }| {
+            let value = form.of_lengths(name, system);
+            quote!(#name: #value)
         })
     });
     let [cluster_frames, clustered] = clusters::of_lengths(system);
@@ -64,9 +49,9 @@ pub(super) fn with_lengths(system: &System) -> TokenStream {
             #(#frames)*
             #cluster_frames
             let model = Self {
-                #(#distances,)*
+                #(#stated,)*
                 #(#frame_names,)*
-                #(#carried,)*
+                #(#framed,)*
                 #clustered
                 ..self
             };
@@ -77,16 +62,13 @@ pub(super) fn with_lengths(system: &System) -> TokenStream {
 
 pub(super) fn lengths(system: &System) -> TokenStream {
     let fields = fields::length_fields(system);
-    let names: Vec<&Ident> = fields.iter().map(|field| &field.name).collect();
-    let stated: Vec<Ident> = distances(system)
-        .into_iter()
-        .map(|(name, _)| name)
-        .collect();
+    let names: Vec<&Name> = fields.iter().map(|field| &field.name).collect();
+    let stated: Vec<&Name> = distances(system).collect();
     let of_bodies = system.bodies.iter().map(|body| {
         let frame = frame_name(&body.name);
         let edges = body.frame_pairs().map(|[a, b]| {
             let name = pair_name(&body.name, &a.name, &b.name);
-            let wanted = names.iter().any(|field| **field == name) && !stated.contains(&name);
+            let wanted = names.iter().any(|field| **field == name) && !stated.contains(&&name);
             wanted.then_some(name)
         });
         let needed = edges.iter().any(Option::is_some);

@@ -2,9 +2,9 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::Ident;
 
 use super::terms::{ident, parameter};
+use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, Measure, Measured, System};
 
 /// What each measure is.
@@ -20,7 +20,7 @@ pub(super) fn kinds(system: &System) -> impl Iterator<Item = TokenStream> {
 
 /// `measures` of `impl Linkage`.
 pub(super) fn measures(system: &System) -> TokenStream {
-    let names: Vec<&Ident> = system
+    let names: Vec<&Name> = system
         .measures
         .iter()
         .map(|measure| &measure.named.name)
@@ -50,7 +50,7 @@ pub(super) fn measures(system: &System) -> TokenStream {
 }
 
 fn value(Measure { measured, .. }: &Measure) -> TokenStream {
-    let line = |[from, to]: &[Ident; 2]| quote!(points.map(|points| points.#to - points.#from));
+    let line = |[from, to]: &[Name; 2]| quote!(points.map(|points| points.#to - points.#from));
     match measured {
         Measured::Coordinate { axis, of, minus } => {
             let axis = ident(AXES[*axis]);

@@ -2,15 +2,15 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::Ident;
 
 use super::terms::{ident, parameter, value_of};
+use suspension_listing::name::Name;
 use suspension_listing::system::{Marker, System, Wheel};
 
 /// `points`, `velocities`, `accelerations` and `unknowns` of `impl Linkage`.
 pub(super) fn points(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    let free: Vec<&Ident> = system.free.iter().map(|point| &point.name).collect();
+    let free: Vec<&Name> = system.free.iter().map(|point| &point.named.name).collect();
     let points = all_points(
         system,
         "free",
@@ -89,8 +89,8 @@ fn all_points(
     method: impl Fn(&Marker, TokenStream) -> TokenStream,
 ) -> TokenStream {
     let (free, fixed) = (ident(free), ident(fixed));
-    let on_chassis = system.fixed.iter().map(|point| &point.name);
-    let unknown = system.free.iter().map(|point| &point.name);
+    let on_chassis = system.fixed.iter().map(|point| &point.named.name);
+    let unknown = system.free.iter().map(|point| &point.named.name);
     let markers = system.markers.iter().map(|marker| {
         let points = marker
             .frame
@@ -134,7 +134,7 @@ pub(super) fn roles(system: &System) -> TokenStream {
     quote!(#axis #carrier #kingpin)
 }
 
-fn role(name: &str, count: usize, points: Option<&[Ident]>) -> TokenStream {
+fn role(name: &str, count: usize, points: Option<&[Name]>) -> TokenStream {
     let (name, count) = (ident(name), Literal::usize_unsuffixed(count));
     let body = match points {
         Some(names) => quote!(Some([#(points.#names),*])),

@@ -5,19 +5,27 @@ use std::collections::BTreeSet;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::Ident;
 
 use super::fields::{self, Field};
 use super::types;
 use super::{gather, indices};
-use suspension_listing::ast::Listing;
+use crate::module::Module;
+use suspension_listing::ast::{self, Listing};
+use suspension_listing::name::Name;
 use suspension_listing::system::System;
 
 /// The errors and the stand-in.
-pub(crate) fn stub(listing: &Listing, system: &System, error: &syn::Error) -> TokenStream {
-    let Listing {
-        docs, vis, name, ..
-    } = listing;
+pub(crate) fn stub(
+    module: &Module,
+    listing: &Listing,
+    system: &System,
+    error: &syn::Error,
+) -> TokenStream {
+    let Module {
+        attributes,
+        vis,
+        name,
+    } = module;
     let errors = error.to_compile_error();
     let types = all(listing, system);
     let indices = indices::modules(system);
@@ -27,7 +35,7 @@ pub(crate) fn stub(listing: &Listing, system: &System, error: &syn::Error) -> To
     let roles = roles();
     quote! {
         #errors
-        #(#docs)*
+        #(#attributes)*
         #[allow(dead_code, missing_docs, unreachable_pub)]
         #vis mod #name {
             use ::suspension_core::generated::*;
@@ -43,26 +51,28 @@ pub(crate) fn stub(listing: &Listing, system: &System, error: &syn::Error) -> To
 }
 
 fn all(listing: &Listing, system: &System) -> TokenStream {
-    let fixed: Vec<&Ident> = listing.fixed.iter().map(|point| &point.name).collect();
-    let free = listing.free.iter().map(|point| &point.name);
-    let markers = listing.markers.iter().map(|marker| &marker.named.name);
-    let points = fixed.iter().copied().chain(free).chain(markers);
-    let drives = listing.drives.iter().map(|drive| &drive.named.name);
-    let measures = listing.measures.iter().map(|measure| &measure.named.name);
+    let fixed = || names(listing.fixed.iter().map(|point| &point.named));
+    let free = names(listing.free.iter().map(|point| &point.named));
+    let markers = names(listing.markers.iter().map(|marker| &marker.named));
+    let drives = names(listing.drives.iter().map(|drive| &drive.named));
+    let measures = names(listing.measures.iter().map(|measure| &measure.named));
     let lengths = fields::length_fields(system);
-    let vector = quote!(Vector3<T>);
+    let lengths = lengths.into_iter().map(|field| field.name);
+    let (vector, number) = (quote!(Vector3<T>), quote!(T));
     let structs = [
-        types::named("Points", "", &vector, &distinct(points)),
-        types::named("Fixed", "", &vector, &distinct(fixed.iter().copied())),
-        types::named("Drives", "", &quote!(T), &distinct(drives)),
-        types::named("Measures", "", &quote!(T), &distinct(measures)),
-        types::named(
-            "Lengths",
-            "",
-            &quote!(T),
-            &distinct(lengths.iter().map(|field| &field.name)),
+        (
+            "Points",
+            &vector,
+            distinct(fixed().chain(free).chain(markers)),
         ),
+        ("Fixed", &vector, distinct(fixed())),
+        ("Drives", &number, distinct(drives)),
+        ("Measures", &number, distinct(measures)),
+        ("Lengths", &number, distinct(lengths)),
     ];
+    let structs = structs
+        .into_iter()
+        .map(|(name, value, fields)| types::named(name, "", value, listing, &fields));
     quote! {
         #(#structs)*
 
@@ -73,12 +83,16 @@ fn all(listing: &Listing, system: &System) -> TokenStream {
     }
 }
 
+fn names<'a>(stated: impl Iterator<Item = &'a ast::Named>) -> impl Iterator<Item = Name> {
+    stated.map(|named| Name::from(&named.name))
+}
+
 /// Fields without those whose name is taken already.
-fn distinct<'a>(names: impl Iterator<Item = &'a Ident>) -> Vec<Field> {
+fn distinct(names: impl Iterator<Item = Name>) -> Vec<Field> {
     let mut seen = BTreeSet::new();
     names
-        .filter(|name| seen.insert(name.to_string()))
-        .map(|name| Field::new(&[], name, String::new()))
+        .filter(|name| seen.insert(name.clone()))
+        .map(|name| Field::undocumented(name, String::new()))
         .collect()
 }
 

@@ -1,11 +1,13 @@
 //! What the emitted methods have in common: points, frames and carried points under their names.
 
-use proc_macro2::{Literal, Spacing, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use proc_macro2::{Literal, Spacing, Span, TokenStream, TokenTree};
+use quote::{ToTokens, format_ident, quote};
 use syn::Ident;
 
+use super::form::Rows;
 use super::indices;
-use suspension_listing::system::{AXES, Body, Site, System, carried_name, frame_name};
+use suspension_listing::name::Name;
+use suspension_listing::system::{AXES, Site, System, coordinate_name, frame_name};
 
 pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, proc_macro2::Span::call_site())
@@ -21,12 +23,6 @@ pub(super) fn value_of(site: &Site, free: &Ident, fixed: &Ident) -> TokenStream 
     }
 }
 
-/// `to - from`.
-pub(super) fn vector(from: &Site, to: &Site, free: &Ident, fixed: &Ident) -> TokenStream {
-    let (from, to) = (value_of(from, free, fixed), value_of(to, free, fixed));
-    quote!(difference(#to, #from))
-}
-
 /// `name = value`, to become a `let` where something reads it.
 pub(super) struct Binding {
     name: Ident,
@@ -34,14 +30,16 @@ pub(super) struct Binding {
 }
 
 impl Binding {
-    pub(super) fn new(name: Ident, value: TokenStream) -> Self {
+    pub(super) fn new(name: &Name, value: TokenStream) -> Self {
+        let name = name.at(Span::call_site());
         Self { name, value }
     }
 
     /// `name = Free::of(vector)`.
     pub(super) fn free(name: &Ident, vector: &str) -> Self {
-        let vector = ident(vector);
-        Self::new(name.clone(), quote!(Free::of(#vector)))
+        let (name, vector) = (name.clone(), ident(vector));
+        let value = quote!(Free::of(#vector));
+        Self { name, value }
     }
 }
 
@@ -85,34 +83,45 @@ fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
 }
 
 /// `rows[equation::NAME] = term;`
-pub(super) fn assign(row: &Ident, term: &TokenStream) -> TokenStream {
+pub(super) fn assign(row: &Name, term: &TokenStream) -> TokenStream {
     let row = indices::equation(row);
     quote!(rows[#row] = #term;)
 }
 
-/// The same for the three rows of a point that `body` carries, from the vector `term`.
-pub(super) fn assign_carried(body: &Ident, point: &Site, term: &Ident) -> TokenStream {
-    let name = carried_name(body, &point.name);
-    let entries = AXES.map(|axis| {
-        let row = format_ident!("{name}_{axis}");
-        let axis = ident(axis);
+/// The same for the three rows of a vector equation, from the vector `term`.
+pub(super) fn assign_vector(name: &Name, term: &impl ToTokens) -> TokenStream {
+    let entries = (0..3).map(|axis| {
+        let row = coordinate_name(name, axis);
+        let axis = ident(AXES[axis]);
         assign(&row, &quote!(#term.#axis))
     });
     quote!(#(#entries)*)
 }
 
-/// A vector whose rows are zero but for those assigned. The zeros are negative: a compiler that keeps
-/// to the rules of arithmetic leaves out their addition, but not that of positive ones.
-pub(super) fn rows(system: &System, assignments: &[TokenStream]) -> TokenStream {
+/// A vector whose rows are zero but for those given, behind the variables that they and `bindings`
+/// read. The zeros are negative: a compiler that keeps to the rules of arithmetic leaves out their
+/// addition, but not that of positive ones.
+pub(super) fn vector(
+    system: &System,
+    bindings: impl IntoIterator<Item = Binding>,
+    rows: impl Iterator<Item = Rows>,
+) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    if assignments.is_empty() {
-        return quote!(SVector::zeros());
+    let (mut bindings, mut assignments) = (Vec::from_iter(bindings), TokenStream::new());
+    for of_equation in rows {
+        bindings.extend(of_equation.variable);
+        assignments.extend(of_equation.assignments);
     }
-    quote! {
-        let mut rows = [-T::zero(); #n];
-        #(#assignments)*
-        SVector::from(rows)
-    }
+    let vector = if assignments.is_empty() {
+        quote!(SVector::zeros())
+    } else {
+        quote! {
+            let mut rows = [-T::zero(); #n];
+            #assignments
+            SVector::from(rows)
+        }
+    };
+    bind(bindings, vector)
 }
 
 /// `body_frame = Frame::new(..)` for each body that carries points.
@@ -125,24 +134,7 @@ pub(super) fn frames<'a>(
     let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
     bodies.map(move |body| {
         let points = body.frame.iter().map(|site| value_of(site, free, fixed));
-        Binding::new(
-            format_ident!("{}{suffix}", frame_name(&body.name)),
-            quote!(Frame::new(#(#points),*)),
-        )
-    })
-}
-
-/// `body_point = self.body_point.method(arguments)` for each point that a body carries.
-pub(super) fn carried(
-    system: &System,
-    call: impl Fn(&Body, &Site) -> TokenStream,
-) -> impl Iterator<Item = Binding> {
-    let points = system
-        .bodies
-        .iter()
-        .flat_map(|body| body.carried.iter().map(move |point| (body, point)));
-    points.map(move |(body, point)| {
-        let (name, call) = (carried_name(&body.name, &point.name), call(body, point));
-        Binding::new(name.clone(), quote!(self.#name.#call))
+        let name = Name::made(format!("{}{suffix}", frame_name(&body.name)));
+        Binding::new(&name, quote!(Frame::new(#(#points),*)))
     })
 }

@@ -3,32 +3,35 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Ident;
-use syn::ext::IdentExt;
 
-use super::clusters;
 use super::fields::{
     Field, drive_fields, fixed_fields, length_fields, measure_fields, point_fields,
 };
-use super::lengths::distances;
-use suspension_listing::system::{AXES, System, carried_name, frame_name};
+use super::{clusters, form};
+use suspension_listing::ast::Listing;
+use suspension_listing::name::Name;
+use suspension_listing::system::{AXES, System, frame_name};
 
-pub(super) fn all(system: &System) -> TokenStream {
+pub(super) fn all(listing: &Listing, system: &System) -> TokenStream {
     let points = named(
         "Points",
         " Every point, with a position, velocity or acceleration each.",
         &quote!(Vector3<T>),
+        listing,
         &point_fields(system),
     );
     let fixed = named(
         "Fixed",
         " Chassis points.",
         &quote!(Vector3<T>),
+        listing,
         &fixed_fields(system),
     );
     let drives = named(
         "Drives",
         " The drives' values, or rates: coordinates in the unit of the points, angles in radians.",
         &quote!(T),
+        listing,
         &drive_fields(system),
     );
     let measures = named(
@@ -36,12 +39,14 @@ pub(super) fn all(system: &System) -> TokenStream {
         " What is measured, or its rates: coordinates and lengths in the unit of the points, angles \
          in radians.",
         &quote!(T),
+        listing,
         &measure_fields(system),
     );
     let lengths = named(
         "Lengths",
         " The constant lengths of links and bodies.",
         &quote!(T),
+        listing,
         &length_fields(system),
     );
     let free = free(system);
@@ -49,12 +54,19 @@ pub(super) fn all(system: &System) -> TokenStream {
     quote!(#points #fixed #drives #measures #lengths #free #model)
 }
 
-/// A struct with one value for each name.
-pub(super) fn named(name: &str, doc: &str, value: &TokenStream, fields: &[Field]) -> TokenStream {
+/// A struct with one value for each name, which an editor finds in the listing.
+pub(super) fn named(
+    name: &str,
+    doc: &str,
+    value: &TokenStream,
+    listing: &Listing,
+    fields: &[Field],
+) -> TokenStream {
     let name = Ident::new(name, proc_macro2::Span::call_site());
     let docs = fields.iter().map(Field::docs);
-    let names: Vec<&Ident> = fields.iter().map(|field| &field.name).collect();
-    let strings: Vec<String> = names.iter().map(|name| name.unraw().to_string()).collect();
+    let declared = |field: &Field| field.name.at(listing.place_of(&field.name, None));
+    let names: Vec<Ident> = fields.iter().map(declared).collect();
+    let strings: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
     let none = fields
         .is_empty()
         .then(|| quote!(no_fields: ::core::marker::PhantomData<T>));
@@ -109,7 +121,7 @@ pub(super) fn named(name: &str, doc: &str, value: &TokenStream, fields: &[Field]
 /// The free points under their names, from and to the vector of unknowns.
 fn free(system: &System) -> TokenStream {
     let n = proc_macro2::Literal::usize_unsuffixed(system.size());
-    let names: Vec<&Ident> = system.free.iter().map(|point| &point.name).collect();
+    let names: Vec<&Name> = system.free.iter().map(|point| &point.named.name).collect();
     let coordinate = |axis: &'static str| {
         names
             .iter()
@@ -141,7 +153,7 @@ fn free(system: &System) -> TokenStream {
 }
 
 fn model(system: &System) -> TokenStream {
-    let (names, kinds): (Vec<Ident>, Vec<TokenStream>) = constants(system).unzip();
+    let (names, kinds): (Vec<Name>, Vec<TokenStream>) = constants(system).unzip();
     quote! {
         /// The geometry: chassis points at rest and the constants of every equation.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,20 +167,19 @@ fn model(system: &System) -> TokenStream {
 
 /// Names and types of the model's constants: one for each length and each carried or
 /// clustered point.
-pub(super) fn constants(system: &System) -> impl Iterator<Item = (Ident, TokenStream)> {
-    let lengths = distances(system).into_iter().map(|(name, _)| name);
-    let frames = system.bodies.iter().map(|body| frame_name(&body.name));
-    let carried = system.bodies.iter().flat_map(|body| {
-        let points = body.carried.iter();
-        points.map(|point| carried_name(&body.name, &point.name))
+pub(super) fn constants(system: &System) -> impl Iterator<Item = (Name, TokenStream)> {
+    let [stated, framed] = [false, true].map(|framed| {
+        let constants = form::constants(system, framed);
+        constants.map(|constant| (constant.name.clone(), constant.kind))
     });
-    let markers = system
-        .markers
-        .iter()
-        .map(|marker| marker.named.name.clone());
-    let clusters = clusters::constants(system);
-    let lengths = lengths.map(|name| (name, quote!(Distance)));
+    let frames = system.bodies.iter().map(|body| frame_name(&body.name));
     let frames = frames.map(|name| (name, quote!(Frame)));
-    let carried = carried.chain(markers).map(|name| (name, quote!(Carried)));
-    lengths.chain(frames).chain(carried).chain(clusters)
+    let markers = system.markers.iter();
+    let markers = markers.map(|marker| (marker.named.name.clone(), quote!(Carried)));
+    let clusters = clusters::constants(system);
+    stated
+        .chain(frames)
+        .chain(framed)
+        .chain(markers)
+        .chain(clusters)
 }

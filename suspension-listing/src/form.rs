@@ -1,0 +1,83 @@
+//! The forms: equations that the solver knows, each at most quadratic in the coordinates.
+//!
+//! A statement of a listing becomes equations of these forms. The register below is the only place that
+//! tells the forms apart; everything else asks a form what [`Equations`] has it answer.
+
+mod carried;
+mod distance;
+mod linear;
+
+use crate::name::Name;
+use crate::system::Site;
+use crate::vector::Vector;
+
+pub use carried::Carried;
+pub use distance::Distance;
+pub use linear::{Linear, Term};
+
+/// One of the forms.
+#[derive(Clone, Debug)]
+pub enum Form {
+    Distance(Distance),
+    Carried(Carried),
+    Linear(Linear),
+}
+
+impl Form {
+    /// What every form answers.
+    pub fn equations(&self) -> &dyn Equations {
+        match self {
+            Self::Distance(form) => form,
+            Self::Carried(form) => form,
+            Self::Linear(form) => form,
+        }
+    }
+}
+
+/// One equation, or three of a vector.
+pub trait Equations {
+    /// The points that it joins.
+    fn sites(&self) -> Vec<&Site>;
+
+    /// 1, or 3: one an axis.
+    fn rows(&self) -> usize {
+        1
+    }
+
+    /// How a row depends on a coordinate of one of the sites.
+    fn dependence(&self, row: usize, site: usize, axis: usize) -> Dependence;
+
+    /// The constants with which the equations hold where the sites are; `None` where there are
+    /// none.
+    fn constants(&self, at: &[Vector]) -> Option<Vector>;
+
+    /// The residual, a row an entry, of sites `at` other positions than those of the constants. What is
+    /// driven counts as zero.
+    fn residual(&self, constants: &Vector, at: &[Vector]) -> Vector;
+
+    /// The two points whose distance it keeps.
+    fn keeps(&self) -> Option<[&Site; 2]> {
+        None
+    }
+
+    /// The point that it ties to a frame, in closed form.
+    fn carries(&self) -> Option<&Carried> {
+        None
+    }
+
+    /// The drive that it prescribes.
+    fn drive(&self) -> Option<&Name> {
+        None
+    }
+}
+
+/// How a row of the Jacobian depends on a coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dependence {
+    /// Not at all.
+    Never,
+    /// The derivative is 1 in every position.
+    Unit,
+    /// In some way.
+    Any,
+}

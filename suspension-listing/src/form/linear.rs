@@ -1,0 +1,51 @@
+//! A prescribed sum of coordinates: `sum k x - drive`.
+
+use super::{Dependence, Equations};
+use crate::name::Name;
+use crate::system::Site;
+use crate::vector::Vector;
+
+#[derive(Clone, Debug)]
+pub struct Linear {
+    pub terms: Vec<Term>,
+    pub drive: Name,
+}
+
+/// A coordinate of a point, times a factor.
+#[derive(Clone, Debug)]
+pub struct Term {
+    pub factor: f64,
+    pub site: Site,
+    pub axis: usize,
+}
+
+impl Equations for Linear {
+    fn sites(&self) -> Vec<&Site> {
+        self.terms.iter().map(|term| &term.site).collect()
+    }
+
+    fn dependence(&self, _row: usize, site: usize, axis: usize) -> Dependence {
+        let term = &self.terms[site];
+        if term.axis != axis {
+            Dependence::Never
+        } else if term.factor == 1.0 {
+            Dependence::Unit
+        } else {
+            Dependence::Any
+        }
+    }
+
+    fn constants(&self, _at: &[Vector]) -> Option<Vector> {
+        Some([0.0; 3])
+    }
+
+    fn residual(&self, _constants: &Vector, at: &[Vector]) -> Vector {
+        let terms = self.terms.iter().zip(at);
+        let sum = terms.map(|(term, at)| term.factor * at[term.axis]).sum();
+        [sum, 0.0, 0.0]
+    }
+
+    fn drive(&self) -> Option<&Name> {
+        Some(&self.drive)
+    }
+}

@@ -1,0 +1,69 @@
+//! Names as plain text: what a listing leaves behind can be sent and kept.
+
+use std::fmt;
+
+use proc_macro2::{Span, TokenStream};
+use quote::{IdentFragment, ToTokens};
+use syn::Ident;
+use syn::ext::IdentExt;
+
+/// A name that a listing states, or one made of such names.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Name {
+    text: String,
+    /// Whether Rust needs `r#` before it.
+    raw: bool,
+}
+
+/// A name with its docs, one string a line.
+#[derive(Clone, Debug)]
+pub struct Named {
+    pub name: Name,
+    pub docs: Vec<String>,
+}
+
+impl Name {
+    /// One made of others; with an underscore in it, which no keyword has.
+    pub fn made(text: String) -> Self {
+        Self { text, raw: false }
+    }
+
+    pub fn as_str(&self) -> &str {
+        &self.text
+    }
+
+    /// The identifier at a place of the source.
+    pub fn at(&self, span: Span) -> Ident {
+        if self.raw {
+            Ident::new_raw(&self.text, span)
+        } else {
+            Ident::new(&self.text, span)
+        }
+    }
+}
+
+impl From<&Ident> for Name {
+    fn from(ident: &Ident) -> Self {
+        let text = ident.unraw().to_string();
+        let raw = *ident != text;
+        Self { text, raw }
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl ToTokens for Name {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        self.at(Span::call_site()).to_tokens(tokens);
+    }
+}
+
+impl IdentFragment for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}

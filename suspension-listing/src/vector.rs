@@ -1,0 +1,30 @@
+//! Vectors of three numbers.
+
+pub type Vector = [f64; 3];
+
+pub fn minus(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross(a: Vector, b: Vector) -> Vector {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// The sum of multiples of vectors.
+pub fn combined<const K: usize>(terms: [(f64, Vector); K]) -> Vector {
+    let mut sum = [0.0; 3];
+    for (factor, vector) in terms {
+        for (sum, x) in sum.iter_mut().zip(vector) {
+            *sum += factor * x;
+        }
+    }
+    sum
+}

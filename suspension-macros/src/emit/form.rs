@@ -1,0 +1,98 @@
+//! What the equations of each form become in the generated code. The register below is the only place that
+//! tells the forms apart.
+
+mod carried;
+mod distance;
+mod linear;
+
+use proc_macro2::TokenStream;
+
+use suspension_listing::form::Form;
+use suspension_listing::name::Name;
+use suspension_listing::system::{Equation, SiteMotion, System};
+
+use super::docs::Operations;
+use super::jacobian::Write;
+use super::terms::Binding;
+
+/// What is written of the equations of a form, by the name of the first.
+pub(super) trait Emit {
+    /// The type of the constant that the model has for them.
+    fn constant(&self) -> Option<TokenStream> {
+        None
+    }
+
+    /// Whether the constant is measured in the frame of a body.
+    fn is_framed(&self) -> bool {
+        false
+    }
+
+    /// The constant from the points `design`.
+    fn of_points(&self, name: &Name, system: &System) -> TokenStream;
+
+    /// The constant from `lengths`.
+    fn of_lengths(&self, name: &Name, system: &System) -> TokenStream;
+
+    /// The rows of `F`.
+    fn residual(&self, name: &Name) -> Rows;
+
+    /// The entries of the Jacobian, each passed through `write`.
+    fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream;
+
+    /// The rows of `C(v, w)`; `None` where they are zero.
+    fn curvature(&self, name: &Name) -> Option<Rows>;
+
+    /// The rows of `-dF/du udot`, of the chassis points with the given motion and, with those that are
+    /// driven, of the drive; `None` where they are zero.
+    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<Rows>;
+
+    /// Operations of residual, Jacobian and curvature, as `suspension_core::constraint` writes them.
+    fn cost(&self) -> [Operations; 3];
+}
+
+/// Rows of a vector, and a variable that they are read off.
+pub(super) struct Rows {
+    pub(super) variable: Option<Binding>,
+    pub(super) assignments: TokenStream,
+}
+
+impl From<TokenStream> for Rows {
+    fn from(assignments: TokenStream) -> Self {
+        Self {
+            variable: None,
+            assignments,
+        }
+    }
+}
+
+/// How the form of an equation is written.
+pub(super) fn of(equation: &Equation) -> &dyn Emit {
+    match &equation.form {
+        Form::Distance(form) => form,
+        Form::Carried(form) => form,
+        Form::Linear(form) => form,
+    }
+}
+
+/// A constant of the model that equations have.
+pub(super) struct Constant<'a> {
+    pub(super) name: &'a Name,
+    pub(super) kind: TokenStream,
+    pub(super) form: &'a dyn Emit,
+}
+
+/// The constants of equations: those measured in frames, or the others.
+pub(super) fn constants(system: &System, framed: bool) -> impl Iterator<Item = Constant<'_>> {
+    let forms = system
+        .equations
+        .iter()
+        .map(|equation| (equation, of(equation)));
+    let forms = forms.filter(move |(_, form)| form.is_framed() == framed);
+    forms.filter_map(|(equation, form)| {
+        Some(Constant {
+            name: &equation.named.name,
+            kind: form.constant()?,
+            form,
+        })
+    })
+}
