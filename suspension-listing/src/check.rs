@@ -1,12 +1,20 @@
-//! Whether a listing makes sense: names first, then uses, counts and structural rank.
+//! Whether a listing makes sense: names and operands first, then uses, counts and structural rank.
 
 mod determined;
-mod names;
+mod lengths;
 mod uses;
 
-pub use determined::determined;
-pub use names::names;
-pub use uses::{angles, chassis_points};
+use std::collections::BTreeMap;
+
+use syn::Ident;
+
+use crate::errors::{self, Errors};
+use crate::listing::Listing;
+use crate::name::Name;
+use crate::statement::{Kind, Rank};
+
+pub(crate) use determined::determined;
+pub(crate) use uses::chassis_points;
 
 /// Fields of the generated model and its factors, variables of its methods, and names that a pattern
 /// does not bind.
@@ -32,4 +40,130 @@ fn is_reserved(name: &str) -> bool {
 /// A name as the generated constants carry it: two names must differ in it.
 fn constant(name: &str) -> String {
     name.to_uppercase()
+}
+
+/// Checks every name and operand of the listing.
+pub(crate) fn names(listing: &Listing, errors: &mut Errors) {
+    let mut check = Check {
+        listing,
+        taken: BTreeMap::new(),
+        errors,
+    };
+    check.declarations();
+    for (index, statement) in listing.statements.iter().enumerate() {
+        statement.check(&mut check, &listing.statements[..index]);
+    }
+}
+
+/// What statements check their operands with.
+pub(crate) struct Check<'a> {
+    pub(crate) listing: &'a Listing,
+    /// What each name stands for.
+    taken: BTreeMap<Ident, Kind>,
+    errors: &'a mut Errors,
+}
+
+impl<'a> Check<'a> {
+    fn declarations(&mut self) {
+        let listing = self.listing;
+        for (word, points) in [("fixed", &listing.fixed), ("free", &listing.free)] {
+            if points.is_empty() {
+                self.report_missing(errors::nothing_declared(listing.span, word));
+            }
+        }
+        for (name, kind) in listing.declared() {
+            self.declare(name, kind);
+        }
+        let mut statements = listing.statements.iter();
+        if !statements.any(|statement| statement.rank() == Rank::Drive) {
+            self.report_missing(errors::nothing_declared(listing.span, "drive"));
+        }
+    }
+
+    fn declare(&mut self, name: &Ident, kind: Kind) {
+        let constant = |name: &Ident| constant(Name::from(name).as_str());
+        if is_reserved(&name.to_string()) {
+            self.report(errors::reserved_name(name));
+        }
+        let mut taken = self.taken.iter();
+        if let Some((_, first)) = taken.find(|(taken, _)| constant(taken) == constant(name)) {
+            let error = errors::duplicate_name(name, *first);
+            self.report(error);
+        } else {
+            self.taken.insert(name.clone(), kind);
+        }
+    }
+
+    pub(crate) fn report(&mut self, error: syn::Error) {
+        self.errors.push(error);
+    }
+
+    /// Reports that something is missing, unless a statement that could not be read may hold it.
+    pub(crate) fn report_missing(&mut self, error: syn::Error) {
+        if !self.listing.incomplete {
+            self.report(error);
+        }
+    }
+
+    pub(crate) fn is_declared(&self, name: &Ident) -> bool {
+        self.taken.contains_key(name)
+    }
+
+    pub(crate) fn is(&self, name: &Ident, kind: Kind) -> bool {
+        self.taken.get(name) == Some(&kind)
+    }
+
+    /// The chassis points among some.
+    pub(crate) fn anchors<'p>(
+        &self,
+        points: impl IntoIterator<Item = &'p Ident>,
+    ) -> Vec<&'p Ident> {
+        let points = points.into_iter();
+        points
+            .filter(|point| self.is(point, Kind::CHASSIS_POINT))
+            .collect()
+    }
+
+    /// Checks that points exist, with unknowns or on the chassis, and are not repeated.
+    pub(crate) fn sites<'p>(&mut self, points: impl IntoIterator<Item = &'p Ident>) {
+        let mut seen: Vec<&Ident> = Vec::new();
+        for point in points {
+            if self.is(point, Kind::MARKER) {
+                self.report(errors::marker_in_constraint(point));
+            } else if !self.is(point, Kind::FREE_POINT) && !self.is(point, Kind::CHASSIS_POINT) {
+                self.report_missing(errors::unknown_point(point));
+            } else if seen.contains(&point) {
+                self.report(errors::same_point_twice(point));
+            }
+            seen.push(point);
+        }
+    }
+
+    /// Checks that points exist, markers or not, and are not repeated.
+    pub(crate) fn placed<'p>(&mut self, points: impl IntoIterator<Item = &'p Ident>) {
+        let kinds = [Kind::FREE_POINT, Kind::CHASSIS_POINT, Kind::MARKER];
+        let mut seen: Vec<&Ident> = Vec::new();
+        for point in points {
+            if !kinds.iter().any(|kind| self.is(point, *kind)) {
+                self.report_missing(errors::unknown_point(point));
+            }
+            if seen.contains(&point) {
+                self.report(errors::same_point_twice(point));
+            }
+            seen.push(point);
+        }
+    }
+
+    /// Checks that one of the points of a statement can move.
+    pub(crate) fn not_all_fixed<'p>(
+        &mut self,
+        name: &Ident,
+        kind: Kind,
+        points: impl IntoIterator<Item = &'p Ident>,
+    ) {
+        let mut points = points.into_iter();
+        if points.all(|point| self.is(point, Kind::CHASSIS_POINT)) {
+            self.report(errors::all_fixed(name, kind));
+        }
+    }
 }

@@ -1,16 +1,12 @@
-//! Every message of the macro: the fact, and what to write instead.
-
-mod names;
-mod syntax;
-mod system;
+//! Messages: the fact, and what to write instead. Those of one statement alone are in its file.
 
 use std::fmt::Display;
 
-use syn::{Error, Ident};
+use proc_macro2::Span;
+use syn::spanned::Spanned;
+use syn::{Attribute, Error, Ident};
 
-pub use names::*;
-pub use syntax::*;
-pub use system::*;
+use crate::statement::{Kind, STATEMENTS};
 
 /// Errors gathered so that all of them are reported at once.
 #[derive(Default)]
@@ -24,21 +20,92 @@ impl Errors {
         }
     }
 
-    pub fn append(&mut self, others: Self) {
+    pub(crate) fn append(&mut self, others: Self) {
         if let Some(error) = others.0 {
             self.push(error);
         }
     }
 
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.0.is_none()
     }
 
-    pub fn into_result(self) -> Result<(), Error> {
+    pub(crate) fn into_result(self) -> Result<(), Error> {
         self.0.map_or(Ok(()), Err)
     }
 }
 
-fn at(ident: &Ident, message: impl Display) -> Error {
+pub(crate) fn at(ident: &Ident, message: impl Display) -> Error {
     Error::new(ident.span(), message)
+}
+
+pub(crate) fn not_a_doc_comment(attribute: &Attribute) -> Error {
+    Error::new(
+        attribute.span(),
+        "only doc comments are allowed on statements; remove the attribute",
+    )
+}
+
+pub(crate) fn unknown_statement(word: &Ident) -> Error {
+    let words = STATEMENTS.iter().map(|other| format!("`{}`", other.word));
+    let words = words.collect::<Vec<_>>().join(", ");
+    at(
+        word,
+        format!("unknown statement `{word}`; write one of {words}"),
+    )
+}
+
+pub fn behind_the_listing(span: Span) -> Error {
+    Error::new(span, "nothing may follow the listing; remove it")
+}
+
+pub(crate) fn nothing_declared(span: Span, word: &str) -> Error {
+    Error::new(
+        span,
+        format!("there is no `{word}` statement; a linkage needs at least one"),
+    )
+}
+
+pub(crate) fn duplicate_name(name: &Ident, first: Kind) -> Error {
+    at(
+        name,
+        format!("the name `{name}` is already taken by a {first}; choose another"),
+    )
+}
+
+pub(crate) fn reserved_name(name: &Ident) -> Error {
+    at(
+        name,
+        format!("the name `{name}` is used by the generated code; choose another"),
+    )
+}
+
+pub(crate) fn unknown_point(name: &Ident) -> Error {
+    at(
+        name,
+        format!("there is no point `{name}`; declare it under `fixed:` or `free:`"),
+    )
+}
+
+pub(crate) fn marker_in_constraint(name: &Ident) -> Error {
+    at(
+        name,
+        format!(
+            "`{name}` is a marker and has no unknowns; declare it under `free:` and list it in its body"
+        ),
+    )
+}
+
+pub(crate) fn same_point_twice(name: &Ident) -> Error {
+    at(
+        name,
+        format!("point `{name}` is listed twice; name another point or remove it"),
+    )
+}
+
+pub(crate) fn all_fixed(name: &Ident, kind: Kind) -> Error {
+    at(
+        name,
+        format!("{kind} `{name}` joins chassis points only; give it a free point or remove it"),
+    )
 }

@@ -3,36 +3,43 @@
 //!
 //! `suspension-macros` writes Rust of it; at run time the same system is walked.
 
-pub mod ast;
 mod check;
 mod cluster;
 pub mod eliminate;
 pub mod errors;
 pub mod form;
+mod listing;
 mod lower;
 pub mod name;
 pub mod parse;
 mod sample;
+mod statement;
 pub mod system;
 #[cfg(test)]
 mod tests;
 mod vector;
 
-use ast::Listing;
 use eliminate::Order;
 use errors::Errors;
 use system::System;
+
+pub use listing::Listing;
+pub use statement::Kind;
 
 /// The system of a listing, and all that is wrong with it, `errors` of its statements included. Of a
 /// listing with mistakes the system has what can be told.
 pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()>) {
     check::names(listing, &mut errors);
-    let mut of_bodies = Errors::default();
-    let system = lower::system(listing, &mut of_bodies);
-    check::angles(listing, &system, &mut errors);
+    let mut on_the_way = Errors::default();
+    let system = lower::system(listing, &mut on_the_way);
+    if !listing.incomplete {
+        for statement in &listing.statements {
+            statement.check_lowered(listing, &system, &mut errors);
+        }
+    }
     if errors.is_empty() {
         check::chassis_points(listing, &mut errors);
-        errors.append(of_bodies);
+        errors.append(on_the_way);
         check::determined(listing, &system, &mut errors);
     }
     (system, errors.into_result())

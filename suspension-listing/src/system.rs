@@ -5,6 +5,7 @@ mod places;
 
 use crate::form::Form;
 use crate::name::{Name, Named};
+use crate::statement::Kind;
 use crate::vector::Vector;
 
 pub use places::{Place, Substituted};
@@ -63,8 +64,8 @@ pub struct Equation {
 /// What of the listing an equation is of.
 #[derive(Clone, Debug)]
 pub struct Origin {
-    /// The statement's first word.
-    pub word: &'static str,
+    /// What the statement's name stands for.
+    pub kind: Kind,
     /// The statement's name.
     pub statement: Name,
     /// The operand that it is about, where it is not about the whole.
@@ -82,9 +83,9 @@ pub struct Body {
 #[derive(Clone, Debug)]
 pub struct Drive {
     pub named: Named,
-    pub axis: usize,
-    pub of: Site,
-    pub minus: Option<Name>,
+    pub quantity: Quantity,
+    /// The chassis point that it moves; of free points it is an equation.
+    pub moves: Option<Site>,
     /// The distance whose angle it is.
     pub angle_of: Option<Name>,
 }
@@ -93,18 +94,19 @@ pub struct Drive {
 #[derive(Clone, Debug)]
 pub struct Measure {
     pub named: Named,
-    pub measured: Measured,
+    pub quantity: Quantity,
 }
 
+/// What is prescribed, or read off the points.
 #[derive(Clone, Debug)]
-pub enum Measured {
+pub enum Quantity {
     /// A coordinate, or difference of two.
     Coordinate {
         axis: usize,
         of: Name,
         minus: Option<Name>,
     },
-    /// The angle of the line between two points from an axis.
+    /// The angle of the line between two points from an axis, radians.
     Angle { axis: usize, line: [Name; 2] },
     /// The distance of two points.
     Length { line: [Name; 2] },

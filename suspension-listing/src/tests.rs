@@ -9,7 +9,7 @@ use quote::ToTokens;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident, Token, Visibility, braced};
 
-use crate::ast::Listing;
+use crate::Listing;
 use crate::errors::Errors;
 use crate::system::{Positions, System};
 use crate::{checked, parse, sample};

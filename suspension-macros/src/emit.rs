@@ -13,6 +13,7 @@ mod indices;
 mod jacobian;
 mod lengths;
 mod measures;
+mod quantity;
 mod rates;
 mod readout;
 mod stub;
@@ -23,7 +24,7 @@ mod types;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use suspension_listing::ast::Listing;
+use suspension_listing::Listing;
 use suspension_listing::eliminate::Order;
 use suspension_listing::system::System;
 

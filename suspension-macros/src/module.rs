@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident, Token, Visibility, braced};
 
-use suspension_listing::ast::Listing;
+use suspension_listing::Listing;
 use suspension_listing::errors::{self, Errors};
 use suspension_listing::parse;
 

@@ -1,18 +1,20 @@
 //! Whether the equations can determine the unknowns: counts and structural rank.
 
 use proc_macro2::Span;
+use syn::{Error, Ident};
 
 use super::{constant, is_reserved};
-use crate::ast::Listing;
 use crate::errors::{self, Errors};
+use crate::listing::Listing;
 use crate::name::Name;
+use crate::statement::Kind;
 use crate::system::{
     AXES, Body, Equation, System, carried_name, coordinate_name, frame_name, pair_name,
 };
 
 /// Checks that no generated name stands for two things, that there are as many equations as
 /// unknowns, and that each equation can be given an unknown of its own (structural rank).
-pub fn determined(listing: &Listing, system: &System, errors: &mut Errors) {
+pub(crate) fn determined(listing: &Listing, system: &System, errors: &mut Errors) {
     generated_names(listing, system, errors);
     if system.rows().len() == system.size() {
         structural_rank(listing, system, errors);
@@ -91,22 +93,44 @@ fn place_of(listing: &Listing, equation: &Equation) -> Span {
     listing.place_of(&origin.statement, origin.operand.as_ref())
 }
 
-fn wrong_count(listing: &Listing, system: &System) -> syn::Error {
-    let count = |word: &str| -> usize {
-        let equations = system.equations.iter();
-        let of_word = equations.filter(|equation| equation.origin.word == word);
-        of_word.map(|equation| equation.rows().len()).sum()
+fn wrong_count(listing: &Listing, system: &System) -> Error {
+    let (equations, unknowns) = (system.rows().len(), system.size());
+    let remedy = if equations < unknowns {
+        let missing = unknowns - equations;
+        format!("{missing} more needed: add a link, a drive, or list a point in its body")
+    } else {
+        let excess = equations - unknowns;
+        format!("{excess} too many: remove a link or a drive")
     };
-    let drives_chassis = system
-        .drives
-        .iter()
-        .any(|drive| !drive.of.is_free() && drive.minus.is_none());
-    errors::wrong_count(
+    let drives_chassis = system.drives.iter().any(|drive| drive.moves.is_some());
+    let note = if drives_chassis {
+        " (a drive of a chassis point adds no equation)"
+    } else {
+        ""
+    };
+    let (by_kind, points) = (by_kind(system), system.free.len());
+    Error::new(
         listing.free_span,
-        system.size(),
-        ["link", "body", "drive"].map(count),
-        drives_chassis,
+        format!(
+            "{equations} equations for {unknowns} unknowns: {by_kind}, against 3 x {points} free \
+             points; {remedy}{note}"
+        ),
     )
+}
+
+/// How many equations are of the statements of each kind.
+fn by_kind(system: &System) -> String {
+    let mut counts: Vec<(Kind, usize)> = Vec::new();
+    for equation in &system.equations {
+        let (kind, rows) = (equation.origin.kind, equation.rows().len());
+        match counts.iter_mut().find(|(counted, _)| *counted == kind) {
+            Some((_, count)) => *count += rows,
+            None => counts.push((kind, rows)),
+        }
+    }
+    let counts = counts.iter();
+    let counts = counts.map(|(kind, count)| format!("{count} of {}", kind.plural()));
+    counts.collect::<Vec<_>>().join(" + ")
 }
 
 fn structural_rank(listing: &Listing, system: &System, errors: &mut Errors) {
@@ -118,13 +142,13 @@ fn structural_rank(listing: &Listing, system: &System, errors: &mut Errors) {
     for (row, (equation, name)) in rows.zip(&names).enumerate() {
         if !augment(row, &pattern, &mut row_of, &mut vec![false; system.size()]) {
             let name = name.at(place_of(listing, equation));
-            errors.push(errors::redundant_equation(&name));
+            errors.push(redundant_equation(&name));
         }
     }
     for column in (0..system.size()).filter(|column| row_of[*column].is_none()) {
         let point = &system.free[column / 3].named.name;
         let point = point.at(listing.place_of(point, None));
-        errors.push(errors::undetermined(&point, AXES[column % 3]));
+        errors.push(undetermined(&point, AXES[column % 3]));
     }
 }
 
@@ -146,4 +170,22 @@ fn augment(
         }
         free
     })
+}
+
+fn redundant_equation(name: &Ident) -> Error {
+    errors::at(
+        name,
+        format!(
+            "`{name}` is one equation too many for the points it joins, while others have too few; move it there"
+        ),
+    )
+}
+
+fn undetermined(point: &Ident, axis: &str) -> Error {
+    errors::at(
+        point,
+        format!(
+            "no equation is left to determine `{point}.{axis}`; join `{point}` by a link or a body"
+        ),
+    )
 }

@@ -147,7 +147,7 @@ fn a_body_of_two_points_is_one_distance() {
     let [bar, ..] = system.equations.as_slice() else {
         panic!("an equation");
     };
-    assert_eq!(bar.origin.word, "body");
+    assert_eq!(bar.origin.kind.to_string(), "body");
     assert!(bar.form.equations().keeps().is_some());
 }
 

@@ -1,12 +1,12 @@
 //! The model from positions or lengths: `impl Build`.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::fields::point_index;
 use super::terms::{ident, parameter, value_of};
-use super::{clusters, form, lengths, readout};
-use suspension_listing::system::{AXES, Drive, System, carried_name, frame_name};
+use super::{clusters, form, lengths, quantity, readout};
+use suspension_listing::system::{System, carried_name, frame_name};
 
 pub(super) fn build_impl(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
@@ -107,25 +107,10 @@ fn with_markers(system: &System) -> TokenStream {
 }
 
 fn drives_at(system: &System) -> TokenStream {
-    let values = system.drives.iter().map(
-        |Drive {
-             named,
-             axis,
-             of,
-             minus,
-             angle_of,
-         }| {
-            let (name, axis, of) = (&named.name, format_ident!("{}", AXES[*axis]), &of.name);
-            let minus = minus.as_ref().map(|minus| quote!(- points.#minus.#axis));
-            let coordinate = quote!(points.#of.#axis #minus);
-            match angle_of {
-                Some(distance) => {
-                    quote!(#name: parts::angle(#coordinate, self.#distance.length()))
-                }
-                None => quote!(#name: #coordinate),
-            }
-        },
-    );
+    let values = system.drives.iter().map(|drive| {
+        let (name, value) = (&drive.named.name, quantity::driven(drive));
+        quote!(#name: #value)
+    });
     quote! {
         fn drives_at(&self, points: &Points<T>) -> Drives<T> {
             Drives { #(#values),* }

@@ -4,9 +4,11 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::terms::{Binding, frames, ident, parameter, vector};
-use super::{clusters, elimination, form, jacobian, measures, rates, readout, written_out};
+use super::{
+    clusters, elimination, form, jacobian, measures, quantity, rates, readout, written_out,
+};
 use suspension_listing::eliminate::Order;
-use suspension_listing::system::{AXES, System};
+use suspension_listing::system::System;
 
 pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
@@ -52,23 +54,11 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
 
 /// Angles to the coordinates that they prescribe.
 fn coordinates(system: &System) -> TokenStream {
-    let angles = system.drives.iter().filter_map(|drive| {
-        let (name, distance) = (&drive.named.name, drive.angle_of.as_ref()?);
-        Some(quote! {
-            let coordinate = angle_to_coordinate(
-                self.#distance.length(),
-                Signal {
-                    value: drives.value.#name,
-                    rate: drives.rate.#name,
-                    second_rate: drives.second_rate.#name,
-                },
-            );
-            coordinates.value.#name = coordinate.value;
-            coordinates.rate.#name = coordinate.rate;
-            coordinates.second_rate.#name = coordinate.second_rate;
-        })
-    });
-    let angles: Vec<TokenStream> = angles.collect();
+    let angles: Vec<TokenStream> = system
+        .drives
+        .iter()
+        .filter_map(quantity::coordinate)
+        .collect();
     let body = if angles.is_empty() {
         quote!(*drives)
     } else {
@@ -88,16 +78,7 @@ fn coordinates(system: &System) -> TokenStream {
 
 /// Driven coordinates into the chassis points.
 fn drive_anchors(system: &System) -> TokenStream {
-    let moving = system
-        .drives
-        .iter()
-        .filter(|drive| !drive.of.is_free() && drive.minus.is_none());
-    let moves = moving.map(|drive| {
-        let (name, point) = (&drive.named.name, &drive.of.name);
-        let axis = ident(AXES[drive.axis]);
-        quote!(fixed.#point.#axis = drives.#name;)
-    });
-    let moves: Vec<TokenStream> = moves.collect();
+    let moves: Vec<TokenStream> = system.drives.iter().filter_map(quantity::moves).collect();
     let mutable = (!moves.is_empty()).then(|| quote!(mut));
     let body = quote!(#(#moves)* fixed);
     let drives = parameter("drives", &quote!(&Drives<T>), &body);

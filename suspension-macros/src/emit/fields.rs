@@ -3,8 +3,9 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::quantity;
 use suspension_listing::name::{Name, Named};
-use suspension_listing::system::{AXES, Body, Drive, Measure, Measured, System, pair_name};
+use suspension_listing::system::{Body, System, pair_name};
 
 /// A field of a generated struct.
 pub(super) struct Field {
@@ -64,40 +65,17 @@ pub(super) fn fixed_fields(system: &System) -> Vec<Field> {
 }
 
 pub(super) fn drive_fields(system: &System) -> Vec<Field> {
-    let field = |drive: &Drive| {
-        let of = &drive.of.name;
-        let fallback = match (&drive.minus, &drive.angle_of) {
-            (Some(from), Some(_)) => angle_in_words([from, of], drive.axis),
-            (minus, _) => coordinate_in_words(of, minus.as_ref(), drive.axis),
-        };
-        Field::new(&drive.named, fallback)
-    };
-    system.drives.iter().map(field).collect()
+    let drives = system.drives.iter();
+    drives
+        .map(|drive| Field::new(&drive.named, quantity::in_words(&drive.quantity)))
+        .collect()
 }
 
 pub(super) fn measure_fields(system: &System) -> Vec<Field> {
-    let field = |Measure { named, measured }: &Measure| {
-        let fallback = match measured {
-            Measured::Coordinate { axis, of, minus } => {
-                coordinate_in_words(of, minus.as_ref(), *axis)
-            }
-            Measured::Angle { axis, line } => angle_in_words(line.each_ref(), *axis),
-            Measured::Length { line: [from, to] } => between(from, to),
-        };
-        Field::new(named, fallback)
-    };
-    system.measures.iter().map(field).collect()
-}
-
-fn coordinate_in_words(of: &Name, minus: Option<&Name>, axis: usize) -> String {
-    let axis = AXES[axis];
-    let minus = minus.map_or(String::new(), |minus| format!(" - {minus}.{axis}"));
-    format!(" `{of}.{axis}{minus}`.")
-}
-
-fn angle_in_words([from, to]: [&Name; 2], axis: usize) -> String {
-    let axis = AXES[axis];
-    format!(" Angle of `{from} -> {to}` from the {axis} axis, radians.")
+    let measures = system.measures.iter();
+    measures
+        .map(|measure| Field::new(&measure.named, quantity::in_words(&measure.quantity)))
+        .collect()
 }
 
 fn between(a: &Name, b: &Name) -> String {

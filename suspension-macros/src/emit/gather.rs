@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::measures;
+use super::quantity;
 use super::types::constants;
 use suspension_listing::system::{AXES, System};
 
@@ -70,11 +70,10 @@ fn names(system: &System) -> TokenStream {
     let free = system.free.iter();
     let unknowns = free.flat_map(|point| AXES.map(|axis| format!("{}.{axis}", point.named.name)));
     let markers = Literal::usize_unsuffixed(system.markers.len());
-    let drive_kinds = system.drives.iter().map(|drive| match drive.angle_of {
-        Some(_) => quote!(DriveKind::Angle),
-        None => quote!(DriveKind::Coordinate),
-    });
-    let measure_kinds = measures::kinds(system);
+    let drives = system.drives.iter();
+    let drive_kinds = drives.map(|drive| quantity::drive_kind(&drive.quantity));
+    let measures = system.measures.iter();
+    let measure_kinds = measures.map(|measure| quantity::measure_kind(&measure.quantity));
     quote! {
         Names {
             equations: &[#(#equations),*],

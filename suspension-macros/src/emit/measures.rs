@@ -3,20 +3,10 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::terms::{ident, parameter};
+use super::quantity;
+use super::terms::parameter;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, Measure, Measured, System};
-
-/// What each measure is.
-pub(super) fn kinds(system: &System) -> impl Iterator<Item = TokenStream> {
-    system
-        .measures
-        .iter()
-        .map(|measure| match measure.measured {
-            Measured::Coordinate { .. } | Measured::Length { .. } => quote!(MeasureKind::Length),
-            Measured::Angle { .. } => quote!(MeasureKind::Angle),
-        })
-}
+use suspension_listing::system::System;
 
 /// `measures` of `impl Linkage`.
 pub(super) fn measures(system: &System) -> TokenStream {
@@ -28,7 +18,10 @@ pub(super) fn measures(system: &System) -> TokenStream {
     let body = if names.is_empty() {
         quote!(Signal::default())
     } else {
-        let values = system.measures.iter().map(value);
+        let values = system
+            .measures
+            .iter()
+            .map(|measure| quantity::measured(&measure.quantity));
         quote! {
             let each = Measures { #(#names: #values),* };
             Signal {
@@ -45,25 +38,6 @@ pub(super) fn measures(system: &System) -> TokenStream {
             T: Real,
         {
             #body
-        }
-    }
-}
-
-fn value(Measure { measured, .. }: &Measure) -> TokenStream {
-    let line = |[from, to]: &[Name; 2]| quote!(points.map(|points| points.#to - points.#from));
-    match measured {
-        Measured::Coordinate { axis, of, minus } => {
-            let axis = ident(AXES[*axis]);
-            let minus = minus.as_ref().map(|minus| quote!(- points.#minus.#axis));
-            quote!(points.map(|points| points.#of.#axis #minus))
-        }
-        Measured::Angle { axis, line: ends } => {
-            let (axis, line) = (ident(AXES[*axis]), line(ends));
-            quote!(measure::angle(&#line, Vector3::#axis()))
-        }
-        Measured::Length { line: ends } => {
-            let line = line(ends);
-            quote!(measure::length(&#line))
         }
     }
 }

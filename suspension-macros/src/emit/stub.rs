@@ -10,9 +10,9 @@ use super::fields::{self, Field};
 use super::types;
 use super::{gather, indices};
 use crate::module::Module;
-use suspension_listing::ast::{self, Listing};
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
+use suspension_listing::{Kind, Listing};
 
 /// The errors and the stand-in.
 pub(crate) fn stub(
@@ -51,21 +51,18 @@ pub(crate) fn stub(
 }
 
 fn all(listing: &Listing, system: &System) -> TokenStream {
-    let fixed = || names(listing.fixed.iter().map(|point| &point.named));
-    let free = names(listing.free.iter().map(|point| &point.named));
-    let markers = names(listing.markers.iter().map(|marker| &marker.named));
-    let drives = names(listing.drives.iter().map(|drive| &drive.named));
-    let measures = names(listing.measures.iter().map(|measure| &measure.named));
+    let fixed = listing.names(Kind::CHASSIS_POINT);
+    let kinds = [Kind::CHASSIS_POINT, Kind::FREE_POINT, Kind::MARKER];
+    let points = kinds.into_iter().flat_map(|kind| listing.names(kind));
+    let drives = system.drives.iter().map(|drive| drive.named.name.clone());
+    let measures = system.measures.iter();
+    let measures = measures.map(|measure| measure.named.name.clone());
     let lengths = fields::length_fields(system);
     let lengths = lengths.into_iter().map(|field| field.name);
     let (vector, number) = (quote!(Vector3<T>), quote!(T));
     let structs = [
-        (
-            "Points",
-            &vector,
-            distinct(fixed().chain(free).chain(markers)),
-        ),
-        ("Fixed", &vector, distinct(fixed())),
+        ("Points", &vector, distinct(points)),
+        ("Fixed", &vector, distinct(fixed.into_iter())),
         ("Drives", &number, distinct(drives)),
         ("Measures", &number, distinct(measures)),
         ("Lengths", &number, distinct(lengths)),
@@ -81,10 +78,6 @@ fn all(listing: &Listing, system: &System) -> TokenStream {
             fixed: Fixed<T>,
         }
     }
-}
-
-fn names<'a>(stated: impl Iterator<Item = &'a ast::Named>) -> impl Iterator<Item = Name> {
-    stated.map(|named| Name::from(&named.name))
 }
 
 /// Fields without those whose name is taken already.

@@ -8,7 +8,7 @@ use super::fields::{
     Field, drive_fields, fixed_fields, length_fields, measure_fields, point_fields,
 };
 use super::{clusters, form};
-use suspension_listing::ast::Listing;
+use suspension_listing::Listing;
 use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, System, frame_name};
 

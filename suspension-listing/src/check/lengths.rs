@@ -1,0 +1,64 @@
+//! Whether a length is kept by one statement alone.
+
+use std::collections::BTreeSet;
+
+use syn::{Error, Ident};
+
+use super::Check;
+use crate::errors;
+use crate::statement::{Kind, Rigid, Statement};
+
+impl Check<'_> {
+    /// Checks that a statement keeps no distance that one before keeps, save the common edge of two
+    /// bodies.
+    pub(crate) fn lengths_stated_once(
+        &mut self,
+        later: &dyn Statement,
+        earlier: &[Box<dyn Statement>],
+    ) {
+        for earlier in earlier {
+            let (Some((later_name, of_later)), Some((earlier_name, of_earlier))) =
+                (rigid(later), rigid(earlier.as_ref()))
+            else {
+                continue;
+            };
+            let before: BTreeSet<&Ident> = of_earlier.points().iter().collect();
+            let points = of_later.points().iter().collect::<BTreeSet<_>>();
+            let common: Vec<&Ident> = points.intersection(&before).copied().collect();
+            if !common.iter().any(|point| self.is(point, Kind::FREE_POINT)) {
+                continue;
+            }
+            match (of_later, of_earlier, common.len()) {
+                (Rigid::Body(_), Rigid::Body(_), 3..) => {
+                    self.report(shared_triangle(later_name, earlier_name));
+                }
+                (Rigid::Body(_), Rigid::Body(_), _) | (_, _, 0 | 1) => {}
+                (Rigid::Length(_), _, _) => self.report(stated_twice(later_name, earlier_name)),
+                (_, Rigid::Length(_), _) => self.report(stated_twice(earlier_name, later_name)),
+            }
+        }
+    }
+}
+
+fn rigid(statement: &dyn Statement) -> Option<(&Ident, Rigid<'_>)> {
+    let (named, _) = statement.named()?;
+    Some((&named.name, statement.rigid()?))
+}
+
+fn stated_twice(name: &Ident, other: &Ident) -> Error {
+    errors::at(
+        name,
+        format!(
+            "`{name}` joins two points whose distance `{other}` keeps already; remove one of them"
+        ),
+    )
+}
+
+fn shared_triangle(name: &Ident, other: &Ident) -> Error {
+    errors::at(
+        name,
+        format!(
+            "body `{name}` shares three points with body `{other}`: they are one body; list all points in one"
+        ),
+    )
+}

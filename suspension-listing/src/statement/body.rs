@@ -1,0 +1,84 @@
+//! `body plate: c, d, e;`: a rigid body. Its first three points, its frame, must not lie in line.
+
+use syn::{Error, Ident};
+
+use super::{Head, Kind, Rank, Rigid, Statement, Word};
+use crate::check::Check;
+use crate::errors;
+use crate::listing::Named;
+use crate::lower::Lowering;
+use crate::parse::names;
+
+const KIND: Kind = Kind("body");
+
+pub(crate) const BODY: Word = Word {
+    word: "body",
+    syntax: "body plate: c, d, e;",
+    read: |head: Head, input, listing| {
+        let body = Body {
+            named: head.named(input)?,
+            points: names(input)?,
+        };
+        listing.statements.push(Box::new(body));
+        Ok(())
+    },
+};
+
+struct Body {
+    named: Named,
+    points: Vec<Ident>,
+}
+
+impl Statement for Body {
+    fn named(&self) -> Option<(&Named, Kind)> {
+        Some((&self.named, KIND))
+    }
+
+    fn operands(&self) -> Vec<&Ident> {
+        self.points.iter().collect()
+    }
+
+    fn check(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]) {
+        let name = &self.named.name;
+        check.sites(&self.points);
+        if self.points.len() < 2 {
+            check.report(too_few_points(name));
+        } else if check.anchors(&self.points).len() < self.points.len() {
+            if check.anchors(&self.points).len() > 2 {
+                check.report(immovable_body(name));
+            }
+        } else {
+            check.not_all_fixed(name, KIND, &self.points);
+        }
+        check.lengths_stated_once(self, earlier);
+    }
+
+    fn rank(&self) -> Rank {
+        Rank::Constraint
+    }
+
+    fn lower(&self, lowering: &mut Lowering<'_>) {
+        lowering.body(KIND, &self.named, &self.points);
+    }
+
+    fn rigid(&self) -> Option<Rigid<'_>> {
+        Some(Rigid::Body(&self.points))
+    }
+}
+
+fn too_few_points(name: &Ident) -> Error {
+    errors::at(
+        name,
+        format!("body `{name}` needs two points or more; list them, or remove the body"),
+    )
+}
+
+fn immovable_body(name: &Ident) -> Error {
+    errors::at(
+        name,
+        format!(
+            "body `{name}` has three chassis points and cannot move; its other points are chassis \
+             points too: declare them under `fixed:`"
+        ),
+    )
+}

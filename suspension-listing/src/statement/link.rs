@@ -1,0 +1,60 @@
+//! `link rod: a -> c;`: a constant length between two points.
+
+use syn::Ident;
+
+use super::{Head, Kind, Rank, Rigid, Statement, Word};
+use crate::check::Check;
+use crate::listing::Named;
+use crate::lower::{Lowering, origin};
+use crate::name::Name;
+use crate::parse::arrow;
+
+const KIND: Kind = Kind("link");
+
+pub(crate) const LINK: Word = Word {
+    word: "link",
+    syntax: "link rod: a -> c;",
+    read: |head: Head, input, listing| {
+        let link = Link {
+            named: head.named(input)?,
+            ends: arrow(input)?,
+        };
+        listing.statements.push(Box::new(link));
+        Ok(())
+    },
+};
+
+struct Link {
+    named: Named,
+    ends: [Ident; 2],
+}
+
+impl Statement for Link {
+    fn named(&self) -> Option<(&Named, Kind)> {
+        Some((&self.named, KIND))
+    }
+
+    fn operands(&self) -> Vec<&Ident> {
+        self.ends.iter().collect()
+    }
+
+    fn check(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]) {
+        check.sites(&self.ends);
+        check.not_all_fixed(&self.named.name, KIND, &self.ends);
+        check.lengths_stated_once(self, earlier);
+    }
+
+    fn rank(&self) -> Rank {
+        Rank::Constraint
+    }
+
+    fn lower(&self, lowering: &mut Lowering<'_>) {
+        let ends = self.ends.each_ref().map(|end| lowering.site(end));
+        let origin = origin(KIND, &Name::from(&self.named.name), None);
+        lowering.distance(self.named.plain(), origin, ends);
+    }
+
+    fn rigid(&self) -> Option<Rigid<'_>> {
+        Some(Rigid::Length(&self.ends))
+    }
+}

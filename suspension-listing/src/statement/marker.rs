@@ -1,0 +1,82 @@
+//! `point hub: plate;` or `point hub: c, d, e;`: a marker that a body carries, or three points.
+
+use syn::{Error, Ident};
+
+use super::{Head, Kind, Rank, Statement, Word};
+use crate::check::Check;
+use crate::errors;
+use crate::listing::Named;
+use crate::lower::Lowering;
+use crate::name::Name;
+use crate::parse::names;
+use crate::system;
+
+pub(crate) const POINT: Word = Word {
+    word: "point",
+    syntax: "point hub: plate;",
+    read: |head: Head, input, listing| {
+        let marker = Marker {
+            named: head.named(input)?,
+            carriers: names(input)?,
+        };
+        listing.statements.push(Box::new(marker));
+        Ok(())
+    },
+};
+
+struct Marker {
+    named: Named,
+    carriers: Vec<Ident>,
+}
+
+impl Statement for Marker {
+    fn named(&self) -> Option<(&Named, Kind)> {
+        Some((&self.named, Kind::MARKER))
+    }
+
+    fn operands(&self) -> Vec<&Ident> {
+        self.carriers.iter().collect()
+    }
+
+    fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
+        match self.carriers.as_slice() {
+            [body] if check.listing.body(body).is_some_and(|body| body.len() >= 3) => {}
+            [_, _, _] => check.sites(&self.carriers),
+            carriers => check.report_missing(bad_carriers(&self.named.name, carriers)),
+        }
+    }
+
+    fn rank(&self) -> Rank {
+        Rank::Reading
+    }
+
+    fn lower(&self, lowering: &mut Lowering<'_>) {
+        let frame = match self.carriers.as_slice() {
+            [a, b, c] => [a, b, c].map(|point| lowering.site(point)),
+            [body] => match lowering.body_named(&Name::from(body)) {
+                Some(body) => body.frame.clone(),
+                None => return,
+            },
+            _ => return,
+        };
+        lowering.system.markers.push(system::Marker {
+            named: self.named.plain(),
+            frame,
+        });
+    }
+
+    fn carriers(&self) -> Option<&[Ident]> {
+        Some(&self.carriers)
+    }
+}
+
+fn bad_carriers(marker: &Ident, carriers: &[Ident]) -> Error {
+    let message = match carriers {
+        [one] => format!("there is no body `{one}` with three points or more to carry `{marker}`"),
+        _ => format!(
+            "`{marker}` is carried by one body or by three points; {} names are given",
+            carriers.len()
+        ),
+    };
+    errors::at(carriers.first().unwrap_or(marker), message)
+}

@@ -1,0 +1,67 @@
+//! `measure gauge: length(a -> hub);`: a quantity that is read off the points.
+
+use syn::{Error, Ident};
+
+use super::quantity::Quantity;
+use super::{Head, Kind, Rank, Statement, Word};
+use crate::check::Check;
+use crate::errors;
+use crate::listing::Named;
+use crate::lower::Lowering;
+use crate::system;
+
+const KIND: Kind = Kind("measure");
+
+pub(crate) const MEASURE: Word = Word {
+    word: "measure",
+    syntax: "measure gauge: length(a -> hub);",
+    read: |head: Head, input, listing| {
+        let measure = Measure {
+            named: head.named(input)?,
+            quantity: Quantity::parse(input, unknown_measure)?,
+        };
+        listing.statements.push(Box::new(measure));
+        Ok(())
+    },
+};
+
+struct Measure {
+    named: Named,
+    quantity: Quantity,
+}
+
+impl Statement for Measure {
+    fn named(&self) -> Option<(&Named, Kind)> {
+        Some((&self.named, KIND))
+    }
+
+    fn operands(&self) -> Vec<&Ident> {
+        self.quantity.points()
+    }
+
+    fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
+        self.quantity.check(check);
+        check.placed(self.quantity.points());
+    }
+
+    fn rank(&self) -> Rank {
+        Rank::Reading
+    }
+
+    fn lower(&self, lowering: &mut Lowering<'_>) {
+        lowering.system.measures.push(system::Measure {
+            named: self.named.plain(),
+            quantity: self.quantity.plain(),
+        });
+    }
+}
+
+fn unknown_measure(function: &Ident) -> Error {
+    errors::at(
+        function,
+        format!(
+            "`{function}(..)` cannot be measured; write `p.z`, `p.z - q.z`, `angle(p -> q, z)` or \
+             `length(p -> q)`"
+        ),
+    )
+}

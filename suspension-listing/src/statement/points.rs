@@ -1,0 +1,118 @@
+//! `fixed: a, b at [0.1, 0.4, 0.2];` and `free: c, d;`: points of the chassis, and points to solve
+//! for, with or without a design position.
+
+use proc_macro2::Span;
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{Error, Ident, Lit, Token, bracketed};
+
+use super::Word;
+use crate::errors;
+use crate::listing::{Named, Point};
+use crate::parse::{docs, name};
+use crate::vector::Vector;
+
+pub(crate) const FIXED: Word = Word {
+    word: "fixed",
+    syntax: "fixed: a, b at [0.1, 0.4, 0.2];",
+    read: |head, input, listing| {
+        listing.fixed.extend(points(input, &head.word)?);
+        Ok(())
+    },
+};
+
+pub(crate) const FREE: Word = Word {
+    word: "free",
+    syntax: "free: c, d at [0.1, 0.7, 0.2];",
+    read: |head, input, listing| {
+        listing.free_span = head.word.span();
+        listing.free.extend(points(input, &head.word)?);
+        Ok(())
+    },
+};
+
+/// `: a, b at [x, y, z], c`, each with its own docs.
+fn points(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vec<Point>> {
+    input.parse::<Token![:]>()?;
+    let mut points = Vec::new();
+    while !input.peek(Token![;]) {
+        let (docs, name) = (docs(input)?, name(input)?);
+        let at = input.peek(Ident).then(|| position(input)).transpose()?;
+        let named = Named { docs, name };
+        points.push(Point { named, at });
+        if !input.peek(Token![;]) {
+            input.parse::<Token![,]>()?;
+        }
+    }
+    if points.is_empty() {
+        return Err(no_points(word));
+    }
+    Ok(points)
+}
+
+/// `at [x, y, z]`.
+fn position(input: ParseStream<'_>) -> syn::Result<Vector> {
+    let word: Ident = input.parse()?;
+    if word != "at" {
+        return Err(not_a_position(&word));
+    }
+    vector(input, "a design position")
+}
+
+/// `[x, y, z]`.
+pub(super) fn vector(input: ParseStream<'_>, what: &str) -> syn::Result<Vector> {
+    let content;
+    let bracket = bracketed!(content in input);
+    let numbers = Punctuated::<Number, Token![,]>::parse_terminated(&content)?;
+    let numbers: Vec<f64> = numbers.into_iter().map(|Number(value)| value).collect();
+    Vector::try_from(numbers)
+        .map_err(|numbers| not_three_coordinates(bracket.span.join(), what, numbers.len()))
+}
+
+/// A number with or without sign.
+struct Number(f64);
+
+impl Parse for Number {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        let sign = if input.parse::<Option<Token![-]>>()?.is_some() {
+            -1.0
+        } else {
+            1.0
+        };
+        let number: Lit = input.parse()?;
+        let value = match &number {
+            Lit::Int(digits) => digits.base10_parse::<f64>(),
+            Lit::Float(digits) => digits.base10_parse::<f64>(),
+            other => Err(not_a_number(other)),
+        };
+        Ok(Self(sign * value?))
+    }
+}
+
+fn no_points(word: &Ident) -> Error {
+    errors::at(
+        word,
+        format!("`{word}` lists no points; name one, or remove the statement"),
+    )
+}
+
+fn not_a_position(word: &Ident) -> Error {
+    errors::at(
+        word,
+        format!("unexpected `{word}`; write `,`, or a design position: `at [x, y, z]`"),
+    )
+}
+
+fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
+    Error::new(
+        span,
+        format!("{what} has three coordinates, {count} are given; write `[x, y, z]`"),
+    )
+}
+
+fn not_a_number(literal: &Lit) -> Error {
+    Error::new(
+        literal.span(),
+        "a coordinate is a number, for example `-1.25`",
+    )
+}

@@ -1,0 +1,111 @@
+//! Quantities, which drives prescribe and measures read: what they are in the generated code.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::terms::ident;
+use suspension_listing::name::Name;
+use suspension_listing::system::{AXES, Drive, Quantity};
+
+/// Documents a field that the user did not.
+pub(super) fn in_words(quantity: &Quantity) -> String {
+    match quantity {
+        Quantity::Coordinate { axis, of, minus } => {
+            let axis = AXES[*axis];
+            let minus = minus.as_ref();
+            let minus = minus.map_or(String::new(), |minus| format!(" - {minus}.{axis}"));
+            format!(" `{of}.{axis}{minus}`.")
+        }
+        Quantity::Angle {
+            axis,
+            line: [from, to],
+        } => {
+            let axis = AXES[*axis];
+            format!(" Angle of `{from} -> {to}` from the {axis} axis, radians.")
+        }
+        Quantity::Length { line: [from, to] } => format!(" From `{from}` to `{to}`."),
+    }
+}
+
+/// `MeasureKind`.
+pub(super) fn measure_kind(quantity: &Quantity) -> TokenStream {
+    match quantity {
+        Quantity::Coordinate { .. } | Quantity::Length { .. } => quote!(MeasureKind::Length),
+        Quantity::Angle { .. } => quote!(MeasureKind::Angle),
+    }
+}
+
+/// `DriveKind`.
+pub(super) fn drive_kind(quantity: &Quantity) -> TokenStream {
+    match quantity {
+        Quantity::Coordinate { .. } | Quantity::Length { .. } => quote!(DriveKind::Coordinate),
+        Quantity::Angle { .. } => quote!(DriveKind::Angle),
+    }
+}
+
+/// Value and rates, from the signal `points`.
+pub(super) fn measured(quantity: &Quantity) -> TokenStream {
+    let line = |[from, to]: &[Name; 2]| quote!(points.map(|points| points.#to - points.#from));
+    match quantity {
+        Quantity::Coordinate { axis, of, minus } => {
+            let axis = ident(AXES[*axis]);
+            let minus = minus.as_ref().map(|minus| quote!(- points.#minus.#axis));
+            quote!(points.map(|points| points.#of.#axis #minus))
+        }
+        Quantity::Angle { axis, line: ends } => {
+            let (axis, line) = (ident(AXES[*axis]), line(ends));
+            quote!(measure::angle(&#line, Vector3::#axis()))
+        }
+        Quantity::Length { line: ends } => {
+            let line = line(ends);
+            quote!(measure::length(&#line))
+        }
+    }
+}
+
+/// A drive's value in the positions `points`.
+pub(super) fn driven(drive: &Drive) -> TokenStream {
+    match &drive.quantity {
+        Quantity::Coordinate { axis, of, minus } => {
+            let axis = ident(AXES[*axis]);
+            let minus = minus.as_ref().map(|minus| quote!(- points.#minus.#axis));
+            quote!(points.#of.#axis #minus)
+        }
+        Quantity::Angle {
+            axis,
+            line: [from, to],
+        } => {
+            let (axis, distance) = (ident(AXES[*axis]), &drive.angle_of);
+            quote!(parts::angle(points.#to.#axis - points.#from.#axis, self.#distance.length()))
+        }
+        Quantity::Length { line: [from, to] } => quote!((points.#to - points.#from).norm()),
+    }
+}
+
+/// Turns a drive into the coordinate that its equation takes; `None` where it is that.
+pub(super) fn coordinate(drive: &Drive) -> Option<TokenStream> {
+    let (name, distance) = (&drive.named.name, drive.angle_of.as_ref()?);
+    Some(quote! {
+        let coordinate = angle_to_coordinate(
+            self.#distance.length(),
+            Signal {
+                value: drives.value.#name,
+                rate: drives.rate.#name,
+                second_rate: drives.second_rate.#name,
+            },
+        );
+        coordinates.value.#name = coordinate.value;
+        coordinates.rate.#name = coordinate.rate;
+        coordinates.second_rate.#name = coordinate.second_rate;
+    })
+}
+
+/// Puts a drive's value into the chassis point that it moves.
+pub(super) fn moves(drive: &Drive) -> Option<TokenStream> {
+    let (name, point) = (&drive.named.name, &drive.moves.as_ref()?.name);
+    let Quantity::Coordinate { axis, .. } = &drive.quantity else {
+        return None;
+    };
+    let axis = ident(AXES[*axis]);
+    Some(quote!(fixed.#point.#axis = drives.#name;))
+}
