@@ -49,7 +49,8 @@ fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
 /// What the parser expected, and how the statement is written.
 fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Error {
     let message = error.to_string();
-    if !message.contains("expected `") && !message.contains("expected identifier") {
+    let is_of_the_parser = ["expected", "unexpected end"].map(|start| message.starts_with(start));
+    if !is_of_the_parser.contains(&true) {
         return error;
     }
     syn::Error::new(

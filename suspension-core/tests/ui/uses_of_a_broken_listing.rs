@@ -49,7 +49,7 @@ fn main() {
     Tracker::default().step(&model, &inputs, 0.1, &mut motion).unwrap();
     let Measures { gap } = model.measures(&motion.points(&model, &inputs)).value;
     println!("{gap}");
-    let wheel = Wheel::of(&model.points(&q, model.fixed()));
+    let wheel = model.wheel_axis(&model.points(&q, model.fixed())).and_then(Wheel::of);
     println!("{} {} {:?}", equation::ROD, q[unknown::P_X], wheel);
     misuse();
 }

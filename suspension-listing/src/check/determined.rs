@@ -108,7 +108,7 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     } else {
         ""
     };
-    let (by_kind, points) = (by_kind(system), system.free.len());
+    let (by_kind, points) = (by_kind(listing, system), system.free.len());
     Error::new(
         listing.free_span,
         format!(
@@ -119,18 +119,22 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
 }
 
 /// How many equations are of the statements of each kind.
-fn by_kind(system: &System) -> String {
-    let mut counts: Vec<(Kind, usize)> = Vec::new();
-    for equation in &system.equations {
-        let (kind, rows) = (equation.origin.kind, equation.rows().len());
-        match counts.iter_mut().find(|(counted, _)| *counted == kind) {
-            Some((_, count)) => *count += rows,
-            None => counts.push((kind, rows)),
+fn by_kind(listing: &Listing, system: &System) -> String {
+    let mut kinds: Vec<Kind> = Vec::new();
+    for (_, kind) in listing.declared() {
+        if !kinds.contains(&kind) {
+            kinds.push(kind);
         }
     }
-    let counts = counts.iter();
-    let counts = counts.map(|(kind, count)| format!("{count} of {}", kind.plural()));
-    counts.collect::<Vec<_>>().join(" + ")
+    let counts = kinds.into_iter().map(|kind| {
+        let equations = system.equations.iter();
+        let of_kind = equations.filter(|equation| equation.origin.kind == kind);
+        let count: usize = of_kind.map(|equation| equation.rows().len()).sum();
+        (kind, count)
+    });
+    let stated = counts.filter(|(_, count)| *count > 0);
+    let words = stated.map(|(kind, count)| format!("{count} of {}", kind.plural()));
+    words.collect::<Vec<_>>().join(" + ")
 }
 
 fn structural_rank(listing: &Listing, system: &System, errors: &mut Errors) {
