@@ -3,7 +3,8 @@
 use nalgebra::{Isometry3, SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Bounded, Inputs, Linkage, Motion, Named, Newton, RigidMotion, Signal, Still, Tangent, Values,
+    Bounded, Inputs, Kind, Linkage, Motion, Newton, Part, RigidMotion, Signal, Still, Tangent,
+    Values,
 };
 
 use crate::support;
@@ -64,7 +65,7 @@ fn in_the_world<L>(
 where
     L: Linkage<15, Scalar = f64>,
 {
-    let drives = |value| L::Drives::from_fn(|_| value);
+    let drives = |value| L::Drives::from_values([value]);
     let drives = Signal {
         value: drives(drive.value),
         rate: drives(drive.rate),
@@ -88,9 +89,9 @@ where
     let anchors = chassis.anchors(model.fixed());
     for motion in motions {
         let expected = carry(&chassis, motion);
-        let anchor = L::Fixed::NAMES
-            .iter()
-            .position(|name| *name == first_point)
+        let mut anchors_of_model = 0..model.count(Kind::ChassisPoint);
+        let anchor = anchors_of_model
+            .find(|point| model.name(Part::Point(*point)) == first_point)
             .expect("p1");
         let of_anchor = |f: &L::Fixed| f.values().nth(anchor).expect("p1").z;
         let z = |order: usize, fixed: &L::Fixed| expected[order][2] - of_anchor(fixed);
@@ -204,7 +205,7 @@ fn assert_steps_invariant<L>(
             },
             support::length("d6_1"),
         );
-        let drives = |value| L::Drives::from_fn(|_| value);
+        let drives = |value| L::Drives::from_values([value]);
         let drives = Signal {
             value: drives(drive.value),
             rate: drives(drive.rate),

@@ -3,9 +3,11 @@
 //! The equations are at most quadratic, so a central difference is exact but for rounding and the
 //! step may be large.
 
+use std::iter::repeat_with;
+
 use nalgebra::{SVector, Vector3};
 use suspension_core::constraint::{Carried, Distance, Frame, angle_to_coordinate};
-use suspension_core::{Linkage, Named, Real, Signal, Values, measure};
+use suspension_core::{Build, Linkage, Named, Part, Real, Signal, Values, measure};
 
 use crate::support;
 
@@ -109,9 +111,9 @@ fn listing<T: Real, L: Linkage<15, Scalar = T>>(model: &L) {
         seed += 1;
         seed
     };
-    let fixed = L::Fixed::from_fn(|_| crooked_vector(next_seed()));
-    let fixed_rate = L::Fixed::from_fn(|_| crooked_vector::<T>(next_seed()));
-    let drives = L::Drives::from_fn(|_| crooked(next_seed()));
+    let fixed = L::Fixed::from_values(repeat_with(|| crooked_vector(next_seed())));
+    let fixed_rate = L::Fixed::from_values(repeat_with(|| crooked_vector::<T>(next_seed())));
+    let drives = L::Drives::from_values(repeat_with(|| crooked(next_seed())));
     let zero = L::Fixed::default();
     let step = T::constant(STEP);
     let two_steps = step + step;
@@ -123,7 +125,11 @@ fn listing<T: Real, L: Linkage<15, Scalar = T>>(model: &L) {
         let change =
             model.jacobian(&(q + e * step), &fixed) - model.jacobian(&(q - e * step), &fixed);
         for row in 0..15 {
-            let what = format!("dF/dq of {} by {}", L::EQUATIONS[row], L::UNKNOWNS[column]);
+            let what = format!(
+                "dF/dq of {} by {}",
+                model.name(Part::Equation(row)),
+                model.name(Part::Unknown(column))
+            );
             assert_near(
                 jacobian[(row, column)],
                 (ahead[row] - behind[row]) / two_steps,
@@ -133,7 +139,10 @@ fn listing<T: Real, L: Linkage<15, Scalar = T>>(model: &L) {
         for other in 0..15 {
             let curvature = model.curvature(&e, &zero, &axis(other), &zero);
             for row in 0..15 {
-                let what = format!("C of {} by {column} and {other}", L::EQUATIONS[row]);
+                let what = format!(
+                    "C of {} by {column} and {other}",
+                    model.name(Part::Equation(row))
+                );
                 assert_near(curvature[row], change[(row, other)] / two_steps, &what);
             }
         }
@@ -152,11 +161,8 @@ fn inputs<T: Real, L: Linkage<15, Scalar = T>>(
     let drive_rate = drives.map(|_| T::constant(0.7));
     let v = SVector::<T, 15>::from_fn(|i, _| crooked(400 + i));
     let at = |s: T, v: &SVector<T, 15>| {
-        let mut rates = fixed_rate.values();
-        let mut points = fixed.values();
-        let fixed = L::Fixed::from_fn(|_| {
-            points.next().unwrap_or_default() + rates.next().unwrap_or_default() * s
-        });
+        let moving = fixed.values().zip(fixed_rate.values());
+        let fixed = L::Fixed::from_values(moving.map(|(point, rate)| point + rate * s));
         let drives = drives.map(|drive| drive + T::constant(0.7) * s);
         model.residual(&(q + v * s), &fixed, &drives)
     };
@@ -171,9 +177,9 @@ fn inputs<T: Real, L: Linkage<15, Scalar = T>>(
         assert_near(
             found[row],
             -expected[row],
-            &format!("-dF/du of {}", L::EQUATIONS[row]),
+            &format!("-dF/du of {}", model.name(Part::Equation(row))),
         );
-        let what = format!("second rate of {}", L::EQUATIONS[row]);
+        let what = format!("second rate of {}", model.name(Part::Equation(row)));
         assert_near(curvature[row], second[row], &what);
     }
 }
@@ -230,14 +236,12 @@ fn measures() {
         let terms =
             |name: usize| [0_usize, 1, 2, 3].map(|order| crooked_vector::<f64>(10 * order + name));
         let points = |of: &dyn Fn([Point; 4]) -> Point| {
-            let mut name = 500_usize;
-            Points::<f64>::from_fn(|_| {
-                name += 1;
-                of(terms(name))
-            })
+            Points::<f64>::from_values((501..).map(|name| of(terms(name))))
         };
+        let value = points(&|[a, b, c, d]| a + (b + (c + d * t) * t) * t);
+        let model = Model::new(&value).expect("a linkage");
         model.measures(&Signal {
-            value: points(&|[a, b, c, d]| a + (b + (c + d * t) * t) * t),
+            value,
             rate: points(&|[_, b, c, d]| b + (c * 2.0 + d * 3.0 * t) * t),
             second_rate: points(&|[_, _, c, d]| c * 2.0 + d * 6.0 * t),
         })

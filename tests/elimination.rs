@@ -77,16 +77,13 @@ fn drive_terms<T: Real, L: Build<N, Scalar = T>, const N: usize>(
 }
 
 /// A struct of points with each replaced.
-trait MapEach<V>: Values<V> {
-    fn map_each(&self, mut value: impl FnMut(V) -> V) -> Self {
-        let mut values = self.values();
-        Self::from_values(std::iter::repeat_with(|| {
-            value(values.next().expect("a value for each name"))
-        }))
+trait MapEach<V: Default>: Values<V> {
+    fn map_each(&self, value: impl FnMut(V) -> V) -> Self {
+        Self::from_values(self.values().map(value))
     }
 }
 
-impl<V, S: Values<V>> MapEach<V> for S {}
+impl<V: Default, S: Values<V>> MapEach<V> for S {}
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]

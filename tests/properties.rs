@@ -13,11 +13,10 @@ use crate::support;
 
 /// Displaces each point by up to 3 cm.
 fn displaced<P: Values<Vector3<T>>, T: Real>(points: &P, by: &[f64]) -> P {
-    let mut values = points.values().zip(by.chunks_exact(3));
-    P::from_values(std::iter::repeat_with(|| match values.next() {
-        Some((point, by)) => point + Vector3::new(by[0], by[1], by[2]).map(T::constant),
-        None => Vector3::zeros(),
-    }))
+    let values = points.values().zip(by.chunks_exact(3));
+    P::from_values(
+        values.map(|(point, by)| point + Vector3::new(by[0], by[1], by[2]).map(T::constant)),
+    )
 }
 
 /// Builds, assembles and drives a displaced geometry; whatever succeeds must be a root. Tells

@@ -3,11 +3,9 @@
 use suspension::published::paper::{Column, Paper};
 use suspension_core::linkages::attia2003;
 use suspension_core::wheel::CarrierRotation;
-use suspension_core::{Linkage, Motion};
+use suspension_core::{HasWheel, Motion};
 
 use crate::support::{self, Reference};
-
-type Model = attia2003::Model<f64>;
 
 fn motions() -> Vec<Motion<f64, 15>> {
     support::motions(
@@ -39,7 +37,8 @@ fn table_2_is_met_within_0_85_mm_and_nine_tenths_of_it_within_half_a_millimetre(
     let motions = motions();
     let mut differences = Vec::new();
     for column in paper.table2.iter().filter(|c| c.name.starts_with('p')) {
-        let unknown = Model::UNKNOWNS
+        let unknown = attia2003::Listing::PARTS
+            .unknowns
             .iter()
             .position(|name| name.replace('.', "_") == column.name)
             .expect("a knuckle point's coordinate");

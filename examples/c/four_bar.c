@@ -35,7 +35,7 @@ int main(void)
         check(my_four_bar_f32_step(&model, &inputs, step == 0 ? 0 : 0.001f, &motion, NULL, NULL));
     }
     check(my_four_bar_f32_read_points(&model, &inputs, &motion, &points));
-    check(my_four_bar_f32_read_measures(&points, &measures));
+    check(my_four_bar_f32_read_measures(&model, &points, &measures));
     printf("%s %.6f rad, %.6f rad/s\n", my_four_bar_f32_measure_name(0),
             (double)measures.value.double_, (double)measures.rate.double_);
     return EXIT_SUCCESS;

@@ -121,7 +121,7 @@ static void read_wheel(const FIVE_LINK(model) *model, const FIVE_LINK(inputs) *i
     SUSP(kingpin) kingpin;
 
     check(FIVE_LINK(read_points)(model, inputs, motion, &points), "reading the points");
-    check(FIVE_LINK(read_measures)(&points, &measures), "measuring");
+    check(FIVE_LINK(read_measures)(model, &points, &measures), "measuring");
     check(FIVE_LINK(read_wheel)(&points.value, &wheel), "the wheel");
     check(FIVE_LINK(read_rotation)(&points, &rotation), "the rotation");
     check(FIVE_LINK(read_kingpin)(&points.value, &kingpin), "the kingpin");

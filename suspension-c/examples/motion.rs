@@ -9,7 +9,8 @@ use suspension_core::linkages::five_link::{Drives, Lengths, Model, Points};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel, camber_to_ground};
 use suspension_core::{
-    Bounded, Build, Inputs, Linkage, Motion, Newton, Real, Signal, Still, Tracker, Values, assemble,
+    Bounded, Build, HasKingpin, HasWheel, Inputs, Linkage, Motion, Newton, Real, Signal, Still,
+    Tracker, Values, assemble,
 };
 
 const STEPS: usize = 1900;
@@ -102,13 +103,9 @@ fn inputs_at<T: Number>(t: T) -> Inputs<Still, Drives<T>> {
 
 /// The model, and the motion at `t = 0`.
 fn set_up<T: Number>() -> Result<(Model<T>, Motion<T, 15>), Box<dyn Error>> {
-    let (mut points, mut lengths) = (GUESS.into_iter(), LENGTHS.into_iter());
-    let guess = Points::from_values(std::iter::repeat_with(|| {
-        Vector3::from(points.next().unwrap_or_default()).map(T::constant)
-    }));
-    let lengths = Lengths::from_values(std::iter::repeat_with(|| {
-        T::constant(lengths.next().unwrap_or_default())
-    }));
+    let guess = GUESS.map(|point| Vector3::from(point).map(T::constant));
+    let guess = Points::from_values(guess);
+    let lengths = Lengths::from_values(LENGTHS.map(T::constant));
     let theta = T::constant(FRAC_PI_2);
     let level = Inputs::still(Signal {
         value: Drives { theta },

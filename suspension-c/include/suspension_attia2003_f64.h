@@ -155,6 +155,7 @@ susp_status susp_attia2003_f64_model_drives(
 /** Makes a motion: at rest, the free points where they stand among `points`. `size` is
  * `sizeof *motion`. */
 susp_status susp_attia2003_f64_motion_at_rest(
+        const susp_attia2003_f64_model *model,
         susp_attia2003_f64_motion *motion,
         size_t size,
         const susp_attia2003_f64_points *points);
@@ -250,6 +251,7 @@ susp_status susp_attia2003_f64_read_points(
 /** What the listing measures, with rates. A rate is NaN where a measured length is zero, or a
  * measured angle 0 or pi. */
 susp_status susp_attia2003_f64_read_measures(
+        const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_point_rates *points,
         susp_attia2003_f64_measure_rates *measures);
 

@@ -217,7 +217,8 @@ fn solved_in_the_world_it_moves_as_carried_there() {
         made(|anchors| five_link_f32::move_chassis((&model).into(), (&chassis).into(), anchors))
             .expect("anchors");
     let mut motion: Motion = made(|motion| {
-        five_link_f32::motion_at_rest(motion, size_of::<Motion>(), (&carried.value).into())
+        let size = size_of::<Motion>();
+        five_link_f32::motion_at_rest((&model).into(), motion, size, (&carried.value).into())
     })
     .expect("a motion");
     for step in 0..2 {

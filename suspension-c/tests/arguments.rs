@@ -48,7 +48,7 @@ static void set_up(void)
 {
     expect(PREFIX_model_new(&model, sizeof model, &points, NULL), SUSP_OK, "set-up");
     expect(PREFIX_model_drives(&model, &points, &inputs.value), SUSP_OK, "set-up");
-    expect(PREFIX_motion_at_rest(&motion, sizeof motion, &points), SUSP_OK, "set-up");
+    expect(PREFIX_motion_at_rest(&model, &motion, sizeof motion, &points), SUSP_OK, "set-up");
     expect(PREFIX_step(&model, &inputs, 0, &motion, NULL, NULL), SUSP_OK, "set-up");
     expect(PREFIX_read_points(&model, &inputs, &motion, &point_rates), SUSP_OK, "set-up");
     expect(PREFIX_move_chassis(&model, &rigid_motion, &chassis_rates), SUSP_OK, "set-up");

@@ -55,11 +55,8 @@ where
     T: Real + std::fmt::LowerExp,
     L: Build<15, Scalar = T>,
 {
-    let mut points = POINTS.iter();
-    let design = L::Points::from_values(std::iter::repeat_with(|| {
-        let point = points.next().copied().unwrap_or_default();
-        Vector3::from(point).map(T::constant)
-    }));
+    let points = POINTS.map(|point| Vector3::from(point).map(T::constant));
+    let design = L::Points::from_values(points);
     let model = L::new(&design).map_err(|error| error.to_string())?;
     let start = model.drives_at(&design);
     let mut motion = Motion::at_rest(model.unknowns(&design));

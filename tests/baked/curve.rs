@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension::bake::{Baked, Continuity, Exact, Path, TERMS, Wanted, Wish, bake};
 use suspension_core::baked::Curve;
 use suspension_core::linkages::five_link;
-use suspension_core::{Build, HasWheel, Inputs, Named, Real, Still, Values};
+use suspension_core::{Build, HasWheel, Inputs, Named, Real, Still};
 
 use super::mixed;
 use crate::support::{self, INSTANTS, Reference, theta};

@@ -35,11 +35,10 @@ fn compare<L: Build<15, Scalar = f64>>(
     speed: f64,
 ) -> Result<Counts, TestCaseError> {
     let mut counts = Counts::default();
-    let mut displaced = rough.values().zip(by.chunks_exact(3));
-    let design = L::Points::from_values(std::iter::repeat_with(|| {
-        let (point, by) = displaced.next().expect("as many as names");
-        point + Vector3::new(by[0], by[1], by[2])
-    }));
+    let displaced = rough.values().zip(by.chunks_exact(3));
+    let design = L::Points::from_values(
+        displaced.map(|(point, by)| point + Vector3::new(by[0], by[1], by[2])),
+    );
     let Ok(model) = L::new(&design) else {
         return Ok(counts);
     };

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::linkages::five_link;
-use suspension_core::{Bounded, Inputs, Linkage, Motion, Outputs, SolveError, Still};
+use suspension_core::{Bounded, Inputs, Linkage, Motion, Outputs, Part, SolveError, Still};
 
 use super::case::{Case, attia, differences, five_link};
 use crate::support;
@@ -44,7 +44,7 @@ fn too_few_sweeps<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
         panic!("{error}");
     };
     assert!(residual > tolerance && tolerance < 1e-14);
-    println!("{}: {error}", L::EQUATIONS[equation]);
+    println!("{}: {error}", case.model.name(Part::Equation(equation)));
     // The equation named is the one that the residual is largest in.
     let open = Bounded::<f64> {
         tolerance: 1e12,

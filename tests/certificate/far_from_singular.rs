@@ -90,10 +90,10 @@ where
     L: Build<15, Scalar = f64> + Linkage<15, Listing: Listing<15, Model<f64> = L>> + Copy,
 {
     let mut shares = Shares::default();
-    let mut points = rough.values();
-    let design = L::Points::from_values(std::iter::repeat_with(|| {
+    let points = rough.values();
+    let design = L::Points::from_values(points.map(|each| {
         let by = Vector3::from_fn(|_, _| uniform(rng, -0.03..0.03));
-        points.next().expect("as many as names") + by
+        each + by
     }));
     let Ok(model) = L::new(&design) else {
         return shares;

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::lu::Lu;
-use suspension_core::{DriveKind, Linkage, Listing, Signal, Values};
+use suspension_core::{DriveKind, Linkage, Listing, Parts, Signal, Values};
 use suspension_double_double::DoubleDouble;
 
 use super::judge::Root;
@@ -21,7 +21,7 @@ pub(crate) struct Refiner<L: Linkage<N>, const N: usize> {
 }
 
 /// The struct of values in the order of its names.
-fn named<V: Default, S: Values<V>>(mut values: impl Iterator<Item = V>) -> S {
+fn named<V: Default, S: Values<V>>(values: impl Iterator<Item = V>) -> S {
     S::from_values(values)
 }
 
@@ -45,7 +45,7 @@ where
     ) -> Option<Root<N>> {
         let coordinates = self.coordinates(drives);
         let anchors = fixed.values().map(|point| point.map(DoubleDouble::from));
-        let anchors = Exact::<L, N>::drive_anchors(named(anchors), &coordinates);
+        let anchors = self.exact.drive_anchors(named(anchors), &coordinates);
         let nearest = named(anchors.values().map(|p| p.map(DoubleDouble::nearest)));
         let mut root = near.map(DoubleDouble::from);
         for _ in 0..MAX_ITERATIONS {
@@ -65,10 +65,12 @@ where
     fn coordinates(&self, drives: &L::Drives) -> <Exact<L, N> as Linkage<N>>::Drives {
         // At an angle of zero the coordinate of a link is its length.
         let lengths = self.exact.coordinates(&Signal::default()).value;
-        let each = lengths.values().zip(drives.values()).zip(L::DRIVE_KINDS);
-        named(each.map(|((length, drive), kind)| match kind {
-            DriveKind::Coordinate => DoubleDouble::from(drive),
-            DriveKind::Angle => length * DoubleDouble::from(drive).sine_cosine().1,
-        }))
+        let each = lengths.values().zip(drives.values()).enumerate();
+        named(each.map(
+            |(index, (length, drive))| match self.exact.drive_kind(index) {
+                DriveKind::Coordinate => DoubleDouble::from(drive),
+                DriveKind::Angle => length * DoubleDouble::from(drive).sine_cosine().1,
+            },
+        ))
     }
 }

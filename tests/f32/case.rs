@@ -86,17 +86,18 @@ pub(crate) struct Single<G: Tested> {
 
 pub(crate) fn single<G: Tested>(design: &G::Points<f64>, built: Built) -> Option<Single<G>> {
     let origin = match built {
-        Built::InPlace => LocalOrigin::among(&design.map(|_| Vector3::zeros())),
-        Built::FromLocalPoints | Built::Rounded => LocalOrigin::among(design),
+        Built::InPlace => LocalOrigin::among([]),
+        Built::FromLocalPoints | Built::Rounded => LocalOrigin::among(design.values()),
     };
     let local = origin.to_local(design);
+    let points = local.values().map(|point| point.map(|x| x as f32));
+    let rounded = Values::from_values(points);
     let model = if built == Built::Rounded {
         G::rounded(&G::Model::<f64>::new(&local).ok()?)
     } else {
-        let mut points = local.values().map(|point| point.map(|x| x as f32));
-        G::Model::<f32>::new(&Values::from_values(points)).ok()?
+        G::Model::<f32>::new(&rounded).ok()?
     };
-    let position = model.unknowns(&local).map(|x| x as f32);
+    let position = model.unknowns(&rounded);
     Some(Single {
         model,
         start: Motion::at_rest(position),

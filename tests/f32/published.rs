@@ -118,7 +118,7 @@ fn beside_forty_digits() {
 #[test]
 fn baked() {
     let design = five_link::Listing::design();
-    let local = LocalOrigin::among(&design).to_local(&design);
+    let local = LocalOrigin::among(design.values()).to_local(&design);
     let (model, truth) = truth::<five_link::Listing>(&local);
     let held = five_link::Drives { theta: 0.7 };
     let range = [0.7, 2.150_312_5];

@@ -91,11 +91,10 @@ fn check<G: Tested>(rng: &mut fastrand::Rng) {
         }; WAYS.len()];
         for _ in 0..GEOMETRIES {
             let mut near = || 0.06 * (rng.f64() - 0.5);
-            let mut points = home.values();
-            let design = G::Points::<f64>::from_fn(|_| {
-                let point = points.next().unwrap_or_default();
-                point.add_scalar(away) + Vector3::new(near(), near(), near())
-            });
+            let design = G::Points::<f64>::from_values(
+                home.values()
+                    .map(|point| point.add_scalar(away) + Vector3::new(near(), near(), near())),
+            );
             let rate = 2.0 * (rng.f64() - 0.5);
             for (way, counts) in WAYS.into_iter().zip(&mut all) {
                 compare::<G>(&design, built, way, rate, counts);

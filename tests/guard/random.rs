@@ -59,10 +59,8 @@ fn random_jumps<L: Build<15, Scalar = f64>>(rough: &L::Points, seed: u64) -> End
     let mut ends = Ends::default();
     for index in 0..240 {
         let size = [0.02, 0.1, 0.3][index % 3];
-        let mut points = rough.values();
-        let design = L::Points::from_values(std::iter::repeat_with(|| {
-            points.next().unwrap_or_default() + random.vector(size)
-        }));
+        let points = rough.values();
+        let design = L::Points::from_values(points.map(|each| each + random.vector(size)));
         let Ok(model) = L::new(&design) else {
             continue;
         };

@@ -10,7 +10,7 @@ use super::Drive;
 /// same sign of the determinant, near enough to its prediction for every other test.
 #[test]
 fn an_even_number_of_singularities_is_seen() {
-    let mut points = [
+    let points = [
         [
             -1.5108121929112002,
             0.24921197502089995,
@@ -40,9 +40,7 @@ fn an_even_number_of_singularities_is_seen() {
         [-1.3411262584142414, 0.3589877806043034, 0.4515637918620492],
     ]
     .into_iter();
-    let design = five_link::Points::from_values(std::iter::repeat_with(|| {
-        Vector3::from(points.next().expect("11 points"))
-    }));
+    let design = five_link::Points::from_values(points.map(Vector3::from));
     let model = five_link::Model::new(&design).expect("a geometry");
     let drive = Drive {
         start: model.drives_at(&design).theta,

@@ -25,18 +25,13 @@ const LINKS: [(&str, usize); 5] = [
 #[test]
 fn a_point_that_is_none_is_named() {
     let rough = five_link_rough::<f64>();
-    for name in Points::<f64>::NAMES {
+    for index in 0..Points::<f64>::NAMES.len() {
         for (axis, bad) in (0..3).flat_map(|axis| NONE.map(|bad| (axis, bad))) {
-            let mut values = rough.values();
-            let design = Points::from_fn(|field| {
-                let mut point = values.next().expect("as many as names");
-                if field == *name {
-                    point[axis] = bad;
-                }
-                point
-            });
+            let mut point = rough.values().nth(index).expect("as many as names");
+            point[axis] = bad;
+            let design = rough.with(index, point);
             let error = Model::new(&design).expect_err("no linkage");
-            assert_eq!(error, GeometryError::NotFinite { point: name });
+            assert_eq!(error, GeometryError::NotFinite { point: index });
         }
     }
 }
@@ -46,21 +41,12 @@ fn a_length_that_is_none_is_named() {
     fn check<T: Real>(bad: &[f64]) {
         let model = five_link_model::<T>();
         let lengths = model.lengths();
-        for (name, bad) in Lengths::<T>::NAMES
-            .iter()
-            .flat_map(|name| bad.iter().map(move |bad| (name, *bad)))
+        for (length, bad) in (0..Lengths::<T>::NAMES.len())
+            .flat_map(|length| bad.iter().map(move |bad| (length, *bad)))
         {
-            let mut values = lengths.values();
-            let lengths = Lengths::from_fn(|field| {
-                let length = values.next().expect("as many as names");
-                if field == *name {
-                    T::constant(bad)
-                } else {
-                    length
-                }
-            });
+            let lengths = lengths.with(length, T::constant(bad));
             let error = model.with_lengths(&lengths).expect_err("no linkage");
-            assert_eq!(error, GeometryError::BadLength { length: name });
+            assert_eq!(error, GeometryError::BadLength { length });
         }
     }
     check::<f64>(&[

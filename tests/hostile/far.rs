@@ -45,7 +45,7 @@ fn drive<T: Real, L: Build<N, Scalar = T>, const N: usize>(design: &L::Points) -
 fn check<L: Build<N, Scalar = f64>, const N: usize>(design: &L::Points) {
     let home = coarse(design);
     let away = moved(&home);
-    let local = LocalOrigin::among(&away);
+    let local = LocalOrigin::among(away.values());
     let at_home = drive::<f64, L, N>(&home);
     let at_local = drive::<f64, L, N>(&local.to_local(&away));
     let shift = Vector3::from(AWAY) - local.position();
@@ -70,12 +70,10 @@ fn moves_as_at_home() {
 fn single_precision_takes_local_points() {
     let home = coarse(&rocker_design());
     let away = moved(&home);
-    let local = LocalOrigin::among(&away).to_local(&away);
+    let local = LocalOrigin::among(away.values()).to_local(&away);
     let single = |points: &rocker::Points<f64>| {
-        let mut values = points.values();
-        rocker::Points::<f32>::from_values(std::iter::repeat_with(|| {
-            values.next().unwrap_or_default().map(|x| x as f32)
-        }))
+        let values = points.values();
+        rocker::Points::<f32>::from_values(values.map(|each| each.map(|x| x as f32)))
     };
     let exact = drive::<f64, rocker::Model<f64>, 6>(&local);
     let found = drive::<f32, rocker::Model<f32>, 6>(&single(&local));
@@ -87,13 +85,13 @@ fn single_precision_takes_local_points() {
 #[test]
 fn drives_and_measures_are_carried() {
     let away = moved(&coarse(&rocker_design()));
-    let local = LocalOrigin::among(&away);
+    let local = LocalOrigin::among(away.values());
     let model = rocker::Model::new(&local.to_local(&away)).expect("a linkage");
     let offset = local.of_drives(&model);
     assert_eq!(offset.slide, local.position().z);
     let read = model.drives_at(&local.to_local(&away)).slide + offset.slide;
     assert_eq!(read, model.drives_at(&away).slide);
-    let measures = local.of_measures::<rocker::Model<f64>, 6>();
+    let measures = local.of_measures(&model);
     assert_eq!(measures.height, local.position().z);
     assert_eq!(
         (measures.lift, measures.lean, measures.reach),
@@ -115,7 +113,7 @@ fn the_origin_lies_among_the_points_and_is_a_number_of_few_digits() {
     for scale in [1e-3, 1.0, 25.4, 1e3] {
         for away in [0.0, 4.0, -524_288.0] {
             let points = rough.map(|point| (point + Vector3::repeat(away)) * scale);
-            let origin = LocalOrigin::among(&points);
+            let origin = LocalOrigin::among(points.values());
             let local = origin.to_local(&points);
             assert!(extent(&local) < 0.45 * scale, "{away} {scale}: {local:?}");
             let [single, double] = [
@@ -130,8 +128,11 @@ fn the_origin_lies_among_the_points_and_is_a_number_of_few_digits() {
             }
         }
     }
-    let home = rough.map(|point| point - LocalOrigin::among(&rough).position());
-    assert_eq!(LocalOrigin::among(&home).position(), Vector3::zeros());
+    let home = rough.map(|point| point - LocalOrigin::among(rough.values()).position());
+    assert_eq!(
+        LocalOrigin::among(home.values()).position(),
+        Vector3::zeros()
+    );
 }
 
 #[test]
@@ -140,11 +141,20 @@ fn points_without_a_middle_stay_where_they_are() {
     let all_in_one = bad.map(|_| Vector3::repeat(3.0));
     for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         bad.track_rod_outer.z = number;
-        assert_eq!(LocalOrigin::among(&bad).position(), Vector3::zeros());
+        assert_eq!(
+            LocalOrigin::among(bad.values()).position(),
+            Vector3::zeros()
+        );
     }
-    assert_eq!(LocalOrigin::among(&all_in_one).position(), Vector3::zeros());
+    assert_eq!(
+        LocalOrigin::among(all_in_one.values()).position(),
+        Vector3::zeros()
+    );
     let huge = all_in_one.map(|point| point * f64::MAX);
-    assert_eq!(LocalOrigin::among(&huge).position(), Vector3::zeros());
+    assert_eq!(
+        LocalOrigin::among(huge.values()).position(),
+        Vector3::zeros()
+    );
 }
 
 fn four_bar_design() -> four_bar::Points<f64> {

@@ -5,7 +5,7 @@ use suspension_core::baked::Curve;
 use suspension_core::body::{angular_acceleration, angular_velocity, pose};
 use suspension_core::linkages::five_link::Points;
 use suspension_core::wheel::{CarrierRotation, Wheel};
-use suspension_core::{Real, RigidMotion, Signal};
+use suspension_core::{HasWheel, Real, RigidMotion, Signal};
 
 use crate::support::five_link_rough;
 
@@ -87,10 +87,13 @@ fn a_rate_that_is_none_turns_nothing() {
 #[test]
 fn a_wheel_that_is_none() {
     let wheel = |centre: Vector3<f64>| {
-        Wheel::of(&Points {
-            wheel_centre: centre,
-            ..five_link_rough()
-        })
+        Wheel::of(
+            Points {
+                wheel_centre: centre,
+                ..five_link_rough()
+            }
+            .wheel(),
+        )
     };
     let inner = five_link_rough::<f64>().upper_rear_outer;
     assert!(wheel(inner).is_none());

@@ -115,7 +115,7 @@ fn a_drive_at_the_end_of_its_range() {
                 .step(&model, &inputs, 1e-3, &mut bounded)
                 .err(),
         ] {
-            demand_cause::<f64, Model<f64>, 15>(&error.expect("no step"));
+            demand_cause(&model, &error.expect("no step"));
         }
         demand_untouched(&start, &tracked);
         demand_untouched(&start, &bounded);
@@ -134,7 +134,7 @@ fn links_that_cannot_reach() {
         let mut q = guess;
         let error = assemble(&Newton::from_afar(), &model, &inputs, &mut q);
         let error = error.expect_err("out of reach");
-        demand_cause::<f64, Model<f64>, 15>(&error);
+        demand_cause(&model, &error);
         assert_eq!(q, guess);
     }
 }

@@ -1,9 +1,9 @@
 //! One mechanism through every entry of the core.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::linkage::{Build, Named, Values};
+use suspension_core::linkage::{Build, Values};
 use suspension_core::{
-    ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Motion, Newton, Real, Signal,
+    ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Motion, Newton, Part, Real, Signal,
     SolveError, Still, Tangent, assemble,
 };
 
@@ -76,8 +76,12 @@ fn course<T: Real, D: Values<T>>(drives: Signal<D>) -> InputSeries<Still, D, 4> 
 }
 
 fn points<T: Real, P: Values<Vector3<T>>>(draw: &mut Draw<'_>) -> P {
-    let mut points = draw.points(P::NAMES.len()).into_iter();
-    P::from_fn(|_| points.next().unwrap_or_default().map(T::constant))
+    let count = P::from_values([]).values().count();
+    P::from_values(
+        draw.points(count)
+            .into_iter()
+            .map(|point| point.map(T::constant)),
+    )
 }
 
 /// The mechanism with the lengths of its points, or sometimes with others.
@@ -90,11 +94,10 @@ where
     if draw.below(4) > 0 {
         return Some(model);
     }
-    let mut lengths = model.lengths().values().collect::<Vec<T>>().into_iter();
-    let lengths = L::Lengths::from_fn(|_| {
+    let lengths = L::Lengths::from_values(model.lengths().values().map(|length| {
         let change = T::one() + T::constant(draw.moderate() * 1e-2);
-        lengths.next().unwrap_or_default() * change
-    });
+        length * change
+    }));
     let model = demand_linkage(model.with_lengths(&lengths))?;
     demand_linkage(model.with_markers(design))
 }
@@ -112,14 +115,11 @@ where
             Some(model)
         }
         Err(error) => {
-            let (names, name) = match error {
-                GeometryError::BadLength { length } => (L::Lengths::NAMES, length),
-                GeometryError::NotFinite { point }
-                | GeometryError::Collinear { point }
-                | GeometryError::Flat { point }
-                | GeometryError::NotClosed { point } => (L::Points::NAMES, point),
+            let room = match error.part() {
+                Part::Length(_) => L::Lengths::from_values([]).values().count(),
+                _ => L::Points::from_values([]).values().count(),
             };
-            assert!(names.contains(&name), "{error:?}");
+            assert!(error.part().index() < room, "{error:?}");
             None
         }
     }
@@ -138,13 +138,12 @@ where
 {
     /// Drives near those of the design, with rates.
     fn drives(&self, draw: &mut Draw<'_>) -> Signal<L::Drives> {
-        let mut at_design = self.at_design.values();
+        let at_design = self.at_design.values().collect::<Vec<_>>();
+        let mut near = |at: T| at + T::constant(draw.distance());
         Signal {
-            value: L::Drives::from_fn(|_| {
-                at_design.next().unwrap_or_default() + T::constant(draw.distance())
-            }),
-            rate: L::Drives::from_fn(|_| T::constant(draw.distance())),
-            second_rate: L::Drives::from_fn(|_| T::constant(draw.distance())),
+            value: L::Drives::from_values(at_design.into_iter().map(&mut near)),
+            rate: L::Drives::from_values(std::iter::repeat_with(|| near(T::zero()))),
+            second_rate: L::Drives::from_values(std::iter::repeat_with(|| near(T::zero()))),
         }
     }
 
@@ -201,7 +200,9 @@ where
             let next = course.at::<T, L::Fixed>(dt);
             let chassis = Signal {
                 value: *self.model.fixed(),
-                rate: L::Fixed::from_fn(|_| Vector3::from_fn(|_, _| T::constant(draw.distance()))),
+                rate: L::Fixed::from_values(std::iter::repeat_with(|| {
+                    Vector3::from_fn(|_, _| T::constant(draw.distance()))
+                })),
                 second_rate: L::Fixed::default(),
             };
             let moving = Inputs {
@@ -227,7 +228,7 @@ where
     }
 
     fn demand_refusal(&self, error: &SolveError<T>, before: &SVector<T, N>, after: &SVector<T, N>) {
-        demand_cause::<T, L, N>(error);
+        demand_cause(&self.model, error);
         demand_same(before, after);
     }
 }

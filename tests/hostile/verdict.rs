@@ -61,9 +61,10 @@ pub(crate) fn demand_root<T, L, C, const N: usize>(
 
 /// Demands that an error's numbers bear out what it says, and that it names a culprit.
 pub(crate) fn demand_cause<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
+    model: &L,
     error: &SolveError<T>,
 ) {
-    assert_ne!(error.culprit(&L::EQUATIONS, &L::UNKNOWNS), "?", "{error:?}");
+    assert_ne!(error.culprit(model), "?", "{error:?}");
     let holds = match *error {
         SolveError::Singular {
             pivot, threshold, ..

@@ -113,7 +113,7 @@ where
         before: &Motion<T, N>,
         after: &Motion<T, N>,
     ) {
-        demand_cause::<T, L, N>(error);
+        demand_cause(&self.model, error);
         demand_untouched(before, after);
     }
 }

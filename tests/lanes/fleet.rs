@@ -42,9 +42,8 @@ where
     /// The points displaced by up to 5 mm, in each lane in another way.
     pub(crate) fn near(rough: &G::Points<T>) -> Self {
         Self::of(std::array::from_fn(|lane| {
-            let mut points = rough.values().enumerate();
-            G::Points::from_values(std::iter::repeat_with(|| {
-                let (index, point) = points.next().expect("as many as names");
+            let points = rough.values().enumerate();
+            G::Points::from_values(points.map(|(index, point)| {
                 let by = |axis: usize| {
                     let crooked = (lane * 7919 + index * 104_729 + axis * 1_299_709 + 17) % 1009;
                     T::constant((crooked as f64 / 504.5 - 1.0) * 5e-3)
@@ -60,7 +59,9 @@ where
         let at_start = std::array::from_fn(|lane| models[lane].drives_at(&designs[lane]));
         let mut fleet = Self {
             models,
-            starts: designs.map(|design| Motion::at_rest(model.unknowns(&design))),
+            starts: std::array::from_fn(|lane| {
+                Motion::at_rest(models[lane].unknowns(&designs[lane]))
+            }),
             at_start,
         };
         let drives = fleet.drives(0.0);

@@ -3,7 +3,7 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::Factors as _;
 use suspension_core::{
-    Build, ChassisMotion, Inputs, Motion, Newton, Signal, Tangent, Values, assemble,
+    Build, ChassisMotion, Inputs, Motion, Newton, Part, Signal, Tangent, Values, assemble,
 };
 
 /// Solves from a guess and returns the points.
@@ -51,7 +51,7 @@ impl Crooked {
 
 /// `a + s b`, point by point.
 fn sum<P: Values<Vector3<f64>>>(a: &P, s: f64, b: &P) -> P {
-    let mut sums = a.values().zip(b.values()).map(|(a, b)| a + b * s);
+    let sums = a.values().zip(b.values()).map(|(a, b)| a + b * s);
     P::from_values(sums)
 }
 
@@ -76,7 +76,7 @@ where
     // F with q, chassis points and drives moved by multiples of v, w and the drives' rates.
     let moved = |a: f64, b: f64, c: f64| {
         let fixed = sum(&sum(&fixed, a, &v_fixed), b, &w_fixed);
-        let mut values = drives
+        let values = drives
             .values()
             .zip(drive_rate.values())
             .map(|(d, rate)| d + c * rate);
@@ -111,7 +111,7 @@ where
         assert!(
             (entries - change / (2.0 * size)).amax() < 1e-13,
             "dF/d {}",
-            L::UNKNOWNS[column]
+            model.name(Part::Unknown(column))
         );
     }
 }
@@ -148,7 +148,7 @@ pub(crate) fn swing(about: f64, amplitude: f64, t: f64) -> Signal<f64> {
 /// All drives swinging about their values in a configuration.
 pub(crate) fn swinging<D: Values<f64>>(about: D, amplitude: f64, t: f64) -> Signal<D> {
     let part = |part: fn(Signal<f64>) -> f64| {
-        let mut values = about.values().map(|about| part(swing(about, amplitude, t)));
+        let values = about.values().map(|about| part(swing(about, amplitude, t)));
         D::from_values(values)
     };
     Signal {
@@ -197,16 +197,15 @@ pub(crate) fn motion<L, C, const N: usize>(
     let [back2, back, at, on, on2] =
         [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| configuration(0.4 + k * H));
     let differences = |[a, b, c, d, e]: [f64; 5], scale: f64| {
-        let mut values = back2[0]
+        let values = back2[0]
             .values()
             .zip(back[0].values())
             .zip(at[0].values())
             .zip(on[0].values())
             .zip(on2[0].values());
-        L::Points::from_values(std::iter::repeat_with(|| {
-            let ((((p, q), r), s), t) = values.next().expect("as many as names");
-            (p * a + q * b + r * c + s * d + t * e) / scale
-        }))
+        L::Points::from_values(
+            values.map(|((((p, q), r), s), t)| (p * a + q * b + r * c + s * d + t * e) / scale),
+        )
     };
     let velocity = differences([1.0, -8.0, 0.0, 8.0, -1.0], 12.0 * H);
     let acceleration = differences([-1.0, 16.0, -30.0, 16.0, -1.0], 12.0 * H * H);

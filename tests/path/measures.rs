@@ -50,7 +50,7 @@ fn every_measure_leads_through_the_crank_s_turning_point() {
     let curve = Curve::new(&model, &inputs_at_start, 0).expect("a drive");
     let names = <Measures<f64> as Named<f64>>::NAMES;
     for (index, name) in names.iter().enumerate() {
-        let quantity = measured::<f64, Model<f64>, 6>(index).expect("a measure");
+        let quantity = measured(&model, index).expect("a measure");
         let mut led = Led::at_rest(&curve, &start).expect("regular");
         let from = quantity(&led.points(&model, &inputs_at_start)).value;
         // The rocker passes the line of the coupler.
@@ -93,19 +93,19 @@ fn every_measure_leads_through_the_crank_s_turning_point() {
             .count();
         assert_eq!(turned, 1, "{name}: {turns:?}");
     }
-    assert!(measured::<f64, Model<f64>, 6>(names.len()).is_none());
+    assert!(measured(&model, names.len()).is_none());
 }
 
 /// The same mechanism in metres and in millimetres: whatever the unit and the precision, an angle
 /// leads as well as a length, and comes as near to its target.
 fn angle_leads<T: Real>(unit: f64, allowed: f64) {
     let metres = design();
-    let mut points = metres.values().map(|p| (p * unit).map(T::constant));
-    let design = Points::from_fn(|_| points.next().expect("as many points"));
+    let points = metres.values().map(|p| (p * unit).map(T::constant));
+    let design = Points::from_values(points);
     let model = Model::new(&design).expect("a four-bar");
     let inputs = inputs(model.drives_at(&design));
     let curve = Curve::new(&model, &inputs, 0).expect("a drive");
-    let swing = measured::<T, Model<T>, 6>(2).expect("a measure");
+    let swing = measured(&model, 2).expect("a measure");
     let mut led = Led::at_rest(&curve, &model.unknowns(&design)).expect("regular");
     let from = swing(&led.points(&model, &inputs)).value;
     let rate = T::constant(0.15);

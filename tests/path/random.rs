@@ -19,11 +19,10 @@ struct Displaced<T: Real, L: Build<15, Scalar = T>> {
 
 impl<T: Real, L: Build<15, Scalar = T>> Displaced<T, L> {
     fn new(rough: &L::Points, by: &[f64], theta: f64) -> Option<Self> {
-        let mut points = rough.values().zip(by.chunks_exact(3));
-        let design = L::Points::from_values(std::iter::repeat_with(|| {
-            let (point, by) = points.next().expect("three numbers a point");
-            point + Vector3::new(by[0], by[1], by[2]).map(T::constant)
-        }));
+        let points = rough.values().zip(by.chunks_exact(3));
+        let design = L::Points::from_values(
+            points.map(|(point, by)| point + Vector3::new(by[0], by[1], by[2]).map(T::constant)),
+        );
         let model = L::new(&design).ok()?;
         let none = L::Drives::default();
         let inputs = Inputs::still(Signal {
@@ -82,9 +81,7 @@ impl<T: Real, L: Build<15, Scalar = T>> Displaced<T, L> {
         for sign in [1.0, -1.0] {
             let part = T::EPSILON.sqrt() * T::constant(16.0 * sign);
             let inputs = Inputs::still(Signal {
-                value: L::Drives::from_values(std::iter::repeat_with(|| {
-                    turning.place.value + part
-                })),
+                value: L::Drives::from_values([turning.place.value + part]),
                 ..self.inputs.drives
             });
             let mut q = at.unknowns;

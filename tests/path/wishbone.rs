@@ -145,7 +145,7 @@ fn led_by_a_measure_everything_moves_as_led_by_the_drives() {
     let expected: Motion<f64, 15> = tangent.motion().expect("finite");
     let points = expected.points(&model, &inputs);
     for (drive, measure) in [(0, 0), (0, 1), (STEER, 2)] {
-        let quantity = measured::<f64, Model<f64>, 15>(measure).expect("a measure");
+        let quantity = measured(&model, measure).expect("a measure");
         let target = quantity(&points);
         let beside = model.unknowns(&design());
         let curve = Curve::new(&model, &inputs, drive).expect("a drive");

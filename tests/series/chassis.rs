@@ -25,12 +25,9 @@ fn swing<const K: usize>(about: f64, amplitude: f64, omega: f64, t: f64) -> Jet<
 /// As many jets as there are names, made one.
 fn named<V, S: Values<V>, const K: usize>(jets: &[Jet<V, K>]) -> Jet<S, K>
 where
-    V: Copy,
+    V: Copy + Default,
 {
-    let collect = |part: &dyn Fn(&Jet<V, K>) -> V| {
-        let mut parts = jets.iter().map(part);
-        S::from_values(parts)
-    };
+    let collect = |part: &dyn Fn(&Jet<V, K>) -> V| S::from_values(jets.iter().map(part));
     Jet {
         value: collect(&|jet| jet.value),
         terms: std::array::from_fn(|index| collect(&move |jet| jet.terms[index])),

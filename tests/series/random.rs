@@ -15,11 +15,8 @@ use crate::support;
 fn stretched(by: &[f64]) -> Option<Model<f64>> {
     let model: Model<f64> = support::five_link_model();
     let lengths = model.lengths();
-    let mut lengths_by = lengths.values().zip(by);
-    let lengths = Lengths::from_values(std::iter::repeat_with(|| {
-        let (length, by) = lengths_by.next().expect("a change for each length");
-        length * (1.0 + by)
-    }));
+    let lengths_by = lengths.values().zip(by);
+    let lengths = Lengths::from_values(lengths_by.map(|(length, by)| length * (1.0 + by)));
     model.with_lengths(&lengths).ok()
 }
 

@@ -145,6 +145,6 @@ fn a_mirrored_knuckle_is_refused() {
     let mut motion = start;
     let ahead: InputSeries<Still, _, 4> = InputSeries::still(Jet::of_signal(&inputs.drives));
     let step = SeriesTracker::within(1e-12).step(&model, &ahead, 0.0, &mut motion);
-    let wrong = SolveError::Mirrored { point: "p9" };
+    let wrong = SolveError::Mirrored { point: support::P9 };
     assert_eq!((step.expect_err("mirrored"), motion), (wrong, start));
 }

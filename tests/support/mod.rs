@@ -274,3 +274,6 @@ where
         })
         .to_vec()
 }
+
+/// The index of `attia2003`'s point `p9` among all.
+pub(crate) const P9: usize = 8;

@@ -157,10 +157,8 @@ fn long_steps() {
 #[test]
 fn a_long_run_that_fails_says_where_and_why() {
     let rough = support::five_link_rough::<f64>();
-    let mut points = rough.values();
-    let twice = five_link::Points::from_values(std::iter::repeat_with(|| {
-        points.next().expect("a point") * 2.0
-    }));
+    let points = rough.values();
+    let twice = five_link::Points::from_values(points.map(|each| each * 2.0));
     let other = five_link::Model::new(&twice).expect("a geometry");
     let effort = Effort {
         long_run: 5000,

@@ -25,8 +25,7 @@ struct Ride {
 
 impl Ride {
     fn new() -> Self {
-        let mut positions = DESIGN.iter();
-        let design = Points::from_values(std::iter::repeat_with(|| Vector3::from(*positions.next().expect("each point"))));
+        let design = Points::from_values(DESIGN.iter().map(|point| Vector3::from(*point)));
         let model = Model::new(&design).expect("a ladder");
         Self {
             model,

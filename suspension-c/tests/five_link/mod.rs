@@ -39,8 +39,12 @@ pub(crate) fn model() -> Model {
 }
 
 pub(crate) fn at_rest() -> Motion {
-    made(|motion| five_link_f32::motion_at_rest(motion, size_of::<Motion>(), (&DESIGN).into()))
-        .expect("a motion")
+    let model = model();
+    made(|motion| {
+        let size = size_of::<Motion>();
+        five_link_f32::motion_at_rest((&model).into(), motion, size, (&DESIGN).into())
+    })
+    .expect("a motion")
 }
 
 pub(crate) fn inputs(value: Drives, rate: f32) -> Inputs {

@@ -26,7 +26,7 @@ suspension_core::linkage! {
 use m::{Drives, Lengths, Measures, Model, Points, equation, unknown};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::wheel::Wheel;
-use suspension_core::{Build, Inputs, Linkage, Values, Newton, Signal, Tracker, assemble};
+use suspension_core::{Build, HasWheel, Inputs, Linkage, Newton, Signal, Tracker, Values, assemble};
 
 fn main() {
     let mut points = Points {
@@ -49,7 +49,7 @@ fn main() {
     Tracker::default().step(&model, &inputs, 0.1, &mut motion).unwrap();
     let Measures { gap } = model.measures(&motion.points(&model, &inputs)).value;
     println!("{gap}");
-    let wheel = model.wheel_axis(&model.points(&q, model.fixed())).and_then(Wheel::of);
+    let wheel = Wheel::of(model.points(&q, model.fixed()).wheel());
     println!("{} {} {:?}", equation::ROD, q[unknown::P_X], wheel);
     misuse();
 }

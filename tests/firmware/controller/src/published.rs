@@ -3,7 +3,7 @@
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::{
-    Build, Inputs, Motion, Values, Newton, Real, Scalar, Signal, Still, assemble,
+    Build, Inputs, Motion, Newton, Real, Scalar, Signal, Still, Values, assemble,
 };
 
 /// The length of a step, s.
@@ -56,11 +56,10 @@ where
     T: Real,
     L: Build<15, Scalar = T> + Knuckle,
 {
-    let mut points = POINTS.into_iter();
-    let points =
-        L::Points::from_values(core::iter::repeat_with(|| Vector3::from(points.next().unwrap_or_default()).map(T::constant)));
-    let mut lengths = LINKS.into_iter().chain(L::DISTANCES);
-    let lengths = L::Lengths::from_values(core::iter::repeat_with(|| T::constant(lengths.next().unwrap_or_default())));
+    let points = POINTS.map(|point| Vector3::from(point).map(T::constant));
+    let points = L::Points::from_values(points);
+    let lengths = LINKS.into_iter().chain(L::DISTANCES);
+    let lengths = L::Lengths::from_values(lengths.map(T::constant));
     let model = L::new(&points).ok()?.with_lengths(&lengths).ok()?;
     let mut position = model.unknowns(&points);
     assemble(
@@ -86,7 +85,7 @@ where
     L: Build<15, Scalar = T>,
 {
     let [value, rate, second_rate] =
-        theta(step).map(|number| L::Drives::from_values(core::iter::repeat(T::constant(number))));
+        theta(step).map(|number| L::Drives::from_values([T::constant(number)]));
     Inputs::still(Signal {
         value,
         rate,

@@ -38,9 +38,7 @@ impl<T: Real> FiveLinks<T> {
             model.count(Kind::Drive) == 1 && model.drive_kind(0) == DriveKind::Angle && {
                 let height = free[0].z.nearest() - chassis[0].z;
                 let angle = Signal {
-                    value: L::Drives::from_values(std::iter::repeat_with(|| {
-                        (height / lengths[0]).acos()
-                    })),
+                    value: L::Drives::from_values([(height / lengths[0]).acos()]),
                     ..Signal::default()
                 };
                 let driven = model.coordinates(&angle).value.values().next();

@@ -13,7 +13,7 @@ where
         rate: L::Drives::default(),
         second_rate: L::Drives::default(),
     });
-    let mut position = model.unknowns(points);
+    let mut position = linkage.unknowns(points);
     let assembled = assemble(&Newton::from_afar(), linkage, &inputs, &mut position);
     *motion = Motion::at_rest(position);
     assembled.is_ok()

@@ -3,7 +3,7 @@
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::{SVector, Vector3};
 use suspension_core::path::{Continuation, Curve, End, Leader, Led, Stretch};
-use suspension_core::{Inputs, Linkage, Values, Real, Signal};
+use suspension_core::{Inputs, Linkage, Real, Signal, Values};
 
 /// Follows a curve to its end; the last place is left in `stretch`.
 fn follow<T, L>(

@@ -3,8 +3,8 @@
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
-    ChassisMotion, HasKingpin, HasWheel, Inputs, Linkage, Motion, Values, Newton, Real, RigidMotion,
-    Signal, Still, Tangent, Tracker,
+    ChassisMotion, HasKingpin, HasWheel, Inputs, Linkage, Motion, Newton, Real, RigidMotion,
+    Signal, Still, Tangent, Tracker, Values,
 };
 
 /// Value, rate and second rate of the drive.
@@ -13,7 +13,7 @@ pub struct Drive<T>([T; 3]);
 
 impl<T: Real> Drive<T> {
     fn signal<D: Values<T>>(&self) -> Signal<D> {
-        let [value, rate, second_rate] = self.0.map(|number| D::from_values(core::iter::repeat(number)));
+        let [value, rate, second_rate] = self.0.map(|number| D::from_values([number]));
         Signal {
             value,
             rate,
@@ -123,8 +123,10 @@ where
     C: ChassisMotion<L::Fixed>,
 {
     let points = motion.points(linkage, inputs);
-    let (Some(wheel), Some(carrier)) = (Wheel::of(points.value.wheel()), CarrierRotation::of(&points.map(|points| points.carrier())))
-    else {
+    let (Some(wheel), Some(carrier)) = (
+        Wheel::of(points.value.wheel()),
+        CarrierRotation::of(&points.map(|points| points.carrier())),
+    ) else {
         return false;
     };
     let kingpin = Kingpin::of(points.value.kingpin(), points.value.wheel());
