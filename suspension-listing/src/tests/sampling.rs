@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Build, Linkage, Values};
+use suspension_core::{Build, Values};
 
 use super::{catalogue_system, lower, positions};
 use crate::system::Positions;
