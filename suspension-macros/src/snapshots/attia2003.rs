@@ -1256,7 +1256,7 @@ pub mod attia2003 {
 
         #[inline]
         fn kingpin(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
-            Some([points.p6, points.p7])
+            Some([points.p6, points.p8])
         }
 
         #[inline(always)]

@@ -1723,7 +1723,7 @@ pub mod five_link {
 
         #[inline]
         fn kingpin(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
-            Some([points.lower_front_outer, points.upper_front_outer])
+            Some([points.lower_front_outer, points.upper_rear_outer])
         }
 
         #[inline(always)]
