@@ -5,6 +5,11 @@ pub fn number(value: f64) -> String {
     rounded(value, 12)
 }
 
+/// To as many digits as it takes to read the same number.
+pub fn exact(value: f64) -> String {
+    rounded(value, 17)
+}
+
 /// To at most so many significant digits, at least one; with an exponent where plain digits
 /// would not show them.
 pub fn rounded(value: f64, digits: usize) -> String {
@@ -38,6 +43,15 @@ mod tests {
         ] {
             assert_eq!(number(value), expected);
         }
+    }
+
+    #[test]
+    fn as_many_digits_as_it_takes() {
+        for value in [0.1 + 0.2, 2.150_312_5, 1.0 / 3.0, -7.25e-9, 1e300, 75.0] {
+            assert_eq!(exact(value).parse(), Ok(value));
+        }
+        assert_eq!(exact(0.1 + 0.2), "0.30000000000000004");
+        assert_eq!(exact(75.0), "75");
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 mod between;
 mod published;
+mod rack;
 mod random;
 mod turning_points;
 

@@ -13,7 +13,7 @@ use crate::bake::widest::widest;
 use crate::failure::Failure;
 use crate::input::drives::unit_of;
 use crate::input::instants::Instants;
-use crate::number::{number, rounded};
+use crate::number::{exact, number, rounded};
 use crate::study::{Assembled, Suspension, cause};
 
 /// An order: what to bake of the mechanism of a file.
@@ -64,7 +64,10 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         }
         let others = (0..names.len()).filter(|other| *other != drive);
         let held = others
-            .map(|other| self.in_words(other, self.given(other, self.first(other))))
+            .map(|other| {
+                let value = exact(self.given(other, self.first(other)));
+                format!("{} = {value} {}", names[other], self.unit_of(other))
+            })
             .collect::<Vec<_>>();
         Ok(Sheet {
             baked: self
@@ -73,7 +76,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
             file: self.file.to_owned(),
             linkage: linkage.to_owned(),
             drive: names[drive].to_owned(),
-            drive_unit: unit_of(self.assembled.model.drive_kind(drive), unit),
+            drive_unit: self.unit_of(drive),
             unit: unit.symbol(),
             held: held.join(", "),
         })
@@ -200,8 +203,11 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
 
     fn in_words(&self, drive: usize, value: f64) -> String {
         let name = <L::Drives as Named<f64>>::NAMES[drive];
-        let unit = unit_of(self.assembled.model.drive_kind(drive), self.assembled.unit);
-        format!("{name} = {} {unit}", number(value))
+        format!("{name} = {} {}", number(value), self.unit_of(drive))
+    }
+
+    fn unit_of(&self, drive: usize) -> &'static str {
+        unit_of(self.assembled.model.drive_kind(drive), self.assembled.unit)
     }
 
     fn refuse(&self, message: &str) -> Failure {

@@ -4,11 +4,13 @@ mod c;
 mod rust;
 mod toml;
 
+use std::path::Path;
+
 use crate::bake::certify::SAMPLES;
 use crate::bake::driven::Output;
 use crate::bake::fit::Baked;
 use crate::bake::scheme::{Continuity, TERMS};
-use crate::number::{number, rounded};
+use crate::number::{exact, rounded};
 
 /// The language of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -52,8 +54,8 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// The curve's name: what by which drive.
-    pub fn name(&self) -> String {
+    /// What by which drive.
+    pub fn subject(&self) -> String {
         let what = match self.baked.outputs.first() {
             Some(Output::Point(_)) => "points",
             _ => "wheel",
@@ -61,12 +63,29 @@ impl Sheet {
         format!("{what}_by_{}", self.drive)
     }
 
-    /// The file's text.
-    pub fn text(&self, language: Language) -> String {
+    /// The curve's name in a file: the file's own, so that two files in one program differ.
+    fn name(&self, path: &Path) -> String {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+        let mut name: String = stem.chars().map(letter).collect();
+        let subject = self.subject();
+        if !name.contains(&subject) {
+            name = format!("{name}_{subject}");
+        }
+        if name.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            name
+        } else {
+            format!("baked_{name}")
+        }
+    }
+
+    /// The text of a file at a path.
+    pub fn text(&self, language: Language, path: &Path) -> String {
+        let name = self.name(path);
         match language {
-            Language::Rust => rust::text(self),
-            Language::C => c::text(self),
-            Language::Toml => toml::text(self),
+            Language::Rust => rust::text(self, &name),
+            Language::C => c::text(self, &name),
+            Language::Toml => toml::text(self, &name),
         }
     }
 
@@ -95,7 +114,7 @@ impl Sheet {
             unit,
             held,
         } = self;
-        let [from, to] = baked.wanted.range.map(number);
+        let [from, to] = baked.wanted.range.map(exact);
         let count = baked.segments.len();
         let what = match baked.outputs.first() {
             Some(Output::Point(_)) => format!("{} points", baked.outputs.len()),

@@ -72,10 +72,10 @@ impl Arguments {
         let path = self.output.clone().unwrap_or_else(|| {
             let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
             let ending = self.language.extension();
-            PathBuf::from(format!("out/{stem}_{}.{ending}", sheet.name()))
+            PathBuf::from(format!("out/{stem}_{}.{ending}", sheet.subject()))
         });
         refuse_input(&path, &self.file, "--output")?;
-        write_file(&path, &sheet.text(self.language))?;
+        write_file(&path, &sheet.text(self.language, &path))?;
         eprintln!(
             "wrote {}: {} segments",
             path.display(),
@@ -119,6 +119,9 @@ polynomial follows: the range is refused, and the message has one that is possib
   Rust  a `static` of suspension_core::baked::Curve: no heap, no operating system
   C     a header (C99) with a function, no library
   TOML  the numbers
+
+Names in the file are made of its own, so that a program can have several: out/my_wheel_by_theta.h
+has the function my_wheel_by_theta.
 
 Exit codes: 0 done, 1 the file cannot be written, 2 wrong input or no such drive or range, 3 the
 mechanism does not go through the range, or not within the tolerance, 130 interrupted.

@@ -1,7 +1,7 @@
 //! Following a motion in time: last good motion in, next motion out.
 
 mod between;
-mod guard;
+pub(crate) mod guard;
 
 use nalgebra::SVector;
 
@@ -18,7 +18,7 @@ use crate::signal::{ChassisMotion, Inputs};
 use crate::substeps::{Advanced, MAX_STEPS, Stopped, in_steps};
 
 pub use between::{Between, Cubic};
-use guard::Crossing;
+use guard::{Change, Crossing};
 
 /// See [`Tracker::correction_of_move`].
 pub(crate) const CORRECTION_OF_MOVE: f64 = 0.1;
@@ -59,6 +59,10 @@ impl<T: Real> Default for Tracker<T> {
 impl<T: Real> Tracker<T> {
     /// One step of length `dt` to the configuration of `inputs`, predicted from the last motion.
     ///
+    /// Chassis points, driven ones too, are taken to have moved as their rates in `inputs` say: the
+    /// inputs of the last motion are not known here. Where their values jump without rates, call
+    /// [`step_between`](Self::step_between), which sees the jump and refuses one across a lock.
+    ///
     /// # Errors
     ///
     /// See [`SolveError`]; the motion is then unchanged.
@@ -74,11 +78,30 @@ impl<T: Real> Tracker<T> {
         C: ChassisMotion<L::Fixed>,
     {
         let prescribed = Prescribed::new(linkage, inputs);
-        if let Some((next, converged)) = self.at_once::<_, C, N>(linkage, &prescribed, dt, motion) {
+        let change = Change {
+            from: None,
+            to: &prescribed,
+            dt,
+        };
+        self.step_over::<_, C, N>(linkage, &change, motion)
+    }
+
+    #[inline(always)]
+    fn step_over<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        change: &Change<'_, L, N>,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Converged<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        if let Some((next, converged)) = self.at_once::<_, C, N>(linkage, change, motion) {
             *motion = next;
             return Ok(converged);
         }
-        self.by_iteration::<_, C, N>(linkage, &prescribed, dt, motion)
+        self.by_iteration::<_, C, N>(linkage, change, motion)
     }
 
     /// The step where two corrections with the same factors meet every condition, as in most steps
@@ -87,15 +110,15 @@ impl<T: Real> Tracker<T> {
     fn at_once<L, C, const N: usize>(
         &self,
         linkage: &L,
-        prescribed: &Prescribed<L::Fixed, L::Drives>,
-        dt: T,
+        change: &Change<'_, L, N>,
         motion: &Motion<T, N>,
     ) -> Option<(Motion<T, N>, Converged<T>)>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        let Prescribed { fixed, drives } = prescribed;
+        let Change { to, dt, .. } = *change;
+        let Prescribed { fixed, drives } = to;
         let residual_at = |q: &SVector<T, N>| linkage.residual(q, &fixed.value, &drives.value);
         let predicted = motion.predict(dt);
         let factors = linkage.factor(&predicted, &fixed.value);
@@ -106,7 +129,7 @@ impl<T: Real> Tracker<T> {
         let position = difference(&nearly, &second);
         let left = residual_at(&position);
         let last = linkage.factor(&position, &fixed.value);
-        let next = rates_at::<T, L, C, N>(linkage, prescribed, &position, &last).motion();
+        let next = rates_at::<T, L, C, N>(linkage, to, &position, &last).motion();
         let (residual, error) = (magnitude(&left).ok()?, magnitude(&error).ok()?);
         let rounding = self.newton.rounding_at(linkage, &position);
         let tolerance = self.newton.tolerance * rounding;
@@ -122,7 +145,7 @@ impl<T: Real> Tracker<T> {
             || motion.positive_determinant == next.positive_determinant;
         let is_good = residual <= tolerance
             && error <= bound
-            && guard::is_beyond_doubt(error, moved, linkage.size())
+            && guard::is_beyond_doubt(error.max(change.jump::<C>(linkage)), moved, linkage.size())
             && contracts
             && is_same_assembly
             && is_right(count_mirrored(linkage, &position, &fixed.value))
@@ -145,15 +168,15 @@ impl<T: Real> Tracker<T> {
     fn by_iteration<L, C, const N: usize>(
         &self,
         linkage: &L,
-        prescribed: &Prescribed<L::Fixed, L::Drives>,
-        dt: T,
+        change: &Change<'_, L, N>,
         motion: &mut Motion<T, N>,
     ) -> Result<Converged<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        let mut position = motion.predict(dt);
+        let prescribed = change.to;
+        let mut position = motion.predict(change.dt);
         let [moves] = (position - motion.position).data.0;
         let bound = self.correction_bound(largest(moves), linkage.size());
         let converged =
@@ -171,9 +194,8 @@ impl<T: Real> Tracker<T> {
             }
             self.guard::<L, C, N>(&Crossing {
                 linkage,
-                prescribed,
+                change,
                 moves,
-                dt,
                 factors,
             })?;
             Ok(next)
@@ -209,8 +231,17 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
+        let mut last = Prescribed::new(linkage, &inputs(from));
         in_steps([from, to], self.max_steps, |next, dt| {
-            self.step(linkage, &inputs(next), dt, motion)
+            let prescribed = Prescribed::new(linkage, &inputs(next));
+            let change = Change {
+                from: Some(&last),
+                to: &prescribed,
+                dt,
+            };
+            let converged = self.step_over::<_, C, N>(linkage, &change, motion)?;
+            last = prescribed;
+            Ok(converged)
         })
     }
 }

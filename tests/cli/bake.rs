@@ -11,10 +11,10 @@ const RANGE: [&str; 4] = ["--from", "0.75", "--to", "2"];
 
 fn baked(folder: &Path, arguments: &[&str]) -> String {
     std::fs::write(folder.join("a.toml"), example("five_link.toml")).expect("written");
-    let fixed = ["bake", "a.toml", "--output", "baked"];
+    let fixed = ["bake", "a.toml", "--output", "wheel_by_theta"];
     let output = run(folder, &[&fixed, arguments].concat());
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    std::fs::read_to_string(folder.join("baked")).expect("a file")
+    std::fs::read_to_string(folder.join("wheel_by_theta")).expect("a file")
 }
 
 fn numbers(value: &toml::Value) -> Vec<f64> {
@@ -177,6 +177,89 @@ int main(void)
     assert!(compiled.status.success(), "{}", text(&compiled.stderr));
     let ran = Command::new(folder.path().join("main")).status();
     assert_eq!(ran.expect("a program").code(), Some(0), "{number}");
+}
+
+/// Bakes the wheel of two suspensions to C, whose motion files are of these names, and compiles a
+/// program with both headers that gives 0 where they differ.
+fn two_in_one_program(names: [&str; 2]) -> Output {
+    let folder = folder();
+    let mut program = String::new();
+    let other = example("attia2003.toml").replace("[0.0, 0.1, 0.0]", "[0.0, 0.2, 0.0]");
+    for (name, content) in names.into_iter().zip([example("attia2003.toml"), other]) {
+        let file = folder.path().join(name);
+        std::fs::create_dir_all(file.parent().expect("a folder")).expect("made");
+        std::fs::write(&file, content).expect("written");
+        let path = name.replace(".toml", "_wheel_by_theta.h");
+        let arguments = ["bake", name, "--as", "c", "--output", &path];
+        let output = run(folder.path(), &[&arguments[..], &RANGE].concat());
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        program += &format!("#include \"{path}\"\n#include \"{path}\"\n");
+    }
+    program += "
+int main(void)
+{
+    double front[6], rear[6];
+    if (front_wheel_by_theta(1.0, 0.0, 0.0, front, NULL, NULL) != 0)
+        return 1;
+    if (rear_wheel_by_theta(1.0, 0.0, 0.0, rear, NULL, NULL) != 0)
+        return 2;
+    return rear[1] > front[1] + 0.09 ? 0 : 3;
+}
+";
+    std::fs::write(folder.path().join("main.c"), program).expect("written");
+    let compile = Command::new("cc")
+        .current_dir(folder.path())
+        .args(["-std=c99", "-Wall", "-Werror", "main.c", "-o", "main"])
+        .output()
+        .expect("a C compiler: Rust links with one");
+    if !compile.status.success() {
+        return compile;
+    }
+    let program = Command::new(folder.path().join("main")).output();
+    program.expect("a program")
+}
+
+#[test]
+fn two_baked_headers_are_two_tables() {
+    let ran = two_in_one_program(["front.toml", "rear.toml"]);
+    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+}
+
+#[test]
+fn two_baked_headers_of_one_name_do_not_compile() {
+    let refused = two_in_one_program(["old/front.toml", "new/front.toml"]);
+    let message = text(&refused.stderr);
+    let expected = "another baked header has the name front_wheel_by_theta";
+    assert!(message.contains(expected), "{message}");
+}
+
+/// Whatever a file is called, what is in it has a name that compilers take.
+#[test]
+fn names_in_a_file_are_made_of_its_own() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    for (path, name) in [
+        ("wheel_by_theta.toml", "wheel_by_theta"),
+        ("out/rear left.toml", "rear_left_wheel_by_theta"),
+        ("911.toml", "baked_911_wheel_by_theta"),
+        ("\u{fc}ber.toml", "baked__ber_wheel_by_theta"),
+        ("int.toml", "int_wheel_by_theta"),
+    ] {
+        let arguments = ["bake", "a.toml", "--as", "toml", "--output", path];
+        let output = run(folder.path(), &[&arguments[..], &RANGE].concat());
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let text = std::fs::read_to_string(folder.path().join(path)).expect("a file");
+        let table: toml::Table = text.parse().expect("TOML");
+        assert_eq!(table["name"].as_str(), Some(name));
+    }
+}
+
+#[test]
+fn the_header_has_the_range_to_its_last_digit() {
+    let range = ["--from", "0.7500000000000001", "--to", "1.0123456789012344"];
+    let file = baked(folder().path(), &range);
+    let expected = "// Drive: theta from 0.7500000000000001 to 1.0123456789012344 rad.";
+    assert!(file.contains(expected), "{}", &file[..400]);
 }
 
 #[test]

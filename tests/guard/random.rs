@@ -8,18 +8,18 @@ use super::{Drive, Ends};
 use crate::support;
 
 /// A generator of the same numbers every time (Marsaglia's xorshift).
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
     /// In [0, 1).
-    fn uniform(&mut self) -> f64 {
+    pub(super) fn uniform(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn vector(&mut self, size: f64) -> Vector3<f64> {
+    pub(super) fn vector(&mut self, size: f64) -> Vector3<f64> {
         Vector3::from_fn(|_, _| (self.uniform() * 2.0 - 1.0) * size)
     }
 }

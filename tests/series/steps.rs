@@ -2,7 +2,9 @@
 
 use nalgebra::SVector;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{InputSeries, Jet, Motion, Newton, Real, SeriesTracker, SolveError, Still};
+use suspension_core::{
+    InputSeries, Jet, Motion, Newton, Real, SeriesTracker, SolveError, Still, Tracker,
+};
 
 use crate::support::{self, INSTANTS, Reference};
 
@@ -83,6 +85,43 @@ fn a_step_beyond_the_radius_is_refused() {
         refused::<8>(1.0, -0.6),
         SolveError::StepTooLong { .. }
     ));
+}
+
+/// Where the published drive turns, s.
+const LOCK: f64 = 1.978_367_769_183;
+
+/// Steps by parts of the time to the lock, whatever residual they leave: how many within the radius are
+/// taken, and how many beyond the lock.
+fn towards_the_lock<const K: usize>() -> [usize; 2] {
+    let (model, mut motion) = start::<f64>(4);
+    let inputs = support::five_link_inputs;
+    let tracker = SeriesTracker::within(1.0);
+    let (mut last, mut taken) = (1.0, [0, 0]);
+    for t in [1.2, 1.6, 1.9, 1.95, 1.975, 1.978, 1.9783] {
+        let followed = Tracker::default().advance(&model, inputs, last, t, &mut motion);
+        followed.expect("a regular motion");
+        last = t;
+        for part in [0.1, 0.2, 0.3, 1.000_1, 1.1, 1.5, 2.0, 3.0] {
+            let dt = (LOCK - t) * part;
+            let step = tracker.step(&model, &ahead::<_, K>(t), dt, &mut motion.clone());
+            taken[usize::from(part > 1.0)] += usize::from(step.is_ok());
+        }
+    }
+    taken
+}
+
+#[test]
+fn no_order_and_no_tolerance_leads_beyond_a_turning_point() {
+    let taken = [
+        towards_the_lock::<1>(),
+        towards_the_lock::<2>(),
+        towards_the_lock::<3>(),
+        towards_the_lock::<4>(),
+        towards_the_lock::<8>(),
+    ];
+    for [within, beyond] in taken {
+        assert!(within >= 20 && beyond == 0, "of 21 and 35: {taken:?}");
+    }
 }
 
 #[test]

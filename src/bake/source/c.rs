@@ -5,15 +5,23 @@ use std::fmt::Write;
 use crate::bake::scheme::TERMS;
 use crate::bake::source::Sheet;
 
-/// The text of a header.
-pub(super) fn text(sheet: &Sheet) -> String {
+/// Of a text, by Fowler, Noll and Vo (FNV-1a), in the range that every preprocessor knows.
+fn checksum(text: &str) -> u32 {
+    let hash = text.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
+        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
+    });
+    hash >> 1
+}
+
+/// The text of a header. Its guard has a value of the header's own: another header under the same
+/// name is an error and not left out in silence.
+pub(super) fn text(sheet: &Sheet, name: &str) -> String {
     let mut text = String::from("/*\n");
     for line in sheet.header() {
         // A file's name may hold what ends a comment.
         text += format!(" * {}", line.replace("*/", "* /")).trim_end();
         text.push('\n');
     }
-    let name = sheet.name();
     let upper = name.to_uppercase();
     let width = sheet.width();
     let count = sheet.baked.segments.len();
@@ -28,8 +36,8 @@ pub(super) fn text(sheet: &Sheet) -> String {
  * For the same digits as in Rust compile without contraction (-std=c99 or -ffp-contract=off).
  * In float where {upper}_NUMBER is defined as such: rounding adds some 1e-7 of the largest output.
  */
-#ifndef {upper}_H
-#define {upper}_H
+#if !defined {upper}_H
+#define {upper}_H {checksum:#010x}
 
 #include <stddef.h>
 
@@ -83,8 +91,11 @@ static inline int {name}({name}_number drive, {name}_number rate, {name}_number 
     return 0;
 }}
 
+#elif {upper}_H != {checksum:#010x}
+#error \"another baked header has the name {name}: bake to a file of another name\"
 #endif
 ",
+        checksum = checksum(&segments),
         last = count - 1,
         degree = TERMS - 1,
     );

@@ -6,13 +6,13 @@ use crate::bake::scheme::TERMS;
 use crate::bake::source::Sheet;
 
 /// The text of a module.
-pub(super) fn text(sheet: &Sheet) -> String {
+pub(super) fn text(sheet: &Sheet, name: &str) -> String {
     let mut text = String::new();
     for line in sheet.header() {
         text += format!("// {line}").trim_end();
         text.push('\n');
     }
-    let name = sheet.name().to_uppercase();
+    let name = name.to_uppercase();
     let width = sheet.width();
     let [from, to] = sheet.baked.wanted.range;
     let per_unit = sheet.baked.segments_per_unit();

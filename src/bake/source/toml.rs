@@ -6,7 +6,7 @@ use crate::bake::scheme::TERMS;
 use crate::bake::source::Sheet;
 
 /// The text of a file.
-pub(super) fn text(sheet: &Sheet) -> String {
+pub(super) fn text(sheet: &Sheet, name: &str) -> String {
     let mut text = String::new();
     for line in sheet.header() {
         text += format!("# {line}").trim_end();
@@ -35,7 +35,6 @@ segments = [
         reached.position,
         reached.first,
         reached.second,
-        name = sheet.name(),
         linkage = sheet.linkage,
         drive = sheet.drive,
         drive_unit = sheet.drive_unit,

@@ -1,14 +1,16 @@
 //! Following a motion by its series alone: one factorisation a step and no iteration.
 
-use super::{ChassisSeries, InputSeries, PrescribedSeries, Series};
+use super::{ChassisSeries, InputSeries, Jet, PrescribedSeries, Series};
+use crate::entrywise::difference;
 use crate::error::SolveError;
 use crate::factored::{smallest_pivot, with_factors};
 use crate::handedness;
 use crate::linkage::Linkage;
-use crate::magnitude::{index_of_largest, magnitude};
+use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::{Motion, Prescribed};
 use crate::newton::Converged;
 use crate::scalar::Real;
+use crate::tracker::guard::change_of_jacobian;
 
 /// How to follow a motion by its series.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,8 +20,9 @@ pub struct SeriesTracker<T> {
     /// It speaks of positions. A truncated series of order `K` has about `K / dt` times their error
     /// in velocities, and `K^2 / dt^2` times in accelerations.
     pub tolerance: T,
-    /// The longest step, as a part of the [radius of convergence](Series::radius). Where the radius is
-    /// not known, below order 3 say, only the residual decides.
+    /// The longest step, as a part of the radius of convergence: of the [estimate](Series::radius) from
+    /// the coefficients, and below order 4, where that is none or rests on two of them, of the one from
+    /// the change of the Jacobian over the step too.
     pub part_of_radius: T,
 }
 
@@ -53,8 +56,8 @@ impl<T: Real> SeriesTracker<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisSeries<T, L::Fixed, K>,
     {
-        let series = series_from::<T, L, C, N, K>(linkage, inputs, motion)?;
-        self.check_length(&series, dt)?;
+        let (series, turning) = series_from::<T, L, C, N, K>(linkage, inputs, dt, motion)?;
+        self.check_length(&series, turning, dt)?;
         let next = series.motion(dt);
         for rates in [&next.velocity, &next.acceleration] {
             magnitude(rates).map_err(|unknown| SolveError::Overflow { unknown })?;
@@ -85,9 +88,12 @@ impl<T: Real> SeriesTracker<T> {
     fn check_length<const N: usize, const K: usize>(
         &self,
         series: &Series<T, N, K>,
+        turning: Option<T>,
         dt: T,
     ) -> Result<(), SolveError<T>> {
-        let bound = series.radius().map(|radius| radius * self.part_of_radius);
+        let radii = series.radius().into_iter().chain(turning);
+        let radius = radii.reduce(|a, b| a.min(b));
+        let bound = radius.map(|radius| radius * self.part_of_radius);
         match (bound, series.unknowns.terms.last()) {
             (Some(bound), Some(last)) if dt.abs() > bound => Err(SolveError::StepTooLong {
                 unknown: index_of_largest(last),
@@ -99,13 +105,22 @@ impl<T: Real> SeriesTracker<T> {
     }
 }
 
-/// The series from a motion's position after one correction with the factors that it needs anyway.
+/// The order from which the coefficients alone tell the radius. Of 75,600 steps of random suspensions
+/// beyond a turning point, of orders 1 to 3 with tolerances of 1 and 10 cm, 37,121 were accepted by the
+/// coefficients and the residual alone, and 40 with the change of the Jacobian; of orders from 4 none.
+const TELLING_ORDER: usize = 4;
+
+/// The series from a motion's position after one correction with the factors that it needs anyway; and
+/// below [`TELLING_ORDER`] an estimate of the radius from the change of the Jacobian over the step `dt`:
+/// with `d` the move and `w` as for [`guard`](crate::tracker::guard), a motion that turns as a square
+/// root has `|w| / |d| = |dt| / (2 R)` to first order.
 #[inline(always)]
 fn series_from<T, L, C, const N: usize, const K: usize>(
     linkage: &L,
     inputs: &InputSeries<C, L::Drives, K>,
+    dt: T,
     motion: &Motion<T, N>,
-) -> Result<Series<T, N, K>, SolveError<T>>
+) -> Result<(Series<T, N, K>, Option<T>), SolveError<T>>
 where
     T: Real,
     L: Linkage<N, Scalar = T>,
@@ -114,9 +129,22 @@ where
     let prescribed = PrescribedSeries::new(linkage, inputs);
     let (fixed, drives) = (&prescribed.fixed.value, &prescribed.drives.value);
     let start = &motion.position;
-    let series = with_factors(linkage, start, fixed, smallest_pivot(), |factors| {
+    let (series, turning) = with_factors(linkage, start, fixed, smallest_pivot(), |factors| {
         let position = start - factors.solve(&linkage.residual(start, fixed, drives));
-        Series::expand::<L, C>(linkage, &prescribed, position, factors)
+        let series = Series::expand::<L, C>(linkage, &prescribed, position, factors)?;
+        let turning = (K < TELLING_ORDER).then(|| {
+            let moves = difference(&series.unknowns.at(dt).value, &position);
+            let chassis = Jet {
+                value: L::Fixed::default(),
+                ..prescribed.fixed
+            };
+            let chassis = chassis.signal(dt).value;
+            let (change, moved) =
+                change_of_jacobian::<L, C::At, N>(linkage, &moves, &chassis, factors);
+            let [change] = change.data.0;
+            dt.abs() * moved / (largest(change) * T::constant(2.0))
+        });
+        Ok((series, turning))
     })??;
     match motion.positive_determinant {
         Some(positive) if positive != series.positive_determinant => {
@@ -125,6 +153,6 @@ where
                 unknown: index_of_largest(&moves),
             })
         }
-        _ => Ok(series),
+        _ => Ok((series, turning)),
     }
 }

@@ -14,8 +14,14 @@
 //! So it is with the chassis at rest, and where all its points move by the same: `d` is then what
 //! the others move beside them. Of any moving chassis the mean displacement of its points is taken,
 //! which assumes that they move by about the same.
+//!
+//! Chassis points, driven ones among them, count with their own displacement in `C`. It is that of
+//! their positions where the inputs before the step are known, else that of their rates: a link whose
+//! chassis end jumps to the other side of it may leave the free points where they were, with
+//! singularities between.
 
 use core::iter::repeat;
+use core::ops::{Mul, Sub};
 
 use nalgebra::{SVector, Vector3};
 
@@ -50,12 +56,94 @@ pub(super) fn is_beyond_doubt<T: Real>(error: T, moved: T, size: T) -> bool {
     error <= (T::constant(SMALL_OF_MOVE) * moved).min(most).max(least)
 }
 
+/// For a move `d` between two positions, with the factors at one of them, `w` from above and the size
+/// of `d` beside the chassis.
+pub(crate) fn change_of_jacobian<L, C, const N: usize>(
+    linkage: &L,
+    moves: &SVector<L::Scalar, N>,
+    chassis: &L::Fixed,
+    factors: &dyn Factors<L::Scalar, N>,
+) -> (SVector<L::Scalar, N>, L::Scalar)
+where
+    L: Linkage<N, Scalar: Real>,
+    C: ChassisMotion<L::Fixed>,
+{
+    let change = factors.solve(&linkage.curvature(moves, chassis, moves, chassis));
+    let [relative] = if C::MOVES {
+        let with_chassis = repeat(mean::<_, L, N>(linkage, chassis));
+        let points = L::Points::from_values(with_chassis);
+        (*moves - linkage.unknowns(&points)).data.0
+    } else {
+        moves.data.0
+    };
+    (change, largest(relative))
+}
+
+/// How the inputs change over a step.
+pub(super) struct Change<'a, L: Linkage<N>, const N: usize> {
+    /// Before it, where known.
+    pub(super) from: Option<&'a Prescribed<L::Fixed, L::Drives>>,
+    pub(super) to: &'a Prescribed<L::Fixed, L::Drives>,
+    pub(super) dt: L::Scalar,
+}
+
+impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
+    /// How far the chassis points move.
+    fn of_chassis<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> L::Fixed {
+        let by_rates = by_rates(&self.to.fixed, self.dt);
+        combine(&by_rates, &self.beyond_rates::<C>(linkage), |a, b| a + b)
+    }
+
+    /// The largest coordinate of a chassis point's move that its rates do not tell.
+    #[inline(always)]
+    pub(super) fn jump<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> T {
+        let points = self.beyond_rates::<C>(linkage);
+        points.values().fold(T::zero(), |most, point| {
+            let [[x, y, z]] = point.data.0;
+            most.larger_magnitude(largest([x, y, z]))
+        })
+    }
+
+    /// The part of the chassis points' move that their rates do not tell; zero where it is not known.
+    #[inline(always)]
+    fn beyond_rates<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> L::Fixed {
+        let (Some(from), to) = (self.from, self.to) else {
+            return L::Fixed::default();
+        };
+        if C::MOVES {
+            let moves = combine(&to.fixed.value, &from.fixed.value, |a, b| a - b);
+            return combine(&moves, &by_rates(&to.fixed, self.dt), |a, b| a - b);
+        }
+        let moves = combine(&to.drives.value, &from.drives.value, |a, b| a - b);
+        let beyond = combine(&moves, &by_rates(&to.drives, self.dt), |a, b| a - b);
+        linkage.drive_anchors(L::Fixed::default(), &beyond)
+    }
+}
+
+/// How far quantities have moved in the time `dt` that has passed, by their rates.
+#[inline(always)]
+fn by_rates<T, V, S>(signal: &Signal<S>, dt: T) -> S
+where
+    T: Real,
+    V: Copy + Default + Sub<Output = V> + Mul<T, Output = V>,
+    S: Values<V>,
+{
+    let half = dt * T::constant(0.5);
+    combine(&signal.rate, &signal.second_rate, |rate, second_rate| {
+        (rate - second_rate * half) * dt
+    })
+}
+
+#[inline(always)]
+fn combine<V: Copy + Default, S: Values<V>>(a: &S, b: &S, combine: impl Fn(V, V) -> V) -> S {
+    S::from_values(a.values().zip(b.values()).map(|(a, b)| combine(a, b)))
+}
+
 /// A step from one position to another, with the factors of the Jacobian there.
 pub(super) struct Crossing<'a, L: Linkage<N>, const N: usize> {
     pub(super) linkage: &'a L,
-    pub(super) prescribed: &'a Prescribed<L::Fixed, L::Drives>,
+    pub(super) change: &'a Change<'a, L, N>,
     pub(super) moves: &'a SVector<L::Scalar, N>,
-    pub(super) dt: L::Scalar,
     pub(super) factors: &'a dyn Factors<L::Scalar, N>,
 }
 
@@ -71,24 +159,15 @@ impl<T: Real> Tracker<T> {
     {
         let Crossing {
             linkage,
-            prescribed,
+            change,
             moves,
-            dt,
             factors,
         } = crossing;
-        let chassis = moved::<T, L::Fixed>(&prescribed.fixed, *dt);
-        let curvature = linkage.curvature(moves, &chassis, moves, &chassis);
-        let change = factors.solve(&curvature);
-        let [relative] = if C::MOVES {
-            let with_chassis = repeat(mean::<_, L, N>(linkage, &chassis));
-            let points = L::Points::from_values(with_chassis);
-            (*moves - linkage.unknowns(&points)).data.0
-        } else {
-            moves.data.0
-        };
+        let chassis = change.of_chassis::<C>(linkage);
+        let (change, moved) = change_of_jacobian::<_, C, N>(*linkage, moves, &chassis, *factors);
         let size = magnitude(&change).map_err(|unknown| SolveError::Overflow { unknown })?;
-        let bound = (self.change_of_jacobian * largest(relative))
-            .max(T::constant(LEAST_OF_SIZE) * linkage.size());
+        let bound =
+            (self.change_of_jacobian * moved).max(T::constant(LEAST_OF_SIZE) * linkage.size());
         if size <= bound {
             Ok(())
         } else {
@@ -99,13 +178,6 @@ impl<T: Real> Tracker<T> {
             })
         }
     }
-}
-
-/// How far the chassis points have moved in the time `dt` that has passed, by their rates.
-fn moved<T: Real, F: Values<Vector3<T>>>(fixed: &Signal<F>, dt: T) -> F {
-    let half = dt * T::constant(0.5);
-    let rates = fixed.rate.values().zip(fixed.second_rate.values());
-    F::from_values(rates.map(|(rate, second_rate)| (rate - second_rate * half) * dt))
 }
 
 /// The mean displacement of the chassis points.

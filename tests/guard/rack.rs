@@ -1,0 +1,122 @@
+//! Jumps of a driven chassis point.
+
+use nalgebra::Vector3;
+use suspension_core::tracker::Between;
+use suspension_core::{Build, Inputs, Linkage, Motion, Named, Signal, Still, Tracker};
+
+use super::random::Random;
+
+suspension_core::linkage! {
+    /// Double wishbone with rack steering.
+    mod double_wishbone {
+        fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
+        free:  lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+        link lower_fore: lower_front -> lower_ball;
+        link lower_aft:  lower_rear  -> lower_ball;
+        link upper_fore: upper_front -> upper_ball;
+        link upper_aft:  upper_rear  -> upper_ball;
+        link tie_rod:    rack        -> tie_ball;
+        body upright:    lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+        drive bump:  axle_outer.z;
+        drive steer: rack.y;
+    }
+}
+
+use double_wishbone::{Drives, Fixed, Model, Points};
+
+fn design(random: &mut Random, size: f64) -> Points<f64> {
+    let at = Vector3::new;
+    let design = Points {
+        lower_front: at(0.15, 0.40, 0.18),
+        lower_rear: at(-0.20, 0.42, 0.19),
+        upper_front: at(0.10, 0.45, 0.55),
+        upper_rear: at(-0.15, 0.48, 0.56),
+        rack: at(-0.16, 0.38, 0.30),
+        lower_ball: at(0.01, 0.75, 0.15),
+        upper_ball: at(-0.02, 0.68, 0.56),
+        tie_ball: at(-0.14, 0.74, 0.31),
+        axle_inner: at(0.0, 0.66, 0.33),
+        axle_outer: at(0.0, 0.76, 0.33),
+    };
+    let mut points = design.values();
+    Points::from_fn(|_| points.next().unwrap_or_default() + random.vector(size))
+}
+
+/// The rack at a place, moving at a rate.
+fn inputs<C: Copy>(chassis: C, bump: f64, [steer, rate]: [f64; 2]) -> Inputs<C, Drives<f64>> {
+    Inputs {
+        chassis,
+        drives: Signal {
+            value: Drives { bump, steer },
+            rate: Drives {
+                bump: 0.0,
+                steer: rate,
+            },
+            second_rate: Drives::default(),
+        },
+    }
+}
+
+/// How many jumps led to the right configuration, and how many were refused.
+fn jumps<C>(chassis: impl Fn(&Model<f64>) -> C) -> [usize; 2]
+where
+    C: Between<f64, Fixed<f64>>,
+{
+    let mut random = Random(5);
+    let tracker = Tracker::default();
+    let mut ends = [0, 0];
+    for case in 0..300 {
+        let design = design(&mut random, [0.02, 0.1, 0.2][case % 3]);
+        let Ok(model) = Model::new(&design) else {
+            continue;
+        };
+        let chassis = chassis(&model);
+        let Drives { bump, steer } = model.drives_at(&design);
+        let at = |steer: f64, rate: f64| inputs(chassis, bump, [steer, rate]);
+        let mut start = Motion::at_rest(Model::unknowns(&design));
+        let set_off = tracker.step(&model, &at(steer, 0.0), 0.0, &mut start);
+        if set_off.is_err() {
+            continue;
+        }
+        // To where the tie rod has the other side, or nearly, with the ball where it is; or near by.
+        let other_side = 2.0 * (design.tie_ball.y - design.rack.y);
+        for index in 0..20 {
+            let jump = if index % 2 == 0 { other_side } else { 0.0 };
+            let jump = jump + (random.uniform() - 0.5) * 0.04;
+            let mut truth = start;
+            let way = |t: f64| at(steer + jump * t, jump);
+            let followed = tracker.advance(&model, way, 0.0, 1.0, &mut truth);
+            let mut motion = start;
+            let between = [&at(steer, 0.0), &at(steer + jump, 0.0)];
+            match tracker.step_between(&model, between, 1.0, &mut motion) {
+                Ok(_) => {
+                    followed.expect("no configuration, and yet a success");
+                    let off = (motion.position - truth.position).amax();
+                    assert!(off < 1e-7, "another assembly, {off} m away, case {case}");
+                    ends[0] += 1;
+                }
+                Err(_) => {
+                    assert_eq!(motion, start);
+                    ends[1] += 1;
+                }
+            }
+        }
+    }
+    ends
+}
+
+/// A link whose chassis end jumps to the link's other side leaves the free points where they are,
+/// though the mechanism may lock on the way.
+#[test]
+fn a_jump_of_a_rack_does_not_pass_a_lock() {
+    let still = jumps(|_| Still);
+    let moving = jumps(|model| Signal {
+        value: *model.fixed(),
+        rate: Fixed::default(),
+        second_rate: Fixed::default(),
+    });
+    for [right, refused] in [still, moving] {
+        println!("{right} right, {refused} refused");
+        assert!(right > 2500 && refused > 1500, "{right}, {refused}");
+    }
+}
