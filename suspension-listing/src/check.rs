@@ -4,7 +4,7 @@ mod determined;
 mod lengths;
 mod uses;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use syn::Ident;
 
@@ -126,31 +126,30 @@ impl<'a> Check<'a> {
 
     /// Checks that points exist, with unknowns or on the chassis, and are not repeated.
     pub(crate) fn sites<'p>(&mut self, points: impl IntoIterator<Item = &'p Ident>) {
-        let mut seen: Vec<&Ident> = Vec::new();
+        let mut seen = BTreeSet::new();
         for point in points {
             if self.is(point, Kind::MARKER) {
                 self.report(errors::marker_in_constraint(point));
             } else if !self.is(point, Kind::FREE_POINT) && !self.is(point, Kind::CHASSIS_POINT) {
                 self.report_missing(errors::unknown_point(point));
-            } else if seen.contains(&point) {
+            } else if seen.contains(point) {
                 self.report(errors::same_point_twice(point));
             }
-            seen.push(point);
+            seen.insert(point);
         }
     }
 
     /// Checks that points exist, markers or not, and are not repeated.
     pub(crate) fn placed<'p>(&mut self, points: impl IntoIterator<Item = &'p Ident>) {
         let kinds = [Kind::FREE_POINT, Kind::CHASSIS_POINT, Kind::MARKER];
-        let mut seen: Vec<&Ident> = Vec::new();
+        let mut seen = BTreeSet::new();
         for point in points {
             if !kinds.iter().any(|kind| self.is(point, *kind)) {
                 self.report_missing(errors::unknown_point(point));
             }
-            if seen.contains(&point) {
+            if !seen.insert(point) {
                 self.report(errors::same_point_twice(point));
             }
-            seen.push(point);
         }
     }
 

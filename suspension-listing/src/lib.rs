@@ -17,11 +17,12 @@ mod statement;
 pub mod system;
 #[cfg(test)]
 mod tests;
+pub mod text;
 mod vector;
 
 use eliminate::Order;
 use errors::Errors;
-use system::System;
+use system::{Positions, System};
 
 pub use listing::Listing;
 pub use statement::Kind;
@@ -48,9 +49,14 @@ pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()
 /// In which order a system without mistakes is eliminated: by the positions around its design, where the listing
 /// states it, or by structure alone.
 pub fn order(system: &System) -> Order {
-    let positions = system
-        .design()
-        .map(|design| sample::positions(system, design));
-    let entries = system.entries(&positions.unwrap_or_default());
+    match system.design() {
+        Some(design) => order_at(system, design),
+        None => eliminate::order(system.size(), &system.entries(&[])),
+    }
+}
+
+/// The same by the positions around a given design.
+pub fn order_at(system: &System, design: Positions) -> Order {
+    let entries = system.entries(&sample::positions(system, design));
     eliminate::order(system.size(), &entries)
 }

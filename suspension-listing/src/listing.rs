@@ -57,10 +57,12 @@ impl Listing {
         }
     }
 
-    /// The names of one kind, in the order stated.
-    pub fn names(&self, kind: Kind) -> Vec<Name> {
-        let declared = self.declared().filter(|(_, other)| *other == kind);
-        declared.map(|(name, _)| Name::from(name)).collect()
+    /// The names that it declares, and of what.
+    pub fn names(&self) -> Vec<(Name, Kind)> {
+        let declared = self.declared();
+        declared
+            .map(|(name, kind)| (Name::from(name), kind))
+            .collect()
     }
 
     /// The names that it declares, and of what: points first, then in the order stated.

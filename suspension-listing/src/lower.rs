@@ -40,7 +40,10 @@ pub(crate) fn system(listing: &Listing, errors: &mut Errors) -> System {
     for statement in statements {
         statement.lower(&mut lowering);
     }
-    lowering.system.clusters = lowering.clusters();
+    // Of too many links there are too many clusters to look for.
+    if lowering.system.rows().len() == lowering.system.size() {
+        lowering.system.clusters = lowering.clusters();
+    }
     lowering.system
 }
 

@@ -49,14 +49,18 @@ fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
 /// What the parser expected, and how the statement is written.
 fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Error {
     let message = error.to_string();
-    let is_of_the_parser = ["expected", "unexpected end"].map(|start| message.starts_with(start));
-    if !is_of_the_parser.contains(&true) {
+    if !is_of_the_parser(&message) {
         return error;
     }
     syn::Error::new(
         error.span(),
         format!("{message}; a `{word}` is written `{syntax}`"),
     )
+}
+
+/// Whether a message is the parser's own, which names what it expected.
+pub(crate) fn is_of_the_parser(message: &str) -> bool {
+    message.starts_with("expected") || message.starts_with("unexpected end")
 }
 
 /// Skips to behind the next semicolon.

@@ -3,16 +3,16 @@
 mod elimination;
 mod lowering;
 mod sampling;
+mod texts;
 
 use proc_macro2::{Span, TokenStream};
-use quote::ToTokens;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident, Token, Visibility, braced};
 
 use crate::Listing;
 use crate::errors::Errors;
 use crate::system::{Positions, System};
-use crate::{checked, parse, sample};
+use crate::{checked, parse, sample, text};
 
 /// The listing of `mod name { statements }`.
 fn listing(module: TokenStream) -> (Listing, Errors) {
@@ -41,24 +41,17 @@ fn positions(system: &System) -> Vec<Positions> {
     sample::positions(system, system.design().expect("a design position"))
 }
 
-/// The tokens inside the `linkage! { .. }` of a catalogue file.
-fn catalogue_listing(name: &str) -> TokenStream {
-    let path = format!(
-        "{}/../suspension-core/src/linkages/{name}.rs",
-        env!("CARGO_MANIFEST_DIR")
+/// The text of a catalogue file.
+fn catalogue_text(name: &str) -> String {
+    let folder = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../suspension-core/src/linkages"
     );
-    let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
-    let file = syn::parse_file(&text).expect("a Rust file");
-    let listing = file.items.into_iter().find_map(|item| match item {
-        syn::Item::Macro(item) if item.mac.path.is_ident("linkage") => Some(item.mac.tokens),
-        _ => None,
-    });
-    listing.expect("a `linkage!` in the file").to_token_stream()
+    let file = format!("{folder}/{name}.linkage");
+    std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{file}: {error}"))
 }
 
 /// The system of a catalogue file.
 fn catalogue_system(name: &str) -> System {
-    let (system, errors) = lower(catalogue_listing(name));
-    assert!(errors.is_empty(), "{errors:?}");
-    system
+    text::parse(&catalogue_text(name), name).unwrap_or_else(|mistakes| panic!("{mistakes}"))
 }

@@ -24,7 +24,6 @@ mod types;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use suspension_listing::Listing;
 use suspension_listing::eliminate::Order;
 use suspension_listing::system::System;
 
@@ -33,20 +32,16 @@ use crate::module::Module;
 pub(crate) use stub::stub;
 
 /// The whole module.
-pub(crate) fn module(
-    module: &Module,
-    listing: &Listing,
-    system: &System,
-    order: &Order,
-) -> TokenStream {
+pub(crate) fn module(module: &Module, system: &System, order: &Order) -> TokenStream {
     let Module {
         attributes,
         vis,
         name,
+        ..
     } = module;
     let docs = &system.docs;
     let header = docs::header(system, order);
-    let types = types::all(listing, system);
+    let types = types::all(module, system);
     let indices = indices::modules(system);
     let linkage = equations::linkage_impl(system, order);
     let factors = elimination::factors(system, order);

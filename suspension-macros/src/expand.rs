@@ -1,21 +1,87 @@
 //! The pipeline: parse, check and lower, order, emit.
 
-use proc_macro2::TokenStream;
+use std::sync::{Mutex, PoisonError};
 
-use suspension_listing::{checked, order};
+use proc_macro2::{TokenStream, fallback};
+use quote::quote;
+use syn::{Error, LitStr};
 
+use suspension_listing::name::Name;
+use suspension_listing::system::System;
+use suspension_listing::text::{self, Mistake, Read};
+use suspension_listing::{Kind, checked, order};
+
+use crate::module::{Module, Source};
 use crate::{emit, module};
+
+/// One at a time: which lexer `proc-macro2` uses is known to the whole process.
+static ALONE: Mutex<()> = Mutex::new(());
 
 /// Expands a listing. Where it has mistakes, all of them are reported, and the types are still
 /// emitted so that code which uses them raises no further errors.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
-    let (module, listing, errors) = match module::parse(input) {
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let (module, errors) = match module::parse(input) {
         Ok(parsed) => parsed,
         Err(error) => return error.into_compile_error(),
     };
-    let (system, found) = checked(&listing, errors);
-    match found {
-        Ok(()) => emit::module(&module, &listing, &system, &order(&system)),
-        Err(error) => emit::stub(&module, &listing, &system, &error),
+    match &module.source {
+        Source::Braces(listing) => {
+            let (system, found) = checked(listing, errors);
+            emitted(&module, &system, &listing.names(), found.err())
+        }
+        Source::File(path) => match module::text(path) {
+            Ok(text) => {
+                let expansion = of_text(&module, path, &text);
+                // So that the compiler looks at the file again when it has changed.
+                quote!(const _: &str = include_str!(#path); #expansion)
+            }
+            Err(error) => error.into_compile_error(),
+        },
+    }
+}
+
+/// The expansion of a module whose statements are the text of a file.
+pub(crate) fn of_text(module: &Module, path: &LitStr, text: &str) -> TokenStream {
+    // The compiler's own lexer tells no places in a text.
+    fallback::force();
+    let read = text::read(text);
+    fallback::unforce();
+    let Read {
+        system,
+        names,
+        mistakes,
+    } = read;
+    let errors = mistakes.iter().map(|mistake| in_file(path, mistake));
+    let error = errors.reduce(|mut all, error| {
+        all.combine(error);
+        all
+    });
+    match (system, error) {
+        (Some(system), error) => emitted(module, &system, &names, error),
+        (None, error) => error.map(Error::into_compile_error).unwrap_or_default(),
+    }
+}
+
+fn in_file(path: &LitStr, mistake: &Mistake) -> Error {
+    let Mistake {
+        message,
+        line,
+        column,
+        ..
+    } = mistake;
+    let message = format!("{}:{line}:{column}: {message}", path.value());
+    Error::new(path.span(), message)
+}
+
+fn emitted(
+    module: &Module,
+    system: &System,
+    names: &[(Name, Kind)],
+    error: Option<Error>,
+) -> TokenStream {
+    match error {
+        None => emit::module(module, system, &order(system)),
+        Some(error) => emit::stub(module, system, names, &error),
     }
 }

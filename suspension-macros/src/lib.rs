@@ -30,6 +30,16 @@ mod tests;
 /// }
 /// ```
 ///
+/// The statements may stand in a file of their own, whose path is relative to the source file. It is
+/// read again when it has changed; its mistakes are reported with the file's line and column.
+///
+/// ```text
+/// pub mod name in "corner.linkage";
+/// pub mod corner;                 the same for a file of the module's name
+/// ```
+///
+/// `//!` at the top of the file documents the module.
+///
 /// Where every point states its design position, the order of elimination is chosen by the size of
 /// the pivots there and, up to 60 unknowns, where drives of free points lead from there; otherwise by
 /// structure alone. Any geometry is solved all the same.

@@ -1,41 +1,95 @@
-//! What stands around the statements of a listing: the module that they become.
+//! What stands around the statements of a listing: the module that they become. They stand in its
+//! braces, or in a file.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Ident, Token, Visibility, braced};
+use syn::{Attribute, Error, Ident, LitStr, Token, Visibility, braced};
 
-use suspension_listing::Listing;
 use suspension_listing::errors::{self, Errors};
-use suspension_listing::parse;
+use suspension_listing::name::Name;
+use suspension_listing::{Listing, parse};
 
-/// `docs vis mod name { statements }`, without the statements.
+/// `docs vis mod name`.
 pub(crate) struct Module {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) vis: Visibility,
     pub(crate) name: Ident,
+    pub(crate) source: Source,
 }
 
-/// Reads a module, its listing, and the errors of the statements that could not be read.
-pub(crate) fn parse(tokens: TokenStream) -> syn::Result<(Module, Listing, Errors)> {
+/// Where the statements are.
+pub(crate) enum Source {
+    /// In the module's braces.
+    Braces(Listing),
+    /// In a file: `in "path";`, or `;` where it has the module's name.
+    File(LitStr),
+}
+
+impl Module {
+    /// Where a name is declared, as far as the compiler can tell.
+    pub(crate) fn place_of(&self, name: &Name) -> Span {
+        match &self.source {
+            Source::Braces(listing) => listing.place_of(name, None),
+            Source::File(_) => self.name.span(),
+        }
+    }
+}
+
+/// Reads a module, and the errors of statements in its braces that could not be read.
+pub(crate) fn parse(tokens: TokenStream) -> syn::Result<(Module, Errors)> {
     parse_module.parse2(tokens)
 }
 
-fn parse_module(input: ParseStream<'_>) -> syn::Result<(Module, Listing, Errors)> {
+fn parse_module(input: ParseStream<'_>) -> syn::Result<(Module, Errors)> {
     let attributes = input.call(Attribute::parse_outer)?;
     let vis = input.parse()?;
     input.parse::<Token![mod]>()?;
     let name: Ident = input.parse()?;
-    let content;
-    braced!(content in input);
-    let (listing, mut errors) = parse::statements(&content, name.span())?;
+    let (source, mut errors) = source(input, &name)?;
     if !input.is_empty() {
-        errors.push(errors::behind_the_listing(input.span()));
+        let error = errors::behind_the_listing(input.span());
+        if let Source::File(_) = source {
+            return Err(error);
+        }
+        errors.push(error);
         input.parse::<TokenStream>()?;
     }
     let module = Module {
         attributes,
         vis,
         name,
+        source,
     };
-    Ok((module, listing, errors))
+    Ok((module, errors))
+}
+
+fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<(Source, Errors)> {
+    if input.peek(syn::token::Brace) {
+        let content;
+        braced!(content in input);
+        let (listing, errors) = parse::statements(&content, name.span())?;
+        return Ok((Source::Braces(listing), errors));
+    }
+    let path = match input.parse::<Option<Token![in]>>()? {
+        Some(_) => input.parse()?,
+        None => LitStr::new(&format!("{name}.linkage"), name.span()),
+    };
+    input.parse::<Token![;]>()?;
+    Ok((Source::File(path), Errors::default()))
+}
+
+/// The text of a listing's file, whose path is relative to the source file that names it.
+pub(crate) fn text(path: &LitStr) -> syn::Result<String> {
+    let Some(beside) = path.span().local_file() else {
+        let message =
+            "the compiler does not say where this source file is; write the statements in braces";
+        return Err(Error::new(path.span(), message));
+    };
+    std::fs::read_to_string(beside.with_file_name(path.value())).map_err(|cause| {
+        let message = format!(
+            "cannot read `{}`, from the folder of this source file: {cause}",
+            path.value()
+        );
+        Error::new(path.span(), message)
+    })
 }

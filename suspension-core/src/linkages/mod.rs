@@ -1,10 +1,20 @@
 //! The catalogue: one listing a file. Each module holds the types of one linkage: `Model`,
 //! `Points`, `Fixed`, `Drives`, `Measures`, `Lengths`.
 
-#[path = "attia2003.rs"]
-mod attia2003_listing;
-#[path = "five_link.rs"]
-mod five_link_listing;
+use crate::linkage;
 
-pub use attia2003_listing::attia2003;
-pub use five_link_listing::five_link;
+macro_rules! catalogue {
+    ($($name:ident),* $(,)?) => {
+        $(linkage! { pub mod $name; })*
+
+        /// The listings by name, as text.
+        pub const LISTINGS: &[(&str, &str)] = &[
+            $((stringify!($name), include_str!(concat!(stringify!($name), ".linkage")))),*
+        ];
+    };
+}
+
+catalogue! {
+    attia2003,
+    five_link,
+}

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{catalogue_listing, lower};
+use super::{catalogue_system, lower};
 use crate::system::{Body, Site, System};
 
 fn determined(listing: TokenStream) -> System {
@@ -27,7 +27,7 @@ fn frame(body: &Body) -> [String; 3] {
 
 #[test]
 fn the_paper_has_15_equations_and_70_non_zeros() {
-    let system = determined(catalogue_listing("attia2003"));
+    let system = catalogue_system("attia2003");
     assert_eq!((system.rows().len(), system.size()), (15, 15));
     let non_zeros: Vec<usize> = system.pattern().iter().map(Vec::len).collect();
     // Five links to the chassis, nine distances within the knuckle, one driven coordinate.
@@ -37,7 +37,7 @@ fn the_paper_has_15_equations_and_70_non_zeros() {
 
 #[test]
 fn the_rigid_knuckle_is_a_frame_and_two_carried_points() {
-    let system = determined(catalogue_listing("five_link"));
+    let system = catalogue_system("five_link");
     let pattern = system.pattern();
     let first_three_points: Vec<usize> = (0..9).collect();
     assert_eq!(pattern[0], [0, 1, 2]);
@@ -53,7 +53,7 @@ fn the_rigid_knuckle_is_a_frame_and_two_carried_points() {
 #[test]
 fn nine_distances_are_a_cluster_with_two_sides() {
     let cluster = |name| {
-        let system = determined(catalogue_listing(name));
+        let system = catalogue_system(name);
         let named = |site: &Site| site.name.to_string();
         let clusters = system.clusters.iter();
         let points = clusters.map(|cluster| cluster.points().map(named).collect::<Vec<_>>());

@@ -10,24 +10,25 @@ use super::fields::{self, Field};
 use super::types;
 use super::{gather, indices};
 use crate::module::Module;
+use suspension_listing::Kind;
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
-use suspension_listing::{Kind, Listing};
 
 /// The errors and the stand-in.
 pub(crate) fn stub(
     module: &Module,
-    listing: &Listing,
     system: &System,
+    names: &[(Name, Kind)],
     error: &syn::Error,
 ) -> TokenStream {
     let Module {
         attributes,
         vis,
         name,
+        ..
     } = module;
     let errors = error.to_compile_error();
-    let types = all(listing, system);
+    let types = all(module, system, names);
     let indices = indices::modules(system);
     let linkage = linkage_impl(system);
     let listing = gather::listing_of(system, &quote!(loop {}));
@@ -50,10 +51,11 @@ pub(crate) fn stub(
     }
 }
 
-fn all(listing: &Listing, system: &System) -> TokenStream {
-    let fixed = listing.names(Kind::CHASSIS_POINT);
+fn all(module: &Module, system: &System, names: &[(Name, Kind)]) -> TokenStream {
+    let fixed = system.fixed.iter().map(|point| point.named.name.clone());
     let kinds = [Kind::CHASSIS_POINT, Kind::FREE_POINT, Kind::MARKER];
-    let points = kinds.into_iter().flat_map(|kind| listing.names(kind));
+    let points = names.iter().filter(|(_, kind)| kinds.contains(kind));
+    let points = points.map(|(name, _)| name.clone());
     let drives = system.drives.iter().map(|drive| drive.named.name.clone());
     let measures = system.measures.iter();
     let measures = measures.map(|measure| measure.named.name.clone());
@@ -62,14 +64,14 @@ fn all(listing: &Listing, system: &System) -> TokenStream {
     let (vector, number) = (quote!(Vector3<T>), quote!(T));
     let structs = [
         ("Points", &vector, distinct(points)),
-        ("Fixed", &vector, distinct(fixed.into_iter())),
+        ("Fixed", &vector, distinct(fixed)),
         ("Drives", &number, distinct(drives)),
         ("Measures", &number, distinct(measures)),
         ("Lengths", &number, distinct(lengths)),
     ];
     let structs = structs
         .into_iter()
-        .map(|(name, value, fields)| types::named(name, "", value, listing, &fields));
+        .map(|(name, value, fields)| types::named(name, "", value, module, &fields));
     quote! {
         #(#structs)*
 

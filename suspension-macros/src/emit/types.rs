@@ -8,30 +8,30 @@ use super::fields::{
     Field, drive_fields, fixed_fields, length_fields, measure_fields, point_fields,
 };
 use super::{clusters, form};
-use suspension_listing::Listing;
+use crate::module::Module;
 use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, System, frame_name};
 
-pub(super) fn all(listing: &Listing, system: &System) -> TokenStream {
+pub(super) fn all(module: &Module, system: &System) -> TokenStream {
     let points = named(
         "Points",
         " Every point, with a position, velocity or acceleration each.",
         &quote!(Vector3<T>),
-        listing,
+        module,
         &point_fields(system),
     );
     let fixed = named(
         "Fixed",
         " Chassis points.",
         &quote!(Vector3<T>),
-        listing,
+        module,
         &fixed_fields(system),
     );
     let drives = named(
         "Drives",
         " The drives' values, or rates: coordinates in the unit of the points, angles in radians.",
         &quote!(T),
-        listing,
+        module,
         &drive_fields(system),
     );
     let measures = named(
@@ -39,14 +39,14 @@ pub(super) fn all(listing: &Listing, system: &System) -> TokenStream {
         " What is measured, or its rates: coordinates and lengths in the unit of the points, angles \
          in radians.",
         &quote!(T),
-        listing,
+        module,
         &measure_fields(system),
     );
     let lengths = named(
         "Lengths",
         " The constant lengths of links and bodies.",
         &quote!(T),
-        listing,
+        module,
         &length_fields(system),
     );
     let free = free(system);
@@ -59,12 +59,12 @@ pub(super) fn named(
     name: &str,
     doc: &str,
     value: &TokenStream,
-    listing: &Listing,
+    module: &Module,
     fields: &[Field],
 ) -> TokenStream {
     let name = Ident::new(name, proc_macro2::Span::call_site());
     let docs = fields.iter().map(Field::docs);
-    let declared = |field: &Field| field.name.at(listing.place_of(&field.name, None));
+    let declared = |field: &Field| field.name.at(module.place_of(&field.name));
     let names: Vec<Ident> = fields.iter().map(declared).collect();
     let strings: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
     let none = fields

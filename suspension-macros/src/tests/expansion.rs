@@ -1,11 +1,30 @@
 //! Pretty-printed expansions of the catalogue against the committed snapshots.
 
-use super::catalogue_listing;
-use crate::expand::expand;
+use quote::{format_ident, quote};
+
+use crate::expand::of_text;
+use crate::module::{self, Source};
+
+/// The expansion of a catalogue file.
+fn expansion(name: &str) -> proc_macro2::TokenStream {
+    let ident = format_ident!("{name}");
+    let module = module::parse(quote!(pub mod #ident;)).map(|(module, _)| module);
+    let module = module.unwrap_or_else(|error| panic!("{error}"));
+    let Source::File(path) = &module.source else {
+        panic!("a file");
+    };
+    let folder = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../suspension-core/src/linkages"
+    );
+    let file = format!("{folder}/{}", path.value());
+    let text = std::fs::read_to_string(&file).unwrap_or_else(|e| panic!("{file}: {e}"));
+    of_text(&module, path, &text)
+}
 
 /// Compares the expansion of a catalogue file with its snapshot, or rewrites the snapshot.
 fn snapshot(name: &str) {
-    let expansion = expand(catalogue_listing(name));
+    let expansion = expansion(name);
     let file = syn::parse2(expansion).expect("the expansion is a Rust file");
     let printed = spaced(&prettyplease::unparse(&file));
     let path = format!("{}/src/snapshots/{name}.rs", env!("CARGO_MANIFEST_DIR"));

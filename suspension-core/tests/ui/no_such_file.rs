@@ -1,0 +1,5 @@
+suspension_core::linkage! {
+    mod no_such_file;
+}
+
+fn main() {}

@@ -1,0 +1,128 @@
+//! Listings as text: what is told of mistakes, and what is refused.
+
+use super::catalogue_text;
+use crate::system::System;
+use crate::text::{self, MOST_BYTES, Mistake};
+
+fn mistakes(text: &str) -> Vec<Mistake> {
+    let found = text::parse(text, "corner.linkage").map(|_| ());
+    found.expect_err("a mistake").mistakes
+}
+
+/// Where each mistake is: line, column, length.
+fn places(text: &str) -> Vec<[usize; 3]> {
+    let places = mistakes(text).into_iter();
+    places
+        .map(|mistake| [mistake.line, mistake.column, mistake.length])
+        .collect()
+}
+
+fn only_message(text: &str) -> String {
+    let mistakes = mistakes(text);
+    let [mistake] = mistakes.as_slice() else {
+        panic!("one mistake: {mistakes:?}");
+    };
+    mistake.message.clone()
+}
+
+#[test]
+fn a_system_can_be_sent() {
+    fn sent<T: Send + Sync>() {}
+    sent::<System>();
+    sent::<text::Mistakes>();
+}
+
+#[test]
+fn all_mistakes_are_told_with_their_places() {
+    let text = "\
+fixed: a, b;
+free: p;
+// A comment, and a name with other letters: \u{e9}.
+link rod: a -> r\u{e9}p;
+link rod: b => p;
+drive y: p.up;
+drive z: p.z;
+";
+    assert_eq!(places(text), [[5, 13, 1], [6, 12, 2]]);
+    let named = "fixed: a;\nfree: p;\nlink rod: a -> q;\ndrive y: p.up; drive z: p.z;";
+    assert_eq!(places(named), [[3, 16, 1], [4, 12, 2]]);
+    let printed = text::parse(named, "corner.linkage").map(|_| ());
+    assert_eq!(
+        printed.expect_err("two mistakes").to_string(),
+        "corner.linkage:3:16: there is no point `q`; declare it under `fixed:` or `free:`\n\
+         corner.linkage:4:12: there is no axis `up`; write `x`, `y` or `z`"
+    );
+}
+
+#[test]
+fn what_is_missing_at_the_end_is_told_there() {
+    let [mistake] = &mistakes("fixed: a;\nfree: p;\nlink rod: a -> p")[..] else {
+        panic!("one mistake");
+    };
+    assert_eq!([mistake.line, mistake.column, mistake.length], [3, 17, 0]);
+    assert!(mistake.message.contains("expected `;`"), "{mistake:?}");
+    assert!(!mistakes("").is_empty());
+}
+
+#[test]
+fn what_is_no_token_is_told() {
+    for (text, message) in [
+        ("fixed: a at [0, 1, 2;", "`[` is not closed; close it"),
+        ("fixed: a];", "`]` closes nothing; remove it"),
+        (
+            "fixed: a; \u{a7}",
+            "what begins with `\u{a7}` cannot be read; remove it",
+        ),
+        (
+            "/* fixed: a;",
+            "what begins with `/` cannot be read; remove it",
+        ),
+    ] {
+        assert_eq!(only_message(text), message);
+    }
+}
+
+#[test]
+fn what_is_too_large_is_refused() {
+    let long = format!("// {}", "x".repeat(MOST_BYTES));
+    assert!(only_message(&long).contains("bytes long; at most 65536 are allowed"));
+    let deep = "[".repeat(9) + &"]".repeat(9);
+    assert_eq!(
+        only_message(&format!("fixed: a at {deep};")),
+        "more than 8 brackets within each other"
+    );
+    let points = |count: usize| {
+        let names = (0..count)
+            .map(|index| format!("p{index}"))
+            .collect::<Vec<_>>();
+        names.join(", ")
+    };
+    let many = format!("fixed: {};\nfree: p;", points(128));
+    assert!(only_message(&many).starts_with("129 points; at most 128 are allowed"));
+    let unknowns = format!("fixed: a;\nfree: {};", points(21));
+    assert!(only_message(&unknowns).starts_with("63 unknowns; at most 60 are allowed"));
+    let names = format!("fixed: a; free: p; body long: {};", points(129));
+    assert!(only_message(&names).starts_with("129 names in one statement"));
+    let statements = format!("fixed: a; free: p; {}", "link rod: a -> p;".repeat(257));
+    assert!(only_message(&statements).starts_with("257 statements"));
+}
+
+#[test]
+fn any_depth_is_refused_without_descending() {
+    for bracket in ["(", "[", "{"] {
+        assert!(!mistakes(&bracket.repeat(MOST_BYTES)).is_empty());
+    }
+    let half = MOST_BYTES / 2;
+    assert!(!mistakes(&("(".repeat(half) + &")".repeat(half))).is_empty());
+}
+
+/// Prefixes of a listing, and listings without one of their characters, are read or refused.
+#[test]
+fn a_damaged_listing_is_no_danger() {
+    let text = catalogue_text("five_link");
+    for (index, letter) in text.char_indices().step_by(7) {
+        let (before, rest) = text.split_at(index);
+        let _ = text::parse(before, "five_link");
+        let _ = text::parse(&[before, &rest[letter.len_utf8()..]].concat(), "five_link");
+    }
+}

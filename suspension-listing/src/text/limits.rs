@@ -1,0 +1,98 @@
+//! How large a text may be that is read at run time: enough for any corner of a vehicle, and little enough that
+//! no text takes long or much memory.
+
+use proc_macro2::{TokenStream, TokenTree};
+use syn::Error;
+
+use super::Mistake;
+use crate::listing::Listing;
+
+/// The longest text, in bytes.
+pub const MOST_BYTES: usize = 65_536;
+
+/// The most statements beside those that declare points.
+pub const MOST_STATEMENTS: usize = 256;
+
+/// The most chassis points and free points, and the most names in one statement.
+pub const MOST_POINTS: usize = 128;
+
+/// The most unknowns.
+pub const MOST_UNKNOWNS: usize = 60;
+
+/// The most brackets within each other; statements need one.
+pub const DEEPEST: usize = 8;
+
+/// Refuses a text that is too long.
+pub(super) fn length(text: &str) -> Result<(), Mistake> {
+    if text.len() <= MOST_BYTES {
+        return Ok(());
+    }
+    Err(Mistake {
+        message: format!(
+            "the text is {} bytes long; at most {MOST_BYTES} are allowed",
+            text.len()
+        ),
+        line: 1,
+        column: 1,
+        length: 0,
+    })
+}
+
+/// Refuses brackets that the parser, which descends into them, might not come back from.
+pub(super) fn too_deep(tokens: &TokenStream) -> Option<Error> {
+    let mut open = vec![(tokens.clone().into_iter(), 0)];
+    while let Some((tokens, depth)) = open.last_mut() {
+        let depth = *depth;
+        match tokens.next() {
+            None => {
+                open.pop();
+            }
+            Some(TokenTree::Group(group)) if depth < DEEPEST => {
+                open.push((group.stream().into_iter(), depth + 1));
+            }
+            Some(TokenTree::Group(group)) => {
+                let message = format!("more than {DEEPEST} brackets within each other");
+                return Some(Error::new(group.span_open(), message));
+            }
+            Some(_) => {}
+        }
+    }
+    None
+}
+
+/// Refuses a listing that is too large.
+pub(super) fn listing(listing: &Listing) -> syn::Result<()> {
+    let points = listing.fixed.len() + listing.free.len();
+    let most_names = listing
+        .statements
+        .iter()
+        .map(|other| other.operands().len());
+    let counts = [
+        (points, MOST_POINTS, "points"),
+        (listing.statements.len(), MOST_STATEMENTS, "statements"),
+        (
+            most_names.max().unwrap_or(0),
+            MOST_POINTS,
+            "names in one statement",
+        ),
+    ];
+    for (count, most, what) in counts {
+        if count > most {
+            return Err(too_many(listing, count, most, what));
+        }
+    }
+    unknowns(listing, 3 * listing.free.len())
+}
+
+fn unknowns(listing: &Listing, count: usize) -> syn::Result<()> {
+    if count > MOST_UNKNOWNS {
+        return Err(too_many(listing, count, MOST_UNKNOWNS, "unknowns"));
+    }
+    Ok(())
+}
+
+fn too_many(listing: &Listing, count: usize, most: usize, what: &str) -> Error {
+    let message =
+        format!("{count} {what}; at most {most} are allowed in a listing read at run time");
+    Error::new(listing.free_span, message)
+}
