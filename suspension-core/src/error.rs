@@ -1,7 +1,7 @@
 //! What can go wrong, as `Copy` values.
 //!
 //! They hold numbers of equations, unknowns, points and lengths, which the model turns into the
-//! user's names: [`Parts::name`](crate::Parts::name).
+//! user's names: [`Parts::name`].
 
 use core::fmt;
 

@@ -116,6 +116,8 @@ pub enum Quantity {
 pub struct Marker {
     pub named: Named,
     pub frame: [Site; 3],
+    /// The design position, where it is stated.
+    pub at: Option<Vector>,
 }
 
 #[derive(Clone, Debug)]

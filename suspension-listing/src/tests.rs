@@ -1,5 +1,6 @@
 //! How listings are lowered, and in which order their equations are eliminated.
 
+mod catalogue;
 mod elimination;
 mod lowering;
 mod sampling;

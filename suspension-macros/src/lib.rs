@@ -24,7 +24,8 @@ mod tests;
 ///                                    points whose distance a link or a body's frame keeps
 ///     measure gauge: length(a -> hub);  reads a length, a coordinate, a difference or an angle
 ///                                    (as drives write them) off any points; adds no equation
-///     point hub:  plate;           a marker carried by a body, or by three points
+///     point hub:  plate;           a marker carried by a body, or by three points; with or without
+///                                    a design position
 ///     wheel:   d -> hub;           the spin axis, outboard; its second point is the centre
 ///     kingpin: c -> d;             upwards
 /// }

@@ -17,4 +17,6 @@ macro_rules! catalogue {
 catalogue! {
     attia2003,
     five_link,
+    double_wishbone,
+    double_wishbone_pushrod,
 }

@@ -1,7 +1,9 @@
-//! `point hub: plate;` or `point hub: c, d, e;`: a marker that a body carries, or three points.
+//! `point hub: plate;` or `point hub: c, d, e at [0.0, 0.7, 0.3];`: a marker that a body carries, or three
+//! points, with or without a design position.
 
 use syn::{Error, Ident};
 
+use super::points::position;
 use super::{Head, Kind, Rank, Statement, Word};
 use crate::check::Check;
 use crate::errors;
@@ -10,14 +12,16 @@ use crate::lower::Lowering;
 use crate::name::Name;
 use crate::parse::names;
 use crate::system;
+use crate::vector::Vector;
 
 pub(crate) const POINT: Word = Word {
     word: "point",
-    syntax: "point hub: plate;",
+    syntax: "point hub: plate at [0.0, 0.7, 0.3];",
     read: |head: Head, input, listing| {
         let marker = Marker {
             named: head.named(input)?,
             carriers: names(input)?,
+            at: position(input)?,
         };
         listing.statements.push(Box::new(marker));
         Ok(())
@@ -27,6 +31,7 @@ pub(crate) const POINT: Word = Word {
 struct Marker {
     named: Named,
     carriers: Vec<Ident>,
+    at: Option<Vector>,
 }
 
 impl Statement for Marker {
@@ -62,6 +67,7 @@ impl Statement for Marker {
         lowering.system.markers.push(system::Marker {
             named: self.named.plain(),
             frame,
+            at: self.at,
         });
     }
 

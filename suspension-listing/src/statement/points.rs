@@ -37,7 +37,7 @@ fn points(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vec<Point>> {
     let mut points = Vec::new();
     while !input.peek(Token![;]) {
         let (docs, name) = (docs(input)?, name(input)?);
-        let at = input.peek(Ident).then(|| position(input)).transpose()?;
+        let at = position(input)?;
         let named = Named { docs, name };
         points.push(Point { named, at });
         if !input.peek(Token![;]) {
@@ -50,13 +50,16 @@ fn points(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vec<Point>> {
     Ok(points)
 }
 
-/// `at [x, y, z]`.
-fn position(input: ParseStream<'_>) -> syn::Result<Vector> {
+/// `at [x, y, z]`, or nothing.
+pub(super) fn position(input: ParseStream<'_>) -> syn::Result<Option<Vector>> {
+    if !input.peek(Ident) {
+        return Ok(None);
+    }
     let word: Ident = input.parse()?;
     if word != "at" {
         return Err(not_a_position(&word));
     }
-    vector(input, "a design position")
+    vector(input, "a design position").map(Some)
 }
 
 /// `[x, y, z]`.

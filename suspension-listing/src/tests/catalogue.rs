@@ -1,0 +1,91 @@
+//! The wishbones of the catalogue, symmetric as drawings have them: the macro's order of pivots
+//! serves them all over their travel.
+
+use std::time::{Duration, Instant};
+
+use nalgebra::Vector3;
+use suspension_core::linkages::{double_wishbone, double_wishbone_pushrod};
+use suspension_core::{
+    Bounded, Build, Inputs, Motion, Outputs, Signal, Values, linkages::LISTINGS,
+};
+
+use super::{catalogue_system, catalogue_text};
+use crate::{order, text};
+
+const STEP: f64 = 1e-3;
+
+/// The points of the design position, markers last.
+fn design<P: Values<Vector3<f64>>>(name: &str) -> P {
+    let system = catalogue_system(name);
+    let points = system.fixed.iter().chain(&system.free);
+    let markers = system.markers.iter().map(|marker| marker.at);
+    let at = points.map(|point| point.at).chain(markers);
+    P::from_values(at.map(|at| Vector3::from(at.expect("a design position"))))
+}
+
+/// Moves the drives to and fro about the design, each once in two seconds, by attempts alone; returns the
+/// largest growth.
+fn swing<L, const N: usize>(name: &str, amplitudes: [f64; 2]) -> f64
+where
+    L: Build<N, Scalar = f64>,
+{
+    let points: L::Points = design(name);
+    let model = L::new(&points).expect("a geometry");
+    let start = model.drives_at(&points);
+    let moved = |wave: fn(f64) -> f64, rate: f64, t: f64| {
+        let each = amplitudes.into_iter().zip([1.0, 0.7]);
+        let moved = each.map(|(amplitude, pace)| {
+            let frequency = std::f64::consts::PI * pace;
+            amplitude * frequency.powf(rate) * wave(frequency * t)
+        });
+        L::Drives::from_values(moved)
+    };
+    let inputs = |t: f64| {
+        let value = moved(f64::sin, 0.0, t);
+        let value = start.values().zip(value.values()).map(|(a, b)| a + b);
+        Inputs::still(Signal {
+            value: L::Drives::from_values(value),
+            rate: moved(f64::cos, 1.0, t),
+            second_rate: moved(|phase| -phase.sin(), 2.0, t),
+        })
+    };
+    let mut motion = Motion::at_rest(model.unknowns(&points));
+    let bounded = Bounded::<f64>::default();
+    let mut growth = 0.0_f64;
+    for step in 0..4000 {
+        let inputs = inputs(f64::from(step) * STEP);
+        let settled = bounded.attempt(Outputs::Acceleration, &model, &inputs, STEP, &mut motion);
+        let settled = settled.unwrap_or_else(|refusal| panic!("step {step}: {refusal:?}"));
+        growth = growth.max(settled.growth());
+    }
+    growth
+}
+
+#[test]
+fn wishbones_are_served_over_their_travel() {
+    let plain = swing::<double_wishbone::Model<f64>, 12>("double_wishbone", [0.06, 0.03]);
+    let pushrod =
+        swing::<double_wishbone_pushrod::Model<f64>, 27>("double_wishbone_pushrod", [0.06, 0.03]);
+    println!("growth {plain:.1}, with pushrod {pushrod:.1}");
+    assert!(plain < 50.0 && pushrod < 50.0, "{plain} {pushrod}");
+}
+
+#[test]
+fn the_listings_are_the_files() {
+    for (name, listing) in LISTINGS {
+        assert_eq!(*listing, catalogue_text(name));
+    }
+}
+
+/// Printed with `--nocapture`; the bound holds without optimisation on a slow computer.
+#[test]
+fn thirty_unknowns_do_not_keep_anyone_waiting() {
+    let text = catalogue_text("double_wishbone_pushrod");
+    let start = Instant::now();
+    let system = text::parse(&text, "double_wishbone_pushrod").expect("a listing");
+    let parsed = start.elapsed();
+    let order = order(&system);
+    let took = start.elapsed();
+    println!("parsed in {parsed:?}, ordered in {:?}", took - parsed);
+    assert!(order.steps.len() == 27 && took < Duration::from_secs(5));
+}
