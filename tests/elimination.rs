@@ -13,7 +13,7 @@ use suspension_core::{Build, Linkage, Motion, Newton, Real, Values};
 use crate::support;
 
 /// Solves with both factorisations near a design, where its equations need not hold, and compares.
-fn agree<T: Real, L: Build<N, Scalar = T>, const N: usize>(
+fn agree<T: Real, L: Build<N, Scalar = T, Listing: Default>, const N: usize>(
     rough: &L::Points,
     by: &[f64],
 ) -> Result<(), TestCaseError>
@@ -68,7 +68,7 @@ where
 }
 
 /// The right-hand side of a velocity: in the rows of the drives alone.
-fn drive_terms<T: Real, L: Build<N, Scalar = T>, const N: usize>(
+fn drive_terms<T: Real, L: Build<N, Scalar = T, Listing: Default>, const N: usize>(
     model: &L,
     q: &SVector<T, N>,
 ) -> SVector<T, N> {
@@ -111,7 +111,7 @@ proptest! {
 /// Or the comparison above would be of nothing.
 #[test]
 fn carried_points_are_eliminated_with_healthy_pivots() {
-    fn growth<L: Build<N, Scalar = f64>, const N: usize>() -> f64 {
+    fn growth<L: Build<N, Scalar = f64, Listing: Default>, const N: usize>() -> f64 {
         let design = carried::scattered();
         let model = L::new(&design).expect("a geometry");
         let factors = model.factor(&model.unknowns(&design), model.fixed());
@@ -174,7 +174,10 @@ fn newton_does_not_notice() {
 /// Over the published motion the fixed order is healthy: partial pivoting is for other geometries.
 #[test]
 fn the_published_motion_stays_in_the_fixed_order() {
-    fn worst_growth<L: Build<15, Scalar = f64>>(model: &L, motions: &[Motion<f64, 15>]) -> f64 {
+    fn worst_growth<L: Build<15, Scalar = f64, Listing: Default>>(
+        model: &L,
+        motions: &[Motion<f64, 15>],
+    ) -> f64 {
         let growth = motions.iter().map(|motion| {
             let factors = model.factor(&motion.position, model.fixed());
             factors.growth_squared().sqrt()

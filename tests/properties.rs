@@ -21,7 +21,7 @@ fn displaced<P: Values<Vector3<T>>, T: Real>(points: &P, by: &[f64]) -> P {
 
 /// Builds, assembles and drives a displaced geometry; whatever succeeds must be a root. Tells
 /// whether it did assemble.
-fn check<T: Real, L: Build<15, Scalar = T>>(
+fn check<T: Real, L: Build<15, Scalar = T, Listing: Default>>(
     rough: &L::Points,
     by: &[f64],
     theta: f64,

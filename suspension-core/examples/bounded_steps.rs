@@ -53,7 +53,7 @@ fn main() -> ExitCode {
 fn steps<T, L>() -> Result<(), String>
 where
     T: Real + std::fmt::LowerExp,
-    L: Build<15, Scalar = T>,
+    L: Build<15, Scalar = T, Listing: Default>,
 {
     let points = POINTS.map(|point| Vector3::from(point).map(T::constant));
     let design = L::Points::from_values(points);

@@ -70,8 +70,8 @@ pub trait Factors<T, const N: usize> {
     fn growth_squared(&self) -> T;
 }
 
-/// A `linkage!` listing: its types over any number.
-pub trait Listing<const N: usize>: Copy {
+/// A listing: its parts, and its types over any number.
+pub trait Listing<const N: usize>: Parts + Copy {
     /// The geometry.
     type Model<T: Scalar>: Linkage<
             N,
@@ -132,6 +132,9 @@ pub trait Linkage<const N: usize>: Parts {
     /// The points watched for mirror images, by index: those that links alone join to three others
     /// which links join to each other. What they make is as rigid as a body, but admits a mirror image.
     fn linked(&self) -> impl Iterator<Item = usize>;
+
+    /// The listing.
+    fn listing(&self) -> Self::Listing;
 
     /// The chassis points at rest.
     fn fixed(&self) -> &Self::Fixed;
@@ -242,13 +245,25 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     /// The lengths of links and bodies.
     type Lengths: Values<Self::Scalar>;
 
-    /// The linkage whose lengths are those of the points as they stand.
+    /// The linkage of a listing whose lengths are those of the points as they stand.
     ///
     /// # Errors
     ///
     /// Where a coordinate is not finite, a length is zero, a body's first three points are in line,
     /// or one of [`linked`](Linkage::linked) lies in the plane of the points that hold it.
-    fn new(design: &Self::Points) -> Result<Self, GeometryError>;
+    fn of(listing: Self::Listing, design: &Self::Points) -> Result<Self, GeometryError>;
+
+    /// [`of`](Self::of) a listing that `linkage!` has written.
+    ///
+    /// # Errors
+    ///
+    /// As [`of`](Self::of).
+    fn new(design: &Self::Points) -> Result<Self, GeometryError>
+    where
+        Self::Listing: Default,
+    {
+        Self::of(Self::Listing::default(), design)
+    }
 
     /// The same linkage with other lengths; each body keeps its handedness, and so does each
     /// cluster of links that is as rigid.

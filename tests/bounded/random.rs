@@ -29,7 +29,7 @@ fn bounds(inverse: f64, motion: &Motion<f64, 15>) -> [f64; 3] {
 }
 
 /// Steps through a tenth of a second from a displaced design, each step from the same motion.
-fn compare<L: Build<15, Scalar = f64>>(
+fn compare<L: Build<15, Scalar = f64, Listing: Default>>(
     rough: &L::Points,
     by: &[f64],
     speed: f64,

@@ -23,7 +23,9 @@ fn over_the_motion<T: Real, L>(
     inputs: fn(T) -> Inputs<Still, L::Drives>,
 ) -> [f64; 2]
 where
-    L: Build<15, Scalar = T> + Linkage<15, Listing: Listing<15, Model<T> = L>> + Copy,
+    L: Build<15, Scalar = T, Listing: Default>
+        + Linkage<15, Listing: Listing<15, Model<T> = L>>
+        + Copy,
 {
     let certifier = Certifier::new(model);
     let mut q = model.unknowns(rough);
@@ -87,7 +89,9 @@ impl AddAssign for Shares {
 /// Twenty steps away from a displaced design, or until it locks: each root proved and judged.
 fn random_geometry<L>(rough: &L::Points, rng: &mut fastrand::Rng) -> Shares
 where
-    L: Build<15, Scalar = f64> + Linkage<15, Listing: Listing<15, Model<f64> = L>> + Copy,
+    L: Build<15, Scalar = f64, Listing: Default>
+        + Linkage<15, Listing: Listing<15, Model<f64> = L>>
+        + Copy,
 {
     let mut shares = Shares::default();
     let points = rough.values();

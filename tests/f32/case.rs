@@ -14,7 +14,8 @@ use crate::support;
 
 /// A listing that is tested in both number types.
 pub(crate) trait Tested:
-    Listing<
+    Default
+    + Listing<
         15,
         Model<f64>: Build<15, Scalar = f64>,
         Model<f32>: Build<15, Scalar = f32>,

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::tracker::Between;
-use suspension_core::{Build, Inputs, Linkage, Motion, Named, Signal, Still, Tracker};
+use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Still, Tracker, Values};
 
 use super::random::Random;
 
@@ -38,8 +38,7 @@ fn design(random: &mut Random, size: f64) -> Points<f64> {
         axle_inner: at(0.0, 0.66, 0.33),
         axle_outer: at(0.0, 0.76, 0.33),
     };
-    let mut points = design.values();
-    Points::from_fn(|_| points.next().unwrap_or_default() + random.vector(size))
+    Points::from_values(design.values().map(|point| point + random.vector(size)))
 }
 
 /// The rack at a place, moving at a rate.
@@ -73,7 +72,7 @@ where
         let chassis = chassis(&model);
         let Drives { bump, steer } = model.drives_at(&design);
         let at = |steer: f64, rate: f64| inputs(chassis, bump, [steer, rate]);
-        let mut start = Motion::at_rest(Model::unknowns(&design));
+        let mut start = Motion::at_rest(model.unknowns(&design));
         let set_off = tracker.step(&model, &at(steer, 0.0), 0.0, &mut start);
         if set_off.is_err() {
             continue;

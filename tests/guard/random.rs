@@ -27,7 +27,7 @@ impl Random {
 const FINE: f64 = 1e-3;
 
 /// The motion from the design in fine steps, as far as it goes.
-fn fine_motion<L: Build<15, Scalar = f64>>(
+fn fine_motion<L: Build<15, Scalar = f64, Listing: Default>>(
     model: &L,
     design: &L::Points,
     drive: &Drive,
@@ -52,7 +52,10 @@ fn fine_motion<L: Build<15, Scalar = f64>>(
 }
 
 /// Steps of 2 ms to 1 s of suspensions with random points, from random places, either way.
-fn random_jumps<L: Build<15, Scalar = f64>>(rough: &L::Points, seed: u64) -> Ends {
+fn random_jumps<L: Build<15, Scalar = f64, Listing: Default>>(
+    rough: &L::Points,
+    seed: u64,
+) -> Ends {
     println!("seed {seed}");
     let mut random = Random(seed);
     let tracker = Tracker::default();

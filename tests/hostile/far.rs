@@ -23,7 +23,9 @@ fn moved<P: Values<Vector3<f64>>>(points: &P) -> P {
 }
 
 /// The motion half a second after the design, in given coordinates.
-fn drive<T: Real, L: Build<N, Scalar = T>, const N: usize>(design: &L::Points) -> Motion<T, N> {
+fn drive<T: Real, L: Build<N, Scalar = T, Listing: Default>, const N: usize>(
+    design: &L::Points,
+) -> Motion<T, N> {
     let model = L::new(design).expect("a linkage");
     let at_design = model.drives_at(design);
     let inputs = |t: T| {
@@ -42,7 +44,7 @@ fn drive<T: Real, L: Build<N, Scalar = T>, const N: usize>(design: &L::Points) -
     motion
 }
 
-fn check<L: Build<N, Scalar = f64>, const N: usize>(design: &L::Points) {
+fn check<L: Build<N, Scalar = f64, Listing: Default>, const N: usize>(design: &L::Points) {
     let home = coarse(design);
     let away = moved(&home);
     let local = LocalOrigin::among(away.values());

@@ -16,7 +16,7 @@ use super::verdict::{demand_cause, demand_root, demand_same, rounding};
 pub(crate) fn everything<T, L, const N: usize>(draw: &mut Draw<'_>) -> Reached
 where
     T: Real,
-    L: Build<N, Scalar = T>,
+    L: Build<N, Scalar = T, Listing: Default>,
 {
     begin::<T, L, N>(draw).map_or_else(Reached::not_built, |(mut trial, guess)| {
         let drives = trial.drives(draw);
@@ -30,7 +30,7 @@ where
 pub(crate) fn briefly<T, L, const N: usize>(draw: &mut Draw<'_>) -> Reached
 where
     T: Real,
-    L: Build<N, Scalar = T>,
+    L: Build<N, Scalar = T, Listing: Default>,
 {
     begin::<T, L, N>(draw).map_or_else(Reached::not_built, |(mut trial, guess)| {
         let inputs = Inputs::still(trial.drives(draw));
@@ -46,7 +46,7 @@ where
 fn begin<T, L, const N: usize>(draw: &mut Draw<'_>) -> Option<(Trial<L, N>, SVector<T, N>)>
 where
     T: Real,
-    L: Build<N, Scalar = T>,
+    L: Build<N, Scalar = T, Listing: Default>,
 {
     let design = points::<T, L::Points>(draw);
     let model = build::<T, L, N>(&design, draw)?;
@@ -88,7 +88,7 @@ fn points<T: Real, P: Values<Vector3<T>>>(draw: &mut Draw<'_>) -> P {
 fn build<T, L, const N: usize>(design: &L::Points, draw: &mut Draw<'_>) -> Option<L>
 where
     T: Real,
-    L: Build<N, Scalar = T>,
+    L: Build<N, Scalar = T, Listing: Default>,
 {
     let model = demand_linkage(L::new(design))?;
     if draw.below(4) > 0 {
@@ -106,7 +106,7 @@ where
 fn demand_linkage<T, L, const N: usize>(model: Result<L, GeometryError>) -> Option<L>
 where
     T: Real,
-    L: Build<N, Scalar = T>,
+    L: Build<N, Scalar = T, Listing: Default>,
 {
     match model {
         Ok(model) => {
@@ -134,7 +134,7 @@ pub(super) struct Trial<L: Build<N>, const N: usize> {
 impl<T, L, const N: usize> Trial<L, N>
 where
     T: Real,
-    L: Build<N, Scalar = T>,
+    L: Build<N, Scalar = T, Listing: Default>,
 {
     /// Drives near those of the design, with rates.
     fn drives(&self, draw: &mut Draw<'_>) -> Signal<L::Drives> {

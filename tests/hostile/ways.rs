@@ -14,7 +14,7 @@ use super::verdict::{demand_cause, demand_root, demand_untouched, rounding};
 impl<T, L, const N: usize> Trial<L, N>
 where
     T: Real,
-    L: Build<N, Scalar = T>,
+    L: Build<N, Scalar = T, Listing: Default>,
 {
     pub(super) fn tracked<C: ChassisMotion<L::Fixed>>(
         &mut self,

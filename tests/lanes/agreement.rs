@@ -16,7 +16,7 @@ fn worst<G, T, const LANES: usize>(
     instructions: Instructions,
 ) -> [f64; 3]
 where
-    G: Listing<15>,
+    G: Listing<15> + Default,
     T: Lane + std::fmt::LowerExp,
     G::Model<T>: Build<15>,
     Lanes<G, T, 15, LANES>: Make<G, T, LANES>,
@@ -56,7 +56,7 @@ where
 
 fn agree<G, T, const LANES: usize>(rough: &G::Points<T>, bounds: [f64; 3])
 where
-    G: Listing<15>,
+    G: Listing<15> + Default,
     T: Lane + std::fmt::LowerExp,
     G::Model<T>: Build<15>,
     Lanes<G, T, 15, LANES>: Make<G, T, LANES>,

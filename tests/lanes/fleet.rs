@@ -11,13 +11,13 @@ pub(crate) const ALL: [Instructions; 3] = [
 ];
 
 /// Lanes of any number, for instructions of choice.
-pub(crate) trait Make<G: Listing<15>, T: Lane, const LANES: usize>: Sized {
+pub(crate) trait Make<G: Listing<15> + Default, T: Lane, const LANES: usize>: Sized {
     fn make(fleet: &Fleet<G, T, LANES>, instructions: Instructions) -> Self;
 }
 
 macro_rules! make {
     ($($lanes:literal)*) => {$(
-        impl<G: Listing<15> + 'static, T: Lane> Make<G, T, $lanes> for Lanes<G, T, 15, $lanes> {
+        impl<G: Listing<15> + Default + 'static, T: Lane> Make<G, T, $lanes> for Lanes<G, T, 15, $lanes> {
             fn make(fleet: &Fleet<G, T, $lanes>, instructions: Instructions) -> Self {
                 Self::with(instructions, fleet.models, &fleet.starts)
             }
@@ -35,7 +35,7 @@ pub(crate) struct Fleet<G: Listing<15>, T: Lane, const LANES: usize> {
     at_start: [G::Drives<T>; LANES],
 }
 
-impl<G: Listing<15>, T: Lane, const LANES: usize> Fleet<G, T, LANES>
+impl<G: Listing<15> + Default, T: Lane, const LANES: usize> Fleet<G, T, LANES>
 where
     G::Model<T>: Build<15>,
 {

@@ -11,13 +11,13 @@ use suspension_core::{Build, Inputs, Linkage, Newton, Real, Signal, Still, Value
 use crate::support;
 
 /// A geometry whose points are displaced by up to 2 cm, at rest.
-struct Displaced<T: Real, L: Build<15, Scalar = T>> {
+struct Displaced<T: Real, L: Build<15, Scalar = T, Listing: Default>> {
     model: L,
     inputs: Inputs<Still, L::Drives>,
     q: SVector<T, 15>,
 }
 
-impl<T: Real, L: Build<15, Scalar = T>> Displaced<T, L> {
+impl<T: Real, L: Build<15, Scalar = T, Listing: Default>> Displaced<T, L> {
     fn new(rough: &L::Points, by: &[f64], theta: f64) -> Option<Self> {
         let points = rough.values().zip(by.chunks_exact(3));
         let design = L::Points::from_values(
@@ -117,7 +117,7 @@ struct Ends {
 
 impl Ends {
     /// Follows the curve of a case both ways.
-    fn add<T: Real, L: Build<15, Scalar = T>>(
+    fn add<T: Real, L: Build<15, Scalar = T, Listing: Default>>(
         &mut self,
         rough: &L::Points,
         by: &[f64],

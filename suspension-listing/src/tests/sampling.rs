@@ -8,7 +8,7 @@ use super::{catalogue_system, lower, positions};
 use crate::system::Positions;
 
 /// Compares every entry of the sampled Jacobian with the one that the model computes.
-fn compare<L: Build<15, Scalar = f64>>(name: &str) {
+fn compare<L: Build<15, Scalar = f64, Listing: Default>>(name: &str) {
     let system = catalogue_system(name);
     let stated = system.fixed.iter().chain(&system.free);
     let stated: Vec<_> = stated.filter_map(|point| point.at).collect();

@@ -51,7 +51,7 @@ fn new(system: &System) -> TokenStream {
     let design = quote!(design);
     let markers = markers(system, &design);
     quote! {
-        fn new(design: &Points<T>) -> Result<Self, GeometryError> {
+        fn of(_listing: Listing, design: &Points<T>) -> Result<Self, GeometryError> {
             parts::finite(design.values())?;
             #(#frames)*
             #cluster_frames

@@ -39,6 +39,10 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
 
             #linked
 
+            fn listing(&self) -> Listing {
+                Listing
+            }
+
             fn fixed(&self) -> &Fixed<T> {
                 &self.fixed
             }

@@ -119,6 +119,7 @@ fn linkage_impl(system: &System) -> TokenStream {
             fn wheel_carrier(&self, _: &Points<T>) -> Option<[Vector3<T>; 3]> { loop {} }
             fn kingpin(&self, _: &Points<T>) -> Option<[Vector3<T>; 2]> { loop {} }
 
+            fn listing(&self) -> Listing { loop {} }
             fn fixed(&self) -> &Fixed<T> { loop {} }
             fn size(&self) -> T { loop {} }
             fn coordinates(&self, _: &Signal<Drives<T>>) -> Signal<Drives<T>> { loop {} }
@@ -163,7 +164,7 @@ fn build_impl(system: &System) -> TokenStream {
         impl<T: Real> Build<#n> for Model<T> {
             type Lengths = Lengths<T>;
 
-            fn new(_: &Points<T>) -> Result<Self, GeometryError> { loop {} }
+            fn of(_: Listing, _: &Points<T>) -> Result<Self, GeometryError> { loop {} }
             fn with_lengths(self, _: &Lengths<T>) -> Result<Self, GeometryError> { loop {} }
             fn with_markers(self, _: &Points<T>) -> Result<Self, GeometryError> { loop {} }
             fn lengths(&self) -> Lengths<T> { loop {} }

@@ -538,6 +538,10 @@ pub mod attia2003 {
             [8, 9].into_iter()
         }
 
+        fn listing(&self) -> Listing {
+            Listing
+        }
+
         fn fixed(&self) -> &Fixed<T> {
             &self.fixed
         }
@@ -1917,7 +1921,7 @@ pub mod attia2003 {
 
     impl<T: Real> Build<15> for Model<T> {
         type Lengths = Lengths<T>;
-        fn new(design: &Points<T>) -> Result<Self, GeometryError> {
+        fn of(_listing: Listing, design: &Points<T>) -> Result<Self, GeometryError> {
             parts::finite(design.values())?;
             let p6_p7_p8_frame = parts::frame(
                 7,

@@ -604,6 +604,10 @@ pub mod five_link {
             [].into_iter()
         }
 
+        fn listing(&self) -> Listing {
+            Listing
+        }
+
         fn fixed(&self) -> &Fixed<T> {
             &self.fixed
         }
@@ -2821,7 +2825,7 @@ pub mod five_link {
 
     impl<T: Real> Build<15> for Model<T> {
         type Lengths = Lengths<T>;
-        fn new(design: &Points<T>) -> Result<Self, GeometryError> {
+        fn of(_listing: Listing, design: &Points<T>) -> Result<Self, GeometryError> {
             parts::finite(design.values())?;
             let knuckle_frame = parts::frame(
                 7,

@@ -54,7 +54,7 @@ impl<T: Scalar> Knuckle for five_link::Model<T> {
 pub fn start<T, L>() -> Option<(L, Motion<T, 15>)>
 where
     T: Real,
-    L: Build<15, Scalar = T> + Knuckle,
+    L: Build<15, Scalar = T, Listing: Default> + Knuckle,
 {
     let points = POINTS.map(|point| Vector3::from(point).map(T::constant));
     let points = L::Points::from_values(points);
@@ -82,7 +82,7 @@ pub fn theta(step: u32) -> [f64; 3] {
 pub fn inputs<T, L>(step: u32) -> Inputs<Still, L::Drives>
 where
     T: Real,
-    L: Build<15, Scalar = T>,
+    L: Build<15, Scalar = T, Listing: Default>,
 {
     let [value, rate, second_rate] =
         theta(step).map(|number| L::Drives::from_values([T::constant(number)]));

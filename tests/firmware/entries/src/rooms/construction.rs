@@ -6,7 +6,7 @@ use suspension_core::{Build, Real};
 fn construct<T, L>(points: &L::Points, lengths: &L::Lengths, model: &mut L) -> bool
 where
     T: Real,
-    L: Build<15, Scalar = T>,
+    L: Build<15, Scalar = T, Listing: Default>,
 {
     match L::new(points).and_then(|built| built.with_lengths(lengths)) {
         Ok(built) => {
