@@ -22,6 +22,7 @@ mod path;
 mod properties;
 mod published_tables;
 mod reference;
+mod renamed;
 mod rigid_fit;
 mod rotation;
 mod series;

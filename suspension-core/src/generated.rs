@@ -1,6 +1,7 @@
 //! What generated code names. Not for use by hand.
 
 pub use nalgebra::{SMatrix, SVector, Vector3};
+pub use suspension_macros::linkage as expand;
 
 pub use crate::assemble::best_rigid_fit;
 pub use crate::constraint::{Carried, Distance, Frame, angle_to_coordinate};

@@ -20,8 +20,6 @@
     )
 )]
 
-extern crate self as suspension_core;
-
 pub mod assemble;
 pub mod baked;
 pub mod body;
@@ -33,6 +31,7 @@ pub mod constraint;
 pub mod controller {}
 mod entrywise;
 pub mod error;
+mod expansion;
 pub mod factored;
 #[doc(hidden)]
 pub mod generated;
@@ -58,7 +57,6 @@ mod vector;
 pub mod wheel;
 
 pub use nalgebra;
-pub use suspension_macros::linkage;
 
 pub use assemble::assemble;
 pub use bounded::{Bounded, Outputs, Settled};

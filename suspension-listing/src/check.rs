@@ -18,7 +18,7 @@ pub(crate) use uses::chassis_points;
 
 /// Fields of the generated model and its factors, variables of its methods, and names that a pattern
 /// does not bind.
-const RESERVED: [&str; 12] = [
+const RESERVED: [&str; 13] = [
     "fixed",
     "size",
     "drive_rate",
@@ -31,6 +31,7 @@ const RESERVED: [&str; 12] = [
     "Some",
     "Ok",
     "Err",
+    "Listing",
 ];
 
 fn is_reserved(name: &str) -> bool {
@@ -86,12 +87,11 @@ impl<'a> Check<'a> {
             self.report(errors::reserved_name(name));
         }
         let mut taken = self.taken.iter();
-        if let Some((_, first)) = taken.find(|(taken, _)| constant(taken) == constant(name)) {
-            let error = errors::duplicate_name(name, *first);
+        if let Some(first) = taken.find(|(taken, _)| constant(taken) == constant(name)) {
+            let error = errors::duplicate_name(name, first);
             self.report(error);
-        } else {
-            self.taken.insert(name.clone(), kind);
         }
+        self.taken.entry(name.clone()).or_insert(kind);
     }
 
     pub(crate) fn report(&mut self, error: syn::Error) {

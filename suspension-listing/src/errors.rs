@@ -66,11 +66,16 @@ pub(crate) fn nothing_declared(span: Span, word: &str) -> Error {
     )
 }
 
-pub(crate) fn duplicate_name(name: &Ident, first: Kind) -> Error {
-    at(
-        name,
-        format!("the name `{name}` is already taken by a {first}; choose another"),
-    )
+pub(crate) fn duplicate_name(name: &Ident, (first, kind): (&Ident, &Kind)) -> Error {
+    let message = if name == first {
+        format!("the name `{name}` is already taken by a {kind}; choose another")
+    } else {
+        format!(
+            "`{name}` and the {kind} `{first}` are the same in capital letters, in which constants are \
+             written; choose another name"
+        )
+    };
+    at(name, message)
 }
 
 pub(crate) fn reserved_name(name: &Ident) -> Error {

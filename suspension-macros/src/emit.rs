@@ -37,6 +37,7 @@ pub(crate) fn module(module: &Module, system: &System, order: &Order) -> TokenSt
         attributes,
         vis,
         name,
+        core,
         ..
     } = module;
     let docs = &system.docs;
@@ -52,10 +53,11 @@ pub(crate) fn module(module: &Module, system: &System, order: &Order) -> TokenSt
         #(#attributes)*
         #(#[doc = #docs])*
         #header
-        // A program need not use every name, nor pass the module on.
-        #[allow(dead_code, unreachable_pub)]
+        // A program need not use every name, nor pass the module on; names made of two of the listing's
+        // may have two underscores in a row.
+        #[allow(dead_code, non_snake_case, unreachable_pub)]
         #vis mod #name {
-            use ::suspension_core::generated::*;
+            use #core::generated::*;
 
             #types
             #indices

@@ -17,7 +17,7 @@ use crate::{emit, module};
 /// One at a time: which lexer `proc-macro2` uses is known to the whole process.
 static ALONE: Mutex<()> = Mutex::new(());
 
-/// Expands a listing. Where it has mistakes, all of them are reported, and the types are still
+/// Expands `[path of the core] listing`. Where it has mistakes, all of them are reported, and the types are still
 /// emitted so that code which uses them raises no further errors.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
     let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);

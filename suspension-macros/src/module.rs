@@ -3,18 +3,20 @@
 
 use proc_macro2::{Span, TokenStream};
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Error, Ident, LitStr, Token, Visibility, braced};
+use syn::{Attribute, Error, Ident, LitStr, Token, Visibility, braced, bracketed};
 
 use suspension_listing::errors::{self, Errors};
 use suspension_listing::name::Name;
 use suspension_listing::{Listing, parse};
 
-/// `docs vis mod name`.
+/// `[core] docs vis mod name`.
 pub(crate) struct Module {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) vis: Visibility,
     pub(crate) name: Ident,
     pub(crate) source: Source,
+    /// The path of `suspension_core` where the module stands.
+    pub(crate) core: TokenStream,
 }
 
 /// Where the statements are.
@@ -41,6 +43,9 @@ pub(crate) fn parse(tokens: TokenStream) -> syn::Result<(Module, Errors)> {
 }
 
 fn parse_module(input: ParseStream<'_>) -> syn::Result<(Module, Errors)> {
+    let core;
+    bracketed!(core in input);
+    let core = core.parse()?;
     let attributes = input.call(Attribute::parse_outer)?;
     let vis = input.parse()?;
     input.parse::<Token![mod]>()?;
@@ -59,6 +64,7 @@ fn parse_module(input: ParseStream<'_>) -> syn::Result<(Module, Errors)> {
         vis,
         name,
         source,
+        core,
     };
     Ok((module, errors))
 }

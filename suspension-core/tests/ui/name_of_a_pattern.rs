@@ -1,8 +1,9 @@
 suspension_core::linkage! {
     mod m {
         fixed: a;
-        free: None;
+        free: None, Listing;
         link rod: a -> None;
+        link second: a -> Listing;
         drive y: None.y;
         drive z: None.z;
     }

@@ -25,6 +25,7 @@ pub(crate) fn stub(
         attributes,
         vis,
         name,
+        core,
         ..
     } = module;
     let errors = error.to_compile_error();
@@ -37,9 +38,9 @@ pub(crate) fn stub(
     quote! {
         #errors
         #(#attributes)*
-        #[allow(dead_code, missing_docs, unreachable_pub)]
+        #[allow(dead_code, missing_docs, non_snake_case, unreachable_pub)]
         #vis mod #name {
-            use ::suspension_core::generated::*;
+            use #core::generated::*;
 
             #types
             #indices

@@ -8,7 +8,8 @@ use crate::module::{self, Source};
 /// The expansion of a catalogue file.
 fn expansion(name: &str) -> proc_macro2::TokenStream {
     let ident = format_ident!("{name}");
-    let module = module::parse(quote!(pub mod #ident;)).map(|(module, _)| module);
+    let module =
+        module::parse(quote!([::suspension_core] pub mod #ident;)).map(|(module, _)| module);
     let module = module.unwrap_or_else(|error| panic!("{error}"));
     let Source::File(path) = &module.source else {
         panic!("a file");

@@ -24,6 +24,16 @@ suspension_core::linkage! {
 }
 
 suspension_core::linkage! {
+    /// Shows names that begin and end with an underscore, in names made of two.
+    pub mod underscores {
+        fixed: front_, _rear;
+        free: push_, _pull;
+        body rocker_: push_, front_, _pull, _rear;
+        drive lift_: push_.z;
+    }
+}
+
+suspension_core::linkage! {
     /// Shows two bodies with a common edge.
     pub mod hinge {
         fixed: front, rear;

@@ -1,0 +1,44 @@
+//! The macro `linkage!`, which names its own crate whatever a program calls it.
+
+/// Expands a listing into a module with the linkage's points, drives, lengths and equations.
+///
+/// ```text
+/// pub mod name {
+///     fixed: a, b at [0.1, 0.4, 0.2];   chassis points, with or without a design position
+///     free:  c, d, e;              points to solve for, three unknowns each
+///     link rod:   a -> c;          a constant length
+///     body plate: c, d, e;         a rigid body: chassis points first, then those shared with
+///                                  another body, then in this order, three are not in line
+///     drive lift: e.z;             prescribes a coordinate: of a free point, an equation;
+///                                  of a fixed point, it moves the anchor
+///     drive gap:  c.z - a.z;       prescribes a difference of coordinates
+///     drive turn: angle(a -> c, z);  prescribes the angle from an axis to the line between two
+///                                    points whose distance a link or a body's frame keeps
+///     measure gauge: length(a -> hub);  reads a length, a coordinate, a difference or an angle
+///                                    (as drives write them) off any points; adds no equation
+///     point hub:  plate;           a marker carried by a body, or by three points; with or without
+///                                    a design position
+///     wheel:   d -> hub;           the spin axis, outboard; its second point is the centre
+///     kingpin: c -> d;             upwards
+/// }
+/// ```
+///
+/// The statements may stand in a file of their own, whose path is relative to the source file. It is
+/// read again when it has changed; its mistakes are reported with the file's line and column.
+///
+/// ```text
+/// pub mod name in "corner.linkage";
+/// pub mod corner;                 the same for a file of the module's name
+/// ```
+///
+/// `//!` at the top of the file documents the module.
+///
+/// Where every point states its design position, the order of elimination is chosen by the size of
+/// the pivots there and, up to 60 unknowns, where drives of free points lead from there; otherwise by
+/// structure alone. Any geometry is solved all the same.
+#[macro_export]
+macro_rules! linkage {
+    ($($listing:tt)*) => {
+        $crate::generated::expand! { [$crate] $($listing)* }
+    };
+}
