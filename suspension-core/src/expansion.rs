@@ -9,6 +9,7 @@
 ///     link rod:   a -> c;          a constant length
 ///     body plate: c, d, e;         a rigid body: chassis points first, then those shared with
 ///                                  another body, then in this order, three are not in line
+///     hinge arm:  a, b -> c, d;    a rigid body that turns about the line of two chassis points
 ///     drive lift: e.z;             prescribes a coordinate: of a free point, an equation;
 ///                                  of a fixed point, it moves the anchor
 ///     drive gap:  c.z - a.z;       prescribes a difference of coordinates

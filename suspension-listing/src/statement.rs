@@ -5,6 +5,7 @@
 
 mod body;
 mod drive;
+mod hinge;
 mod link;
 mod marker;
 mod measure;
@@ -30,6 +31,7 @@ pub(crate) const STATEMENTS: &[Word] = &[
     points::FREE,
     link::LINK,
     body::BODY,
+    hinge::HINGE,
     drive::DRIVE,
     measure::MEASURE,
     marker::POINT,

@@ -10,7 +10,7 @@ suspension_core::linkage! {
     mod semi_trailing {
         fixed: inner, outer;
         free:  hinge_in, hinge_out, centre, tip;
-        body arm:  hinge_in, hinge_out, inner, outer, centre;
+        hinge arm: inner, outer -> hinge_in, hinge_out, centre;
         body flap: tip, hinge_in, hinge_out;
         drive bump: centre.z;
         drive fold: tip.z - hinge_in.z;
