@@ -27,7 +27,7 @@ fn design<P: Values<Vector3<f64>>>(name: &str) -> P {
 /// largest growth.
 fn swing<L, const N: usize>(name: &str, amplitudes: [f64; 2]) -> f64
 where
-    L: Build<N, Scalar = f64>,
+    L: Build<N, Scalar = f64, Listing: Default>,
 {
     let points: L::Points = design(name);
     let model = L::new(&points).expect("a geometry");
