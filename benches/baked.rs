@@ -10,8 +10,9 @@ use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use suspension::bake::{Baked, Continuity, Path, TERMS, Wanted, Wish, bake};
+use suspension::mechanism::Suspension;
 use suspension_core::baked::Place;
-use suspension_core::{Build, HasWheel, Inputs, Still};
+use suspension_core::{Inputs, Still};
 
 #[path = "../tests/support/mod.rs"]
 mod support;
@@ -54,7 +55,7 @@ fn linkage<L>(
     rough: &L::Points,
     inputs: fn(f64) -> Inputs<Still, L::Drives>,
 ) where
-    L: Build<15, Scalar = f64, Points: HasWheel<f64>>,
+    L: Suspension<15>,
 {
     let start = support::motions(model, rough, inputs)[0];
     let held = inputs(0.0).drives.value;

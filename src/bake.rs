@@ -9,7 +9,6 @@
 pub mod certify;
 mod driven;
 pub mod fit;
-pub mod order;
 pub mod path;
 pub mod scheme;
 pub mod source;
@@ -19,7 +18,6 @@ pub mod widest;
 pub use certify::Reached;
 pub use driven::{Derivatives, Output, Wish};
 pub use fit::{Baked, Unmet, Wanted, bake};
-pub use order::Order;
 pub use path::{Exact, OutOfReach, Path};
 pub use scheme::{Continuity, TERMS};
 pub use surface::{BakedSurface, UnmetSurface, WantedSurface, bake_surface};

@@ -1,9 +1,10 @@
 //! The program `suspension`: motion files in, tables, CSV files and plots out.
 //!
-//! All kinematics are those of [`suspension_core`]. This crate reads a motion file and brings the mechanism to its first instant
-//! ([`input`]), sweeps through the instants ([`study`]), writes what the core found ([`output`]), and
-//! compares it with the paper ([`published`]). It runs steps in [`lanes`], [`bake`]s motions, and
-//! chooses the cheapest method for a need ([`detail`]).
+//! All kinematics are those of [`suspension_core`]. From the top: [`cli`] reads options and gives exit codes;
+//! each of [`commands`] is work on a mechanism of any linkage, which [`load`] makes of a [`mod@file`];
+//! a [`mechanism`] moves, [`quantities`] are read off its states, and [`output`] writes them. Beside them are
+//! libraries: [`bake`] turns motions into polynomials, [`assemblies`] finds all ways to put a mechanism
+//! together, [`lanes`] steps several at once, and [`detail`] chooses the cheapest method for a need.
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
@@ -12,13 +13,13 @@ struct Readme;
 pub mod assemblies;
 pub mod bake;
 pub mod cli;
+pub mod commands;
 pub mod detail;
 pub mod failure;
-pub mod input;
-pub mod job;
+pub mod file;
 pub mod lanes;
+pub mod load;
+pub mod mechanism;
 pub mod number;
 pub mod output;
-pub mod published;
-pub mod range;
-pub mod study;
+pub mod quantities;

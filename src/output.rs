@@ -1,7 +1,10 @@
 //! What the user gets: CSV files, plots, summaries, progress.
 
 pub mod csv_file;
+pub mod figures;
 pub mod files;
 pub mod plot;
 pub mod progress;
+pub mod record;
 pub mod summary;
+pub mod table;

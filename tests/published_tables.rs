@@ -1,6 +1,6 @@
 //! The solver against Tables 2 and 3 as the paper prints them.
 
-use suspension::published::paper::{Column, Paper};
+use suspension::commands::published::paper::{Column, Paper};
 use suspension_core::linkages::attia2003;
 use suspension_core::wheel::CarrierRotation;
 use suspension_core::{HasWheel, Motion};

@@ -1,13 +1,12 @@
 //! The roots of the mechanism itself.
 
-use nalgebra::{Complex, Const, DimMin, SVector};
+use nalgebra::{Complex, SVector};
 use suspension_core::{Inputs, Newton, Still};
 
-use crate::assemblies::family::{Member, Vector, complex};
-use crate::assemblies::generic::{Generic, add_distinct};
+use crate::assemblies::family::{Enumerable, Member, Vector, complex};
+use crate::assemblies::generic::{Evidence, Generic, add_distinct};
 use crate::assemblies::parallel;
 use crate::assemblies::path::{End, follow};
-use crate::assemblies::{Enumerable, Evidence};
 
 /// Ways on which the roots are followed at most: a straight one, and detours where paths of that
 /// are lost.
@@ -65,10 +64,7 @@ pub(crate) fn census<L: Enumerable<N>, const N: usize>(
     generic: &mut Generic<L::Listing, N>,
     model: &L,
     inputs: &Inputs<Still, L::Drives>,
-) -> Census<N>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+) -> Census<N> {
     let size = model.size();
     let target = Member {
         drives: complex::<L, N>(model, inputs),

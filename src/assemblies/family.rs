@@ -1,26 +1,22 @@
 //! The equations of a linkage among their neighbours: `F(q; u) = c` over complex numbers.
 
-use nalgebra::{Complex, Const, DimMin, LU, SVector};
-use suspension_core::{Inputs, Kind, Linkage, Listing, Part, Parts, Still, Values};
+use nalgebra::{Complex, SVector};
+use suspension_core::{Inputs, Linkage, Listing, Still, Values};
 
-use crate::assemblies::Enumerable;
+use crate::assemblies::factors::Factors;
 
 /// Unknowns, right-hand sides and residuals.
 pub(crate) type Vector<const N: usize> = SVector<Complex<f64>, N>;
 
-/// A factored Jacobian.
-pub(crate) struct Factors<const N: usize>(LU<Complex<f64>, Const<N>, Const<N>>)
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>;
-
-impl<const N: usize> Factors<N>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+/// A model of a listing, whose equations can be taken over complex numbers.
+pub trait Enumerable<const N: usize>:
+    Linkage<N, Scalar = f64, Listing: Listing<N, Model<f64> = Self>>
 {
-    /// Solves `J x = right`; `None` where a pivot is zero.
-    pub(crate) fn solve(&self, right: &Vector<N>) -> Option<Vector<N>> {
-        self.0.solve::<Const<N>, Const<1>, _>(right)
-    }
+}
+
+impl<L, const N: usize> Enumerable<N> for L where
+    L: Linkage<N, Scalar = f64, Listing: Listing<N, Model<f64> = L>>
+{
 }
 
 /// Driven coordinates.
@@ -83,14 +79,17 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         }
     }
 
-    /// The first equation that is a drive.
+    /// The equation of the first drive of a free point: alone among drives they have one.
     pub(crate) fn driven_row(&self) -> Option<usize> {
-        let model = &self.model;
-        let is_drive = |row: &usize| {
-            let mut drives = (0..model.count(Kind::Drive)).map(Part::Drive);
-            drives.any(|drive| model.name(drive) == model.name(Part::Equation(*row)))
-        };
-        (0..model.count(Kind::Unknown)).find(is_drive)
+        let nowhere = Vector::zeros();
+        let still = Fixed::<G, N>::default();
+        let at_rest = Drives::<G, N>::default();
+        let mut rows = (0..at_rest.values().count()).filter_map(|drive| {
+            let rate = at_rest.with(drive, Complex::from(1.0));
+            let rate = self.model.drive_rate(&nowhere, &still, &still, &rate);
+            rate.iter().position(|rate| *rate != Complex::ZERO)
+        });
+        rows.next()
     }
 
     fn fixed(&self, drives: &Drives<G, N>) -> Fixed<G, N> {
@@ -135,12 +134,9 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
     }
 
     /// The factors of `dF/dq`.
-    pub(crate) fn factors(&self, q: &Vector<N>, s: f64) -> Factors<N>
-    where
-        Const<N>: DimMin<Const<N>, Output = Const<N>>,
-    {
+    pub(crate) fn factors(&self, q: &Vector<N>, s: f64) -> Factors<N> {
         let fixed = self.family.fixed(&self.drives(s));
-        Factors(self.family.model.jacobian(q, &fixed).lu())
+        Factors::of(self.family.model.jacobian(q, &fixed))
     }
 
     /// Taylor coefficients of the root, order 1 first: `F` is quadratic in `q` and `u` together, so
@@ -150,10 +146,7 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         q: &Vector<N>,
         s: f64,
         factors: &Factors<N>,
-    ) -> Option<[Vector<N>; K]>
-    where
-        Const<N>: DimMin<Const<N>, Output = Const<N>>,
-    {
+    ) -> Option<[Vector<N>; K]> {
         let Family { model, .. } = self.family;
         let fixed = self.family.fixed(&self.drives(s));
         let zero = Fixed::<G, N>::default();

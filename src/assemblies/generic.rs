@@ -1,6 +1,6 @@
 //! All complex roots of one generic member of a family.
 
-use nalgebra::{Complex, Const, DimMin, SVector};
+use nalgebra::{Complex, SVector};
 use suspension_core::Listing;
 
 use crate::assemblies::family::{Drives, Family, Line, Member, Vector};
@@ -55,10 +55,7 @@ pub(crate) struct Generic<G: Listing<N>, const N: usize> {
     random: Random,
 }
 
-impl<G: Listing<N>, const N: usize> Generic<G, N>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+impl<G: Listing<N>, const N: usize> Generic<G, N> {
     /// Finds the roots of a random member near the one of which `q` is a root.
     ///
     /// Duff, Hill, Jensen, Lee, Leykin and Sommars 2019, Solving polynomial systems via homotopy

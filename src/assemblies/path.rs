@@ -1,9 +1,10 @@
 //! Roots followed along a line of the family.
 
-use nalgebra::{Complex, Const, DimMin};
+use nalgebra::Complex;
 use suspension_core::Listing;
 
-use crate::assemblies::family::{Factors, Line, Vector};
+use crate::assemblies::factors::Factors;
+use crate::assemblies::family::{Line, Vector};
 
 /// Terms of the predicting series.
 const TERMS: usize = 10;
@@ -39,10 +40,10 @@ pub(crate) enum End<const N: usize> {
 }
 
 /// Follows the root `q` of the first member of a way to its last.
-pub(crate) fn follow<G: Listing<N>, const N: usize>(way: &[Line<'_, G, N>], q: &Vector<N>) -> End<N>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+pub(crate) fn follow<G: Listing<N>, const N: usize>(
+    way: &[Line<'_, G, N>],
+    q: &Vector<N>,
+) -> End<N> {
     way.iter().fold(End::Root(*q), |end, line| match end {
         End::Root(q) => follow_line(line, q),
         End::Infinite | End::Lost => End::Lost,
@@ -51,10 +52,7 @@ where
 
 /// Predicted by the Taylor series, corrected by Newton's method with the factors of the predicted
 /// place, which then give the next series.
-fn follow_line<G: Listing<N>, const N: usize>(line: &Line<'_, G, N>, mut q: Vector<N>) -> End<N>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+fn follow_line<G: Listing<N>, const N: usize>(line: &Line<'_, G, N>, mut q: Vector<N>) -> End<N> {
     let mut s = 0.0;
     let mut factors = line.factors(&q, s);
     for _ in 0..MOST_STEPS {
@@ -87,10 +85,7 @@ fn step<G: Listing<N>, const N: usize>(
     s: f64,
     terms: &[Vector<N>; TERMS],
     scale: f64,
-) -> Option<(Vector<N>, f64, Factors<N>)>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+) -> Option<(Vector<N>, f64, Factors<N>)> {
     let mut step = reach(terms, PREDICTION * scale);
     while step >= SHORTEST {
         let there = if step < 1.0 - s { s + step } else { 1.0 };

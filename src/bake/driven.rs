@@ -2,16 +2,17 @@
 
 use nalgebra::Vector3;
 use suspension_core::{
-    Build, HasWheel, Inputs, Kind, Motion, Part, Signal, SolveError, Still, Stopped, Tangent,
-    Tracker, Values,
+    Inputs, Motion, Signal, SolveError, Still, Stopped, Tangent, Tracker, Values,
 };
+
+use crate::mechanism::{Names, Suspension};
 
 /// Which points are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wish {
     /// Every free point and marker.
     AllPoints,
-    /// The wheel: its centre and its spin axis.
+    /// The wheel: its centre and its spin axis. A linkage without a wheel has no outputs.
     Wheel,
 }
 
@@ -52,11 +53,41 @@ pub type Derivatives = [Vector3<f64>; 3];
 /// A mechanism and what is read of it.
 #[derive(Clone, Debug)]
 pub(super) struct Driven<'a, L> {
-    pub(super) model: &'a L,
-    pub(super) wish: Wish,
+    model: &'a L,
+    reading: Reading,
 }
 
-impl<L> Driven<'_, L> {
+/// What is read of the points.
+#[derive(Clone, Debug)]
+enum Reading {
+    /// The points from this number on, which are called so.
+    From(usize, Vec<String>),
+    /// The spin axis from one point to another, the wheel centre.
+    Axis([usize; 2]),
+}
+
+impl Reading {
+    fn new(names: &Names, wish: Wish) -> Self {
+        match (wish, names.wheel) {
+            (Wish::AllPoints, _) => {
+                Self::From(names.chassis, names.points[names.chassis..].to_vec())
+            }
+            (Wish::Wheel, Some(wheel)) => Self::Axis(wheel.axis),
+            (Wish::Wheel, None) => Self::From(names.points.len(), Vec::new()),
+        }
+    }
+}
+
+impl<'a, L> Driven<'a, L> {
+    /// What is wished for of a model.
+    pub(super) fn new<const N: usize>(model: &'a L, wish: Wish) -> Self
+    where
+        L: Suspension<N>,
+    {
+        let reading = Reading::new(&Names::of_model(model), wish);
+        Self { model, reading }
+    }
+
     /// Moves the drives from one set of values to another.
     pub(super) fn follow<const N: usize>(
         &self,
@@ -64,7 +95,7 @@ impl<L> Driven<'_, L> {
         motion: &mut Motion<f64, N>,
     ) -> Result<(), Stopped<f64>>
     where
-        L: Build<N, Scalar = f64>,
+        L: Suspension<N>,
     {
         let tracker = Tracker {
             max_steps: 10_000,
@@ -92,50 +123,33 @@ impl<L> Driven<'_, L> {
         rate: L::Drives,
     ) -> Result<Vec<Derivatives>, SolveError<f64>>
     where
-        L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
+        L: Suspension<N>,
     {
         let inputs = moving(at, rate);
         let motion = Tangent::new(self.model, &inputs, &motion.position)?.motion()?;
         let points = motion.points(self.model, &inputs);
         let by_order = [&points.value, &points.rate, &points.second_rate];
-        Ok(match self.wish {
-            Wish::Wheel => {
-                let [inner, centre] = [0, 1].map(|end| by_order.map(|points| points.wheel()[end]));
+        let by_order = by_order.map(|points| points.values().collect::<Vec<_>>());
+        let point = |point: usize| [0, 1, 2].map(|order| by_order[order][point]);
+        Ok(match &self.reading {
+            Reading::From(first, names) => (*first..first + names.len()).map(point).collect(),
+            Reading::Axis(ends) => {
+                let [inner, centre] = ends.map(point);
                 let axis = [0, 1, 2].map(|order| centre[order] - inner[order]);
                 // Both points belong to one body: their distance does not change.
                 let length = axis[0].norm();
                 vec![centre, axis.map(|axis| axis / length)]
             }
-            Wish::AllPoints => {
-                let each = by_order.map(|points| points.values().collect::<Vec<_>>());
-                let count = each[0].len();
-                let point = |point: usize| [0, 1, 2].map(|order| each[order][point]);
-                (first_free(self.model)..count).map(point).collect()
-            }
         })
     }
 
     /// What the outputs are.
-    pub(super) fn outputs<const N: usize>(&self) -> Vec<Output>
-    where
-        L: Build<N, Scalar = f64>,
-    {
-        match self.wish {
-            Wish::Wheel => vec![Output::WheelCentre, Output::SpinAxis],
-            Wish::AllPoints => {
-                let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
-                let count = kinds.map(|kind| self.model.count(kind)).iter().sum();
-                let free = first_free(self.model)..count;
-                free.map(|point| Output::Point(self.model.name(Part::Point(point)).to_owned()))
-                    .collect()
-            }
+    pub(super) fn outputs(&self) -> Vec<Output> {
+        match &self.reading {
+            Reading::From(_, names) => names.iter().cloned().map(Output::Point).collect(),
+            Reading::Axis(_) => vec![Output::WheelCentre, Output::SpinAxis],
         }
     }
-}
-
-/// Chassis points come first, then all that moves.
-fn first_free<L: Build<N, Scalar = f64>, const N: usize>(model: &L) -> usize {
-    model.count(Kind::ChassisPoint)
 }
 
 fn moving<D: Values<f64> + Default>(value: D, rate: D) -> Inputs<Still, D> {

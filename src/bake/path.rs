@@ -2,9 +2,10 @@
 
 use std::fmt;
 
-use suspension_core::{Build, HasWheel, Linkage, Motion, SolveError, Stopped, Values};
+use suspension_core::{Linkage, Motion, SolveError, Stopped, Values};
 
 use crate::bake::driven::{Derivatives, Driven, Output, Wish};
+use crate::mechanism::Suspension;
 use crate::number::number;
 
 /// The mechanism moved by one drive, the others held.
@@ -51,10 +52,7 @@ pub trait Exact {
 
 const ANCHORS: u32 = 65;
 
-impl<'a, L, const N: usize> Path<'a, L, N>
-where
-    L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
-{
+impl<'a, L: Suspension<N>, const N: usize> Path<'a, L, N> {
     /// The path of drive number `drive` over `range`, with the other drives held at `held`. The
     /// mechanism is driven there from the configuration `start` at `held`.
     ///
@@ -70,7 +68,7 @@ where
         wish: Wish,
     ) -> Result<Self, OutOfReach> {
         let mut path = Self {
-            driven: Driven { model, wish },
+            driven: Driven::new(model, wish),
             held,
             drive,
             anchors: Vec::new(),
@@ -120,10 +118,7 @@ where
 /// The drive's value where the mechanism stopped, and why.
 type Stop = (f64, Option<SolveError<f64>>);
 
-impl<L, const N: usize> Exact for Path<'_, L, N>
-where
-    L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
-{
+impl<L: Suspension<N>, const N: usize> Exact for Path<'_, L, N> {
     fn outputs(&self) -> Vec<Output> {
         self.driven.outputs()
     }

@@ -13,7 +13,7 @@ use crate::bake::scheme::{Continuity, TERMS};
 use crate::number::{exact, rounded};
 
 /// The language of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
     /// A `static` of `suspension_core::baked::Curve`.
     Rust,

@@ -2,35 +2,19 @@
 //! [`suspension_core::baked::Surface`].
 
 mod plane;
-
-use std::fmt;
+mod wanted;
 
 use nalgebra::Vector3;
+use suspension_core::Motion;
 use suspension_core::baked::Patch;
-use suspension_core::{Build, HasWheel, Motion, SolveError};
 
 use crate::bake::certify;
-use crate::bake::driven::{Driven, Output, Wish};
+use crate::bake::driven::{Driven, Output};
 use crate::bake::scheme::{Continuity, TERMS};
-use crate::number::number;
+use crate::mechanism::Suspension;
 use plane::{Mixed, Plane};
 
-/// What to bake.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WantedSurface {
-    /// The numbers of the two drives.
-    pub drives: [usize; 2],
-    /// Each drive's first and last value.
-    pub ranges: [[f64; 2]; 2],
-    /// How far a point may be off, in the unit of the hardpoints.
-    pub tolerance: f64,
-    /// A metre in that unit: the spin axis may be off by as much as a point a metre away.
-    pub metre: f64,
-    /// Whether velocities may jump where patches join. Accelerations do.
-    pub smooth: bool,
-    /// Which points.
-    pub wish: Wish,
-}
+pub use wanted::{MOST_PATCHES, UnmetSurface, WantedSurface};
 
 /// A baked motion of two drives.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,40 +58,6 @@ impl BakedSurface {
     }
 }
 
-/// Why a motion of two drives was not baked.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum UnmetSurface {
-    /// The mechanism does not reach these values of the drives.
-    OutOfReach {
-        /// The values.
-        drives: [f64; 2],
-        /// Why.
-        cause: Option<SolveError<f64>>,
-    },
-    /// The tolerance is not met with [`MOST_PATCHES`].
-    TooManyPatches,
-}
-
-impl fmt::Display for UnmetSurface {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::OutOfReach { drives, cause } => {
-                let [first, second] = drives.map(number);
-                write!(f, "the mechanism does not reach {first} and {second}")?;
-                cause.map_or(Ok(()), |cause| write!(f, ": {cause}"))
-            }
-            Self::TooManyPatches => {
-                write!(f, "{MOST_PATCHES} patches do not meet the tolerance")
-            }
-        }
-    }
-}
-
-impl std::error::Error for UnmetSurface {}
-
-/// Patches that a surface may have.
-pub const MOST_PATCHES: usize = 144;
-
 /// Bakes the motion of two drives, the others held at `held`, the configuration `start`.
 ///
 /// The number of patches is the smallest with which the tolerance is met, in whichever way they
@@ -116,18 +66,14 @@ pub const MOST_PATCHES: usize = 144;
 /// # Errors
 ///
 /// See [`UnmetSurface`].
-pub fn bake_surface<L, const N: usize>(
+pub fn bake_surface<L: Suspension<N>, const N: usize>(
     model: &L,
     start: &Motion<f64, N>,
     held: L::Drives,
     wanted: &WantedSurface,
-) -> Result<BakedSurface, UnmetSurface>
-where
-    L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
-{
-    let wish = wanted.wish;
+) -> Result<BakedSurface, UnmetSurface> {
     let plane = Plane {
-        driven: Driven { model, wish },
+        driven: Driven::new(model, wanted.wish),
         start,
         held,
         wanted,
@@ -152,10 +98,7 @@ where
 
 type Patches = Vec<Vec<Patch<f64, 3, TERMS>>>;
 
-impl<L, const N: usize> Plane<'_, L, N>
-where
-    L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
-{
+impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
     /// All patches and what they are off by; `None` where the tolerance is not met.
     fn patches(&self, counts: [usize; 2]) -> Result<Option<(Patches, f64)>, UnmetSurface> {
         let mut patches = Vec::new();

@@ -2,7 +2,10 @@
 
 use serde::de::{Deserialize, Deserializer, Error};
 
-use crate::detail::{Detail, Outputs, Wish};
+use suspension_core::Outputs;
+
+use crate::bake::Wish;
+use crate::detail::need::Detail;
 
 /// One measurement, as tables have it; columns that are not needed here are left out.
 #[derive(Clone, Debug, serde::Deserialize)]

@@ -15,11 +15,31 @@ pub enum Target {
     File(PathBuf),
 }
 
+impl From<PathBuf> for Target {
+    /// Standard output for `-`, else a file.
+    fn from(path: PathBuf) -> Self {
+        if path.as_os_str() == "-" {
+            Self::Stdout
+        } else {
+            Self::File(path)
+        }
+    }
+}
+
+/// A column: what stands above it, and how its numbers are written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Heading {
+    /// The column's name.
+    pub name: String,
+    /// Whether its numbers are counts, written without a fraction.
+    pub counts: bool,
+}
+
 /// A table of comma-separated values being written.
 pub struct CsvFile {
     name: String,
     writer: csv::Writer<Sink>,
-    integer_columns: Vec<bool>,
+    counts: Vec<bool>,
 }
 
 enum Sink {
@@ -49,7 +69,7 @@ impl CsvFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub fn create(target: &Target, columns: &[String]) -> Result<Self, Failure> {
+    pub fn create(target: &Target, headings: &[&Heading]) -> Result<Self, Failure> {
         let (name, sink) = match target {
             Target::Stdout => {
                 let out = BufWriter::new(io::stdout());
@@ -60,12 +80,9 @@ impl CsvFile {
         let mut table = Self {
             name,
             writer: csv::Writer::from_writer(sink),
-            integer_columns: columns
-                .iter()
-                .map(|name| matches!(name.as_str(), "iterations" | "assembly" | "mirrored"))
-                .collect(),
+            counts: headings.iter().map(|heading| heading.counts).collect(),
         };
-        table.record(columns.iter().map(String::as_str))?;
+        table.record(headings.iter().map(|heading| heading.name.as_str()))?;
         Ok(table)
     }
 
@@ -75,10 +92,10 @@ impl CsvFile {
     ///
     /// See [`Failure::writing`].
     pub fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
-        let values = values.iter().zip(&self.integer_columns);
+        let values = values.iter().zip(&self.counts);
         let fields: Vec<String> = values
-            .map(|(value, integer)| {
-                if *integer {
+            .map(|(value, counts)| {
+                if *counts {
                     format!("{value}")
                 } else {
                     format!("{value:.16e}")

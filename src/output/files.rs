@@ -126,6 +126,13 @@ pub fn print(text: &str) -> Result<(), Failure> {
         .map_err(|error| Failure::writing("standard output", &error))
 }
 
+/// Names the files that were written.
+pub fn announce(written: &[PathBuf]) {
+    for path in written {
+        eprintln!("wrote {}", path.display());
+    }
+}
+
 /// Refuses to write a result over the motion that it is the result of. `option` is the one that
 /// names the result.
 ///

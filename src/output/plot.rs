@@ -4,8 +4,6 @@ use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
-use crate::study::sweep::Rows;
-
 /// A plot.
 #[derive(Clone, Debug)]
 pub struct Chart {
@@ -28,23 +26,6 @@ pub struct Curve {
     pub line: Vec<(f64, f64)>,
     /// Points that are marked.
     pub marks: Vec<(f64, f64)>,
-}
-
-impl Curve {
-    /// From columns of a dense and a sparse sweep, times `scale`.
-    pub fn new(name: impl Into<String>, column: &str, scale: f64, rows: [&Rows; 2]) -> Self {
-        let [line, marks] = rows.map(|rows| {
-            let values = rows.column(column).unwrap_or_default();
-            let times = rows.column("t_s").unwrap_or_default();
-            let points = times.into_iter().zip(values.into_iter().map(|v| v * scale));
-            points.filter(|(_, value)| value.is_finite()).collect()
-        });
-        Self {
-            name: name.into(),
-            line,
-            marks,
-        }
-    }
 }
 
 /// Width and height as shown.

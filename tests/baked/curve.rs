@@ -2,9 +2,10 @@
 
 use nalgebra::Vector3;
 use suspension::bake::{Baked, Continuity, Exact, Path, TERMS, Wanted, Wish, bake};
+use suspension::mechanism::Suspension;
 use suspension_core::baked::Curve;
 use suspension_core::linkages::five_link;
-use suspension_core::{Build, HasWheel, Inputs, Named, Real, Still};
+use suspension_core::{Inputs, Named, Real, Still};
 
 use super::mixed;
 use crate::support::{self, INSTANTS, Reference, theta};
@@ -36,7 +37,7 @@ fn published<L>(
     wanted: &Wanted,
     check: impl Fn(&Baked, &dyn Exact),
 ) where
-    L: Build<15, Scalar = f64, Points: HasWheel<f64>>,
+    L: Suspension<15>,
 {
     let start = support::motions(model, rough, inputs)[0];
     let held = inputs(0.0).drives.value;

@@ -54,7 +54,7 @@ impl Reference {
 
 /// The data file of the paper.
 static PAPER: LazyLock<toml::Table> = LazyLock::new(|| {
-    let text = include_str!("../../src/published/attia2003.toml");
+    let text = include_str!("../../src/commands/published/attia2003.toml");
     text.parse().expect("valid TOML")
 });
 

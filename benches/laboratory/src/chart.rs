@@ -26,7 +26,9 @@ pub mod trial;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use nalgebra::{Const, DimMin};
 use suspension_core::linkage::Listing;
+use suspension_core::linkages::{attia2003, five_link};
 
 use course::Course;
 use methods::Methods;
@@ -34,12 +36,11 @@ use page::Findings;
 use reference::Reference;
 use survey::{Effort, MILLISECOND, Plan, Survey, nearest_to};
 use suspension::failure::Failure;
-use suspension::input::setup::Loaded;
-use suspension::input::source::Source;
-use suspension::job;
+use suspension::file::Source;
+use suspension::load::{Loaded, load};
+use suspension::mechanism::Suspension;
 use suspension::number::{number, rounded};
-use suspension::output::files::{refuse_input, write_file};
-use suspension::study::{Assembled, Suspension, Work, cause};
+use suspension::output::files::{announce, refuse_input, write_file};
 use suspension_double_double::DoubleDouble;
 
 /// What to make a chart of, and where it goes.
@@ -71,14 +72,14 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = wanted
         .file
         .as_deref()
-        .map_or_else(|| Ok(job::built_in()), Source::read)?;
+        .map_or_else(|| Ok(published()), Source::read)?;
     let csv = wanted.csv.clone();
     let csv = csv.unwrap_or_else(|| wanted.folder.join("chart.csv"));
     if let Some(file) = &wanted.file {
         refuse_input(&csv, file, "--csv")?;
     }
     let rivals = rows::from_csv(&wanted.folder.join("rivals.csv"))?;
-    let loaded = Loaded::read(&source)?;
+    let loaded = load(&source)?;
     let [first, last] = loaded.instants().ends();
     let last = wanted.file.as_ref().map_or(LAST_OF_PUBLISHED, |_| last);
     let steps = (last - first).abs() / wanted.effort.steps[0];
@@ -98,7 +99,10 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
         effort: &wanted.effort,
         interrupted,
     };
-    let survey = loaded.run_driven("suspension-laboratory chart", measuring)?;
+    let survey = match loaded.linkage() {
+        "five_link" => measuring.survey::<five_link::Model<f64>, 15>(&loaded),
+        _ => measuring.survey::<attia2003::Model<f64>, 15>(&loaded),
+    }?;
     let motion = format!(
         "{}, {} of t = {} s to {} s",
         source.name(),
@@ -126,6 +130,14 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     Ok(())
 }
 
+/// The published motion.
+fn published() -> Source {
+    Source::new(
+        "examples/attia2003.toml",
+        include_str!("../../../examples/attia2003.toml"),
+    )
+}
+
 fn write(findings: &Findings, folder: &Path, csv: PathBuf) -> Result<(), Failure> {
     let mut written = vec![csv];
     write_file(&written[0], &rows::to_csv(&findings.survey.rows)?)?;
@@ -141,7 +153,7 @@ fn write(findings: &Findings, folder: &Path, csv: PathBuf) -> Result<(), Failure
             written.push(path);
         }
     }
-    job::announce(&written);
+    announce(&written);
     Ok(())
 }
 
@@ -152,33 +164,35 @@ struct Measuring<'a> {
     interrupted: &'a AtomicBool,
 }
 
-impl Work for Measuring<'_> {
-    type Answer = Survey;
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        assembled: &Assembled<L, N>,
-    ) -> Result<Survey, Failure> {
+impl Measuring<'_> {
+    /// Lanes and `lu()` of nalgebra are not for every linkage that a program can run.
+    fn survey<L, const N: usize>(self, loaded: &Loaded<'_>) -> Result<Survey, Failure>
+    where
+        L: Suspension<N, Listing: Default> + 'static,
+        Const<N>: DimMin<Const<N>, Output = Const<N>>,
+    {
+        let mechanism = &loaded.mechanism::<L, N>()?;
+        loaded.check_driven("suspension-laboratory chart", mechanism)?;
         let Self {
             ends,
             effort,
             interrupted,
         } = self;
-        let model = &assembled.model;
+        let model = &mechanism.model;
         let course = Course::<<L::Listing as Listing<N>>::Drives<f64>>::new(
-            &assembled.drives,
+            &mechanism.drives,
             ends,
             effort.steps[0],
         );
         let exact = L::Listing::rounded::<DoubleDouble>(model);
         let reference =
-            Reference::new(model, &exact, &assembled.start, &course).map_err(|(t, error)| {
-                let cause = cause::<L, N>(&error, assembled.unit);
+            Reference::new(model, &exact, &mechanism.start, &course).map_err(|(t, error)| {
+                let cause = mechanism.names.cause(&error, mechanism.unit);
                 Failure::Solver(format!("no motion at t = {} s: {cause}", number(t)))
             })?;
         let [position, ..] = &reference.instants()[0];
         let single = L::Listing::rounded::<f32>(model);
-        let tables = baked::tables(assembled, &course);
+        let tables = baked::tables(mechanism, &course);
         let mut methods = Methods { rows: Vec::new() };
         methods.add_scalar(model, model, position);
         methods.add_scalar(model, &single, position);
@@ -192,7 +206,7 @@ impl Work for Measuring<'_> {
             course: &course,
             reference: &reference,
             effort,
-            metre: assembled.unit.metre(),
+            metre: mechanism.unit.metre(),
             interrupted,
         };
         Ok(plan.survey())

@@ -20,8 +20,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::SVector;
-use suspension_core::Stopped;
 use suspension_core::linkage::Listing;
+use suspension_core::{Parts, Stopped};
 
 use axes::{POINTS, Subject};
 use closure::{Closures, NINE_DISTANCES, RIGID_BODY};
@@ -30,15 +30,12 @@ use page::Findings;
 use rows::to_csv;
 use survey::{Counted, Effort, Survey};
 use suspension::failure::Failure;
-use suspension::input::drives::DriveLaws;
-use suspension::input::file::Unit;
-use suspension::input::setup::Loaded;
-use suspension::input::source::Source;
-use suspension::job;
+use suspension::file::Source;
+use suspension::load::load;
+use suspension::mechanism::{DriveLaws, Mechanism, Names, Suspension, Unit, Work};
 use suspension::number::number;
-use suspension::output::files::{refuse_input, write_file};
+use suspension::output::files::{announce, refuse_input, write_file};
 use suspension::output::progress::Progress;
-use suspension::study::{Assembled, Suspension, Work, cause};
 use truth::Truth;
 use turning::turning_points;
 
@@ -63,7 +60,7 @@ const TABLE: &str = "failures.csv";
 pub fn failures(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = Source::read(&wanted.file)?;
     refuse_input(&wanted.folder.join(TABLE), &wanted.file, "--out")?;
-    let loaded = Loaded::read(&source)?;
+    let loaded = load(&source)?;
     let [first, last] = loaded.instants().ends();
     if first == last {
         let name = source.name();
@@ -114,7 +111,7 @@ fn write(findings: &Findings, folder: &Path) -> Result<(), Failure> {
         write_file(&path, &text)?;
         written.push(path);
     }
-    job::announce(&written);
+    announce(&written);
     Ok(())
 }
 
@@ -131,31 +128,31 @@ impl Work for Trying<'_> {
 
     fn on<L: Suspension<N>, const N: usize>(
         self,
-        assembled: &Assembled<L, N>,
+        mechanism: &Mechanism<L, N>,
     ) -> Result<Counted, Failure> {
         let Self {
             ends,
             effort,
             interrupted,
         } = self;
-        let closures = Closures::of(assembled);
+        let closures = Closures::of(mechanism);
         let models = if closures.is_some() { 4 } else { 2 };
         let mut survey = Survey {
             effort,
-            metre: assembled.unit.metre(),
+            metre: mechanism.unit.metre(),
             interrupted,
             counted: Counted::default(),
             progress: Progress::new(models * POINTS + 4 * looks(effort.long_run), "parts"),
         };
         let motion = Followed {
-            drives: &assembled.drives,
+            drives: &mechanism.drives,
             ends,
-            unit: assembled.unit,
+            unit: mechanism.unit,
         };
         let stopped = match &closures {
             None => {
-                let start = &assembled.start.position;
-                motion.add(&mut survey, assembled.linkage, &assembled.model, start)
+                let start = &mechanism.start.position;
+                motion.add(&mut survey, &mechanism.linkage, &mechanism.model, start)
             }
             Some(closures) => {
                 let Closures {
@@ -188,7 +185,7 @@ impl Followed<'_> {
         start: &SVector<f64, N>,
     ) -> Result<(), Failure> {
         let truth = Truth::new(model, self.drives, start, self.ends)
-            .map_err(|stopped| self.no_motion::<L, N>(&stopped))?;
+            .map_err(|stopped| self.no_motion(model, &stopped))?;
         let subject = Subject {
             closure,
             truth: &truth,
@@ -208,9 +205,9 @@ impl Followed<'_> {
         Ok(())
     }
 
-    fn no_motion<L: Suspension<N>, const N: usize>(&self, stopped: &Stopped<f64>) -> Failure {
+    fn no_motion(&self, model: &impl Parts, stopped: &Stopped<f64>) -> Failure {
         let cause = stopped.refused.map_or_else(String::new, |(_, error)| {
-            format!(": {}", cause::<L, N>(&error, self.unit))
+            format!(": {}", Names::of(model).cause(&error, self.unit))
         });
         let reached = number(stopped.reached);
         Failure::Solver(format!("no motion beyond t = {reached} s{cause}"))

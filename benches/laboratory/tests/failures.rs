@@ -2,10 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use suspension::input::drives::DriveLaws;
-use suspension::input::polynomial::Polynomial;
+use suspension::mechanism::DriveLaws;
+use suspension::mechanism::Polynomial;
+use suspension::mechanism::Suspension;
 use suspension::output::progress::Progress;
-use suspension::study::Suspension;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Build, Linkage, Values};
 use suspension_laboratory::failures::axes::Subject;

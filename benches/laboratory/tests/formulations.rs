@@ -1,8 +1,8 @@
 //! The chart's reference has its digits, and every method and formulation finds the same motion.
 
 use nalgebra::{Const, DimMin};
-use suspension::input::drives::DriveLaws;
-use suspension::input::polynomial::Polynomial;
+use suspension::mechanism::DriveLaws;
+use suspension::mechanism::Polynomial;
 use suspension_core::linkage::Listing;
 use suspension_core::linkages::attia2003;
 use suspension_core::{Build, Linkage, Motion, Newton, Outputs, Signal, assemble};

@@ -6,8 +6,8 @@ mod counting;
 mod support;
 
 use counting::{Counting, allocations};
-use suspension::input::drives::DriveLaws;
-use suspension::input::polynomial::Polynomial;
+use suspension::mechanism::DriveLaws;
+use suspension::mechanism::Polynomial;
 use suspension_core::Real;
 use suspension_core::linkages::five_link;
 use suspension_laboratory::failures::long_run::{LongRun, Stretch, Way};

@@ -16,7 +16,7 @@ STEP = 1e-3
 STEPS = 1900  # to t = 1.9 s
 REFERENCE = ROOT / "tests/data/attia2003_reference.csv"
 
-_PAPER = tomllib.loads((ROOT / "src/published/attia2003.toml").read_text())
+_PAPER = tomllib.loads((ROOT / "src/commands/published/attia2003.toml").read_text())
 
 
 def _corrected(place, printed):

@@ -17,7 +17,7 @@ pub const STEP: f64 = 1e-3;
 /// To t = 1.9 s.
 const STEPS: usize = 1900;
 
-const DATA: &str = include_str!("../../../src/published/attia2003.toml");
+const DATA: &str = include_str!("../../../src/commands/published/attia2003.toml");
 const REFERENCE: &str = include_str!("../../../tests/data/attia2003_reference.csv");
 
 /// The motion at an instant and the inputs one step later.

@@ -1,13 +1,14 @@
 //! The exact motion as a function of two drives.
 
 use nalgebra::Vector3;
-use suspension_core::{Build, HasWheel, Motion, Stopped, Values};
+use suspension_core::{Linkage, Motion, Stopped, Values};
 
 use crate::bake::driven::Driven;
-use crate::bake::surface::{UnmetSurface, WantedSurface};
+use crate::bake::surface::wanted::{UnmetSurface, WantedSurface};
+use crate::mechanism::Suspension;
 
 /// The mechanism moved by two drives, the others held.
-pub(super) struct Plane<'a, L: Build<N, Scalar = f64>, const N: usize> {
+pub(super) struct Plane<'a, L: Linkage<N>, const N: usize> {
     pub(super) driven: Driven<'a, L>,
     pub(super) start: &'a Motion<f64, N>,
     pub(super) held: L::Drives,
@@ -23,10 +24,7 @@ pub(super) struct Mixed {
     pub(super) by_both: Vector3<f64>,
 }
 
-impl<L, const N: usize> Plane<'_, L, N>
-where
-    L: Build<N, Scalar = f64, Points: HasWheel<f64>>,
-{
+impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
     /// The outputs at places, 0 to 1 in each direction, by place along the first drive.
     pub(super) fn grid(
         &self,

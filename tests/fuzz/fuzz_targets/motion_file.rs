@@ -1,40 +1,56 @@
-//! From any text to a study: a motion, or one sentence that says what is wrong.
+//! From any text to a mechanism: a motion, or one sentence that says what is wrong.
 #![no_main]
 
 use std::ops::ControlFlow;
 
 use libfuzzer_sys::fuzz_target;
-use suspension::input::setup;
-use suspension::input::source::Source;
+use suspension::failure::Failure;
+use suspension::file::Source;
+use suspension::load::load;
+use suspension::mechanism::{Mechanism, Suspension, Work};
+use suspension::quantities::{CATALOGUE, columns};
 
-/// Rows to ask of a motion that does begin.
-const ROWS: usize = 3;
+/// Instants to ask of a motion that does begin.
+const INSTANTS: usize = 3;
 
 /// The longest message, in characters.
 const LONGEST: usize = 1000;
 
+struct FirstInstants;
+
+impl Work for FirstInstants {
+    type Answer = ();
+
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        mechanism: &Mechanism<L, N>,
+    ) -> Result<(), Failure> {
+        let (mut done, columns) = (0, columns(CATALOGUE, &mechanism.names));
+        let swept = mechanism.sweep(&mechanism.instants, &mut |state| {
+            done += 1;
+            assert!(
+                columns
+                    .iter()
+                    .all(|column| column.value(&state).is_finite())
+            );
+            Ok(if done < INSTANTS {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
+            })
+        });
+        swept.expect("states are taken");
+        Ok(())
+    }
+}
+
 fuzz_target!(|text: &str| {
-    match setup::load(&Source::new("fuzz.toml", text)) {
-        Ok((study, instants)) => {
-            let (mut rows, columns) = (0, study.columns().len());
-            let mut take = |row: &[f64]| {
-                rows += 1;
-                assert_eq!(row.len(), columns);
-                assert!(row[0].is_finite());
-                let next = if rows < ROWS {
-                    ControlFlow::Continue(())
-                } else {
-                    ControlFlow::Break(())
-                };
-                Ok(next)
-            };
-            study.sweep(&instants, &mut take).expect("rows are taken");
-        }
-        Err(failure) => {
-            let message = failure.to_string();
-            assert!(message.starts_with("fuzz.toml:"), "{message:?}");
-            assert!(!message.contains(char::is_control), "{message:?}");
-            assert!(message.chars().count() <= LONGEST, "{message:?}");
-        }
+    let source = Source::new("fuzz.toml", text);
+    let done = load(&source).and_then(|loaded| loaded.run(FirstInstants));
+    if let Err(failure) = done {
+        let message = failure.to_string();
+        assert!(message.starts_with("fuzz.toml:"), "{message:?}");
+        assert!(!message.contains(char::is_control), "{message:?}");
+        assert!(message.chars().count() <= LONGEST, "{message:?}");
     }
 });

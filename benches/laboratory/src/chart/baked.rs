@@ -10,8 +10,7 @@ use super::method::{Coordinates, Method, Outputs};
 use suspension::bake::{
     Continuity, Derivatives, Exact, OutOfReach, Output, Path, TERMS, Wanted, Wish, bake,
 };
-use suspension::study::columns::PointNames;
-use suspension::study::{Assembled, Suspension};
+use suspension::mechanism::{Mechanism, Suspension};
 
 /// Tolerances of the chart, m.
 const TOLERANCES: [(&str, f64); 3] = [
@@ -43,20 +42,20 @@ impl<const N: usize> Tables<N> {
 /// Baked curves of a motion by name; none where it has several drives, or a tolerance is out of
 /// reach.
 pub fn tables<L: Suspension<N>, D: Values<f64>, const N: usize>(
-    assembled: &Assembled<L, N>,
+    mechanism: &Mechanism<L, N>,
     course: &Course<D>,
 ) -> Vec<(&'static str, Tables<N>)> {
-    if assembled.model.count(Kind::Drive) != 1 {
+    if mechanism.model.count(Kind::Drive) != 1 {
         return Vec::new();
     }
-    let metre = assembled.unit.metre();
+    let metre = mechanism.unit.metre();
     let baked = TOLERANCES
-        .map(|(name, tolerance)| Some((name, table(assembled, course, tolerance * metre)?)));
+        .map(|(name, tolerance)| Some((name, table(mechanism, course, tolerance * metre)?)));
     baked.into_iter().flatten().collect()
 }
 
 fn table<L: Suspension<N>, D: Values<f64>, const N: usize>(
-    assembled: &Assembled<L, N>,
+    mechanism: &Mechanism<L, N>,
     course: &Course<D>,
     tolerance: f64,
 ) -> Option<Tables<N>> {
@@ -66,16 +65,16 @@ fn table<L: Suspension<N>, D: Values<f64>, const N: usize>(
         [value.min(low), value.max(high)]
     });
     let held: L::Drives = cast(&course.drives.first()?.signal.value);
-    let Assembled { model, start, .. } = assembled;
+    let Mechanism { model, start, .. } = mechanism;
     let path = Path::new(model, start, held, 0, range, Wish::AllPoints).ok()?;
     let wanted = Wanted {
         range,
         tolerance,
-        metre: assembled.unit.metre(),
+        metre: mechanism.unit.metre(),
         continuity: Continuity::Acceleration,
     };
-    let free = PointNames::of::<L, N>().free;
-    let baked = bake(&wanted, &FreePoints { path, free }).ok()?;
+    let count = mechanism.names.free;
+    let baked = bake(&wanted, &FreePoints { path, count }).ok()?;
     Some(Tables {
         double: baked.table()?,
         single: baked.table()?,
@@ -83,25 +82,21 @@ fn table<L: Suspension<N>, D: Values<f64>, const N: usize>(
     })
 }
 
-/// Of a path the free points alone.
+/// Of a path the free points alone, which come first.
 struct FreePoints<P> {
     path: P,
-    free: Vec<&'static str>,
+    count: usize,
 }
 
 impl<P: Exact> Exact for FreePoints<P> {
     fn outputs(&self) -> Vec<Output> {
         let outputs = self.path.outputs().into_iter();
-        outputs
-            .filter(|output| self.free.contains(&output.name()))
-            .collect()
+        outputs.take(self.count).collect()
     }
 
     fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach> {
-        let outputs = self.path.outputs().into_iter();
-        let all = outputs.zip(self.path.at(at)?);
-        let free = all.filter(|(output, _)| self.free.contains(&output.name()));
-        Ok(free.map(|(_, derivatives)| derivatives).collect())
+        let all = self.path.at(at)?.into_iter();
+        Ok(all.take(self.count).collect())
     }
 }
 

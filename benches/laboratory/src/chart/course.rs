@@ -2,7 +2,7 @@
 
 use suspension_core::{Scalar, Signal, Values};
 
-use suspension::input::drives::DriveLaws;
+use suspension::mechanism::DriveLaws;
 
 /// Evenly spaced instants with the drives' values there, computed once: reference and methods are
 /// given the same numbers.

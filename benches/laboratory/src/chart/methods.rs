@@ -1,6 +1,6 @@
 //! The table of methods: one row each.
 
-use nalgebra::SVector;
+use nalgebra::{Const, DimMin, SVector};
 use suspension_core::{Build, Linkage, Listing, Real, Values};
 
 use super::baked::{Baked, Tables};
@@ -35,11 +35,10 @@ impl<'a, D: Values<f64> + 'a, const N: usize> Methods<'a, D, N> {
         T: Real,
         L: Build<N, Scalar = f64>,
         M: Linkage<N, Scalar = T>,
+        Const<N>: DimMin<Const<N>, Output = Const<N>>,
     {
         let (scalar, points) = (std::any::type_name::<T>(), Points(model));
-        if Nalgebra::serves(N) {
-            self.add("nalgebra_lu", scalar, Newton::new(points, Nalgebra));
-        }
+        self.add("nalgebra_lu", scalar, Newton::new(points, Nalgebra));
         self.add("dense_lu", scalar, Newton::new(points, Own));
         self.add("generated", scalar, tracked(model, ToTolerance));
         self.add("bounded_1", scalar, tracked(model, InSweeps::<1>));

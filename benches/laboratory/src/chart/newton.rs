@@ -1,8 +1,6 @@
 //! Newton's method with a dense factorisation, to the tolerance of the core's.
 
-use std::any::Any;
-
-use nalgebra::{Const, SMatrix, SVector};
+use nalgebra::{Const, DimMin, SMatrix, SVector};
 use suspension_core::lu::Lu;
 use suspension_core::{Newton as Settings, Real};
 
@@ -22,32 +20,23 @@ pub trait Dense<T, const M: usize>: Copy {
     fn solve(&self, factors: &Self::Factors, right: &SVector<T, M>) -> Option<SVector<T, M>>;
 }
 
-/// The size of the catalogue's linkages.
-const SIZE: usize = 15;
-
-/// `lu()` of nalgebra, which asks for a bound that no generic size meets: for this one size.
+/// `lu()` of nalgebra.
 #[derive(Clone, Copy, Debug)]
 pub struct Nalgebra;
 
-impl Nalgebra {
-    /// Whether it factors matrices of this size.
-    pub fn serves(size: usize) -> bool {
-        size == SIZE
-    }
-}
-
-impl<T: Real, const M: usize> Dense<T, M> for Nalgebra {
-    type Factors = nalgebra::LU<T, Const<SIZE>, Const<SIZE>>;
+impl<T: Real, const M: usize> Dense<T, M> for Nalgebra
+where
+    Const<M>: DimMin<Const<M>, Output = Const<M>>,
+{
+    type Factors = nalgebra::LU<T, Const<M>, Const<M>>;
 
     fn factor(&self, jacobian: SMatrix<T, M, M>) -> Option<Self::Factors> {
-        let of_size = (&jacobian as &dyn Any).downcast_ref::<SMatrix<T, SIZE, SIZE>>()?;
-        Some(of_size.lu())
+        Some(jacobian.lu())
     }
 
     fn solve(&self, factors: &Self::Factors, right: &SVector<T, M>) -> Option<SVector<T, M>> {
         let mut x = *right;
-        let of_size = (&mut x as &mut dyn Any).downcast_mut::<SVector<T, SIZE>>()?;
-        factors.solve_mut(of_size).then_some(x)
+        factors.solve_mut(&mut x).then_some(x)
     }
 }
 

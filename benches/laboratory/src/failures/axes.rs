@@ -12,7 +12,7 @@ use super::survey::{Place, Survey};
 use super::trial::{Run, Trial};
 use super::truth::Truth;
 use super::turning::{Approach, TurningPoint, unit_of_first_drive};
-use suspension::study::Suspension;
+use suspension::mechanism::Suspension;
 
 /// Deviations of a start, m.
 pub const NOISES: [f64; 11] = [
@@ -158,7 +158,7 @@ where
         /// The shortest step, s, and how many powers of ten the longest is above it.
         const SHORTEST: f64 = 1e-3;
         const DECADES: f64 = 2.0;
-        let (unit, metre) = unit_of_first_drive::<L, N>(survey.metre);
+        let (unit, metre) = unit_of_first_drive(self.model, survey.metre);
         for (index, distance) in DISTANCES.into_iter().enumerate() {
             if survey.is_interrupted() {
                 return;

@@ -5,7 +5,7 @@ use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Build, GeometryError, Linkage, Values};
 
 use crate::chart::formulation::five_links::FiveLinks;
-use suspension::study::{Assembled, Suspension};
+use suspension::mechanism::{Mechanism, Suspension};
 use suspension_double_double::DoubleDouble;
 
 /// The paper's list: nine distances between the points of the knuckle.
@@ -27,9 +27,9 @@ pub struct Closures {
 impl Closures {
     /// Those of a mechanism; `None` where it is no five-link suspension, or one whose knuckle has
     /// not both.
-    pub fn of<L: Suspension<N>, const N: usize>(assembled: &Assembled<L, N>) -> Option<Self> {
-        let position = assembled.start.position.map(DoubleDouble::from);
-        let links = FiveLinks::<f64>::of(&assembled.model, &position)?;
+    pub fn of<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> Option<Self> {
+        let position = mechanism.start.position.map(DoubleDouble::from);
+        let links = FiveLinks::<f64>::of(&mechanism.model, &position)?;
         Self::built(&links).ok()
     }
 

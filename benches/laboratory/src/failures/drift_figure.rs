@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::long_run::LongRow;
+use super::rows::LongRow;
 use crate::chart::axis::{Axis, power};
 use crate::chart::figure::tenth;
 use crate::chart::style::INK;

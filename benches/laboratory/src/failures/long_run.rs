@@ -3,16 +3,15 @@
 use std::fmt::LowerExp;
 use std::marker::PhantomData;
 
-use serde::{Deserialize, Serialize};
 use suspension_core::{Inputs, Linkage, Motion, Real, SolveError, Still, Tracker, Values};
 
 use super::integration::runge_kutta;
 use super::method::Method;
+use super::rows::LongRow;
 use super::survey::Survey;
 use super::trial::{cast, inputs};
 use super::truth::{Truth, drift};
-use suspension::input::drives::DriveLaws;
-use suspension::study::Suspension;
+use suspension::mechanism::{DriveLaws, Suspension};
 
 /// The length of a step, s.
 pub const STEP: f64 = 1e-3;
@@ -149,25 +148,6 @@ where
             }
         }
     }
-}
-
-/// A stretch of a long run: a row of the table.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LongRow {
-    /// The method.
-    pub method: String,
-    /// How bodies are closed.
-    pub closure: String,
-    /// The number type.
-    pub scalar: String,
-    /// Steps from the beginning.
-    pub steps: u64,
-    /// The largest residual after any step since the row before, m: what lengths are off.
-    pub drift_m: f64,
-    /// Iterations of a step since the row before; of an integrator none.
-    pub iterations_a_step: f64,
-    /// Why the run ended here; empty where it went on or made all its steps.
-    pub ended: String,
 }
 
 /// Steps from one look at the user's wish to the next.

@@ -61,6 +61,25 @@ pub struct Row {
     pub seed: u64,
 }
 
+/// A stretch of a long run: a row of the table.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LongRow {
+    /// The method.
+    pub method: String,
+    /// How bodies are closed.
+    pub closure: String,
+    /// The number type.
+    pub scalar: String,
+    /// Steps from the beginning.
+    pub steps: u64,
+    /// The largest residual after any step since the row before, m: what lengths are off.
+    pub drift_m: f64,
+    /// Iterations of a step since the row before; of an integrator none.
+    pub iterations_a_step: f64,
+    /// Why the run ended here; empty where it went on or made all its steps.
+    pub ended: String,
+}
+
 /// Rows as comma-separated values, under the names of their fields.
 ///
 /// # Errors

@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rand_pcg::Pcg64;
 
-use super::long_run::LongRow;
 use super::method::Method;
 use super::outcome::{Counts, Outcome};
+use super::rows::LongRow;
 use super::rows::{Axis, Row};
 use suspension::output::progress::Progress;
 

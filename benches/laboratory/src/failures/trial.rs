@@ -9,8 +9,8 @@ use super::outcome::{Outcome, judged};
 use super::truth::{Truth, drift};
 use crate::chart::course::cast_drives;
 use crate::chart::formulation::to_f64;
-use suspension::input::drives::DriveLaws;
-use suspension::study::Suspension;
+use suspension::mechanism::DriveLaws;
+use suspension::mechanism::Suspension;
 
 /// A single step.
 pub struct Trial<'a, const N: usize> {

@@ -4,8 +4,8 @@ use nalgebra::SVector;
 use suspension_core::motion::Prescribed;
 use suspension_core::{Inputs, Linkage, Motion, Real, Still, Stopped};
 
-use suspension::input::drives::DriveLaws;
-use suspension::study::{Suspension, follow};
+use suspension::mechanism::DriveLaws;
+use suspension::mechanism::{Suspension, follow};
 
 /// Instants at which the motion is kept.
 const KEPT: usize = 4096;

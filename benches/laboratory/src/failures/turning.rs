@@ -5,9 +5,7 @@ use suspension_core::{DriveKind, Motion, Newton, Parts, Real, Values};
 
 use super::trial::Trial;
 use super::truth::Truth;
-use suspension::input::drives::DriveLaws;
-use suspension::input::polynomial::Polynomial;
-use suspension::study::{Suspension, follow};
+use suspension::mechanism::{DriveLaws, Polynomial, Suspension, follow};
 
 /// A turning point, and the way there.
 #[derive(Clone, Debug)]
@@ -152,15 +150,15 @@ fn tolerated<T: Real, L: Suspension<N>, const N: usize>(model: &L, motion: &Moti
     let epsilon: f64 = T::EPSILON.to_subset_unchecked();
     let tolerance: f64 = Newton::<f64>::near_by().tolerance;
     let residual = FEW * tolerance * epsilon * size.max(motion.position.amax());
-    match L::Listing::default().drive_kind(0) {
+    match model.drive_kind(0) {
         DriveKind::Angle => residual / size,
         DriveKind::Coordinate => residual,
     }
 }
 
 /// The unit of distances along the first drive, and what it is in the unit of the motion.
-pub fn unit_of_first_drive<L: Suspension<N>, const N: usize>(metre: f64) -> (&'static str, f64) {
-    match L::Listing::default().drive_kind(0) {
+pub fn unit_of_first_drive(model: &impl Parts, metre: f64) -> (&'static str, f64) {
+    match model.drive_kind(0) {
         DriveKind::Angle => ("rad", 1.0),
         DriveKind::Coordinate => ("m", metre),
     }

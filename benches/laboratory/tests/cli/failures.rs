@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use suspension_laboratory::failures::long_run::LongRow;
-use suspension_laboratory::failures::rows::{Axis, Row};
+use suspension_laboratory::failures::rows::{Axis, LongRow, Row};
 
 use super::program::{edited, example, folder, run, text};
 

@@ -1,0 +1,59 @@
+//! What to bake of two drives, and why it may not be.
+
+use std::fmt;
+
+use suspension_core::SolveError;
+
+use crate::bake::driven::Wish;
+use crate::number::number;
+
+/// What to bake.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WantedSurface {
+    /// The numbers of the two drives.
+    pub drives: [usize; 2],
+    /// Each drive's first and last value.
+    pub ranges: [[f64; 2]; 2],
+    /// How far a point may be off, in the unit of the hardpoints.
+    pub tolerance: f64,
+    /// A metre in that unit: the spin axis may be off by as much as a point a metre away.
+    pub metre: f64,
+    /// Whether velocities may jump where patches join. Accelerations do.
+    pub smooth: bool,
+    /// Which points.
+    pub wish: Wish,
+}
+
+/// Patches that a surface may have.
+pub const MOST_PATCHES: usize = 144;
+
+/// Why a motion of two drives was not baked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum UnmetSurface {
+    /// The mechanism does not reach these values of the drives.
+    OutOfReach {
+        /// The values.
+        drives: [f64; 2],
+        /// Why.
+        cause: Option<SolveError<f64>>,
+    },
+    /// The tolerance is not met with [`MOST_PATCHES`].
+    TooManyPatches,
+}
+
+impl fmt::Display for UnmetSurface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfReach { drives, cause } => {
+                let [first, second] = drives.map(number);
+                write!(f, "the mechanism does not reach {first} and {second}")?;
+                cause.map_or(Ok(()), |cause| write!(f, ": {cause}"))
+            }
+            Self::TooManyPatches => {
+                write!(f, "{MOST_PATCHES} patches do not meet the tolerance")
+            }
+        }
+    }
+}
+
+impl std::error::Error for UnmetSurface {}

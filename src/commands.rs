@@ -1,0 +1,7 @@
+//! The commands, each with its options, its work and its report. None knows another.
+
+pub mod assemblies;
+pub mod bake;
+pub mod motion;
+pub mod published;
+pub mod range;

@@ -1,0 +1,124 @@
+//! `suspension assemblies`: all ways to put a mechanism together.
+
+pub mod listed;
+mod report;
+
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::load::load;
+use crate::mechanism::{Mechanism, Suspension, Work};
+use crate::output::csv_file::Target;
+use crate::output::files::{announce, print, refuse_input};
+use crate::output::table::Table;
+use listed::{Wish, list};
+use report::Report;
+
+/// What `suspension assemblies` is given.
+#[derive(Args, Clone, Debug)]
+#[command(after_long_help = NOTES)]
+pub struct Arguments {
+    /// The motion file (TOML), as for `suspension motion`.
+    file: PathBuf,
+    /// The drive's values, in rad (angles) or the file's unit; else that of the file's first
+    /// instant.
+    #[arg(long, value_name = "VALUE", num_args = 1.., allow_negative_numbers = true)]
+    at: Vec<f64>,
+    /// The drive; needed with --at where the linkage has several. The others are held as at the
+    /// file's first instant.
+    #[arg(long, value_name = "NAME")]
+    drive: Option<String>,
+    /// Write every assembly as comma-separated values to PATH, or to standard output for `-`.
+    #[arg(long, value_name = "PATH")]
+    csv: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// Enumerates, and prints or writes the table.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`].
+    pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
+        let source = Source::read(&self.file)?;
+        let csv = self.csv.map(Target::from);
+        if let Some(Target::File(csv)) = &csv {
+            refuse_input(csv, &self.file, "--csv")?;
+        }
+        load(&source)?.run(Listing {
+            source: source.name(),
+            wish: Wish {
+                drive: self.drive,
+                at: self.at,
+            },
+            csv,
+            interrupted,
+        })
+    }
+}
+
+struct Listing<'a> {
+    source: &'a str,
+    wish: Wish,
+    csv: Option<Target>,
+    interrupted: &'a AtomicBool,
+}
+
+impl Work for Listing<'_> {
+    type Answer = ();
+
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        mechanism: &Mechanism<L, N>,
+    ) -> Result<(), Failure> {
+        let Mechanism { names, unit, .. } = mechanism;
+        let columns = || report::columns(names, *unit);
+        let table = self.csv.as_ref().map(|csv| Table::create(csv, columns()));
+        let mut table = table.transpose()?;
+        let report = Report::new(names, *unit);
+        let (source, wish) = (self.source, &self.wish);
+        let done = list(mechanism, source, wish, self.interrupted, &mut |listed| {
+            if self.csv != Some(Target::Stdout) {
+                print(&format!("{}\n", report.text(listed)))?;
+            }
+            let Some(table) = &mut table else {
+                return Ok(());
+            };
+            let mut assemblies = listed.assemblies.iter();
+            assemblies.try_for_each(|assembly| table.add(assembly))
+        });
+        if matches!(done, Ok(()) | Err(Failure::Interrupted(_)))
+            && let Some(table) = table
+        {
+            table.finish()?;
+            if let Some(Target::File(path)) = &self.csv {
+                announce(std::slice::from_ref(path));
+            }
+        }
+        done
+    }
+}
+
+const NOTES: &str = "\
+An assembly is a way to put the parts together at the given value of the drive. Distances are from
+the configuration of the file's first instant: over all coordinates of free points, and of the
+point that lies farthest away. A pivot near zero is a singularity near by, where two assemblies meet.
+Mirrored are points on the wrong side of those that links join them to: such an assembly has all
+lengths but cannot be built. A `body` is never mirrored.
+
+The list is ordered by distance; one row each in the CSV file, with every free point and marker.
+
+How: over complex numbers all assemblies of a mechanism of general lengths hang together. They are
+found from random starts and by going round loops of such mechanisms, and followed from there to
+the file's. The trace test confirms that none is missing: their sum is linear in the drive. A
+complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
+
+Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 the file's
+mechanism has no configuration at its first instant, 130 interrupted: what was found is kept.
+
+Example:
+  suspension assemblies examples/five_link.toml --at 0.7 1.2 --csv assemblies.csv";

@@ -1,0 +1,181 @@
+//! `suspension bake`: a motion along one drive as a source file.
+
+pub mod order;
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::builder::PossibleValue;
+use clap::{Args, ValueEnum};
+
+use crate::bake::source::{Language, Sheet};
+use crate::bake::{Continuity, Wish};
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::load::load;
+use crate::mechanism::{Mechanism, Suspension, Work};
+use crate::output::files::{refuse_input, write_file};
+use order::{Order, Ordered};
+
+/// What `suspension bake` is given.
+#[derive(Args, Clone, Debug)]
+#[command(after_long_help = NOTES)]
+pub struct Arguments {
+    /// The motion file (TOML), as for `suspension motion`.
+    file: PathBuf,
+    /// The drive; needed where the linkage has several. The others are held as at the file's first
+    /// instant.
+    #[arg(long, value_name = "NAME")]
+    drive: Option<String>,
+    /// The drive's first value, in rad (angles) or the file's unit; else the least that it has in
+    /// the file's motion.
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    from: Option<f64>,
+    /// The drive's last value; else the greatest that it has in the file's motion.
+    #[arg(long, value_name = "Y", allow_negative_numbers = true)]
+    to: Option<f64>,
+    /// How far a point may be off, in metres whatever the file's unit.
+    #[arg(long, value_name = "M", default_value = "1e-6")]
+    tolerance: f64,
+    /// How many derivatives do not jump where segments join: as many as are read.
+    #[arg(long, value_name = "0|1|2", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=2))]
+    continuity: u8,
+    /// What to bake.
+    #[arg(long, value_enum, default_value_t = Points::Wheel)]
+    points: Points,
+    /// The language of the file.
+    #[arg(long = "as", value_enum, default_value_t = Language::Rust)]
+    language: Language,
+    /// Where to write; else out/NAME_WHAT_by_DRIVE.rs, .h or .toml, NAME being the motion file's.
+    #[arg(long, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Points {
+    /// Every free point and marker: three outputs each.
+    All,
+    /// The wheel: centre and spin axis, six outputs.
+    Wheel,
+}
+
+impl Arguments {
+    /// Bakes and writes the file.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`].
+    pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
+        let source = Source::read(&self.file)?;
+        let sheet = load(&source)?.run_driven(
+            "suspension bake",
+            Baking {
+                source: source.name(),
+                order: &self.order(),
+            },
+        )?;
+        if interrupted.load(Ordering::Relaxed) {
+            let name = source.name();
+            return Err(Failure::Interrupted(format!(
+                "{name}: interrupted; nothing was written"
+            )));
+        }
+        let path = self.output.clone().unwrap_or_else(|| {
+            let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
+            let ending = self.language.extension();
+            PathBuf::from(format!("out/{stem}_{}.{ending}", sheet.subject()))
+        });
+        refuse_input(&path, &self.file, "--output")?;
+        write_file(&path, &sheet.text(self.language, &path))?;
+        eprintln!(
+            "wrote {}: {} segments",
+            path.display(),
+            sheet.baked.segments.len()
+        );
+        Ok(())
+    }
+
+    fn order(&self) -> Order {
+        Order {
+            drive: self.drive.clone(),
+            range: [self.from, self.to],
+            tolerance: self.tolerance,
+            continuity: match self.continuity {
+                0 => Continuity::Position,
+                1 => Continuity::Velocity,
+                _ => Continuity::Acceleration,
+            },
+            wish: match self.points {
+                Points::All => Wish::AllPoints,
+                Points::Wheel => Wish::Wheel,
+            },
+        }
+    }
+}
+
+struct Baking<'a> {
+    source: &'a str,
+    order: &'a Order,
+}
+
+impl Work for Baking<'_> {
+    type Answer = Sheet;
+
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        mechanism: &Mechanism<L, N>,
+    ) -> Result<Sheet, Failure> {
+        let Self { source, order } = self;
+        Ordered {
+            file: source,
+            mechanism,
+            order,
+        }
+        .sheet()
+    }
+}
+
+impl ValueEnum for Language {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Rust, Self::C, Self::Toml]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(match self {
+            Self::Rust => {
+                PossibleValue::new("rust").help("A `static` of `suspension_core::baked::Curve`")
+            }
+            Self::C => {
+                PossibleValue::new("c").help("A header in C99 with a function that evaluates")
+            }
+            Self::Toml => PossibleValue::new("toml").help("The numbers alone"),
+        })
+    }
+}
+
+const NOTES: &str = r#"What is written: polynomials of degree five over segments of equal length, the fewest with which
+the tolerance is met, and a header that says what, from which file, range, units, tolerance asked
+and reached, segments and bytes. Outputs are the coordinates of points; of the wheel, its centre
+and its spin axis (unit length, outboard), which counts as a point one metre from the centre: the
+turn about the axis is the wheel's own and not baked.
+
+The tolerance is checked against the solver at 32 Chebyshev points in each segment, between the
+places where polynomial and motion meet, and holds for motions as smooth as their decay shows
+there; it is a bound from samples, not a proof. The header also has what derivatives are off by.
+
+Outside its range a curve has no value: Rust returns an error that holds the nearest end, C
+returns 1. Near a turning point of the drive positions move as a square root does, which no
+polynomial follows: the range is refused, and the message has one that is possible.
+
+  Rust  a `static` of suspension_core::baked::Curve: no heap, no operating system
+  C     a header (C99) with a function, no library
+  TOML  the numbers
+
+Names in the file are made of its own, so that a program can have several: out/my_wheel_by_theta.h
+has the function my_wheel_by_theta.
+
+Exit codes: 0 done, 1 the file cannot be written, 2 wrong input or no such drive or range, 3 the
+mechanism does not go through the range, or not within the tolerance, 130 interrupted.
+
+Example:
+  suspension bake examples/five_link.toml --from 0.75 --to 2.0 --tolerance 1e-5 --as c"#;

@@ -1,0 +1,102 @@
+//! `suspension motion`: the motion of a file.
+
+mod help;
+
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::load::load;
+use crate::mechanism::{Mechanism, Suspension, Work};
+use crate::output::csv_file::Target;
+use crate::output::figures::{draw, height_and_angles};
+use crate::output::files::{announce, print, refuse_input};
+use crate::output::record::record;
+use crate::output::summary;
+
+/// What `suspension motion` is given.
+#[derive(Args, Clone, Debug)]
+#[command(after_long_help = help::text())]
+pub struct Arguments {
+    /// The motion file (TOML): linkage, points, lengths, instants, drives.
+    file: PathBuf,
+    /// Write every row as comma-separated values to PATH, or to standard output for `-`. Missing
+    /// folders are made.
+    #[arg(long, value_name = "PATH")]
+    csv: Option<PathBuf>,
+    /// Draw wheel-centre height, kingpin and camber angle as SVG into the folder DIR.
+    #[arg(long, value_name = "DIR")]
+    plots: Option<PathBuf>,
+}
+
+/// States kept of a motion for the summary and as marks in the plots.
+const KEPT: usize = 12;
+
+impl Arguments {
+    /// Solves the motion.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`]. Where the solver stops or the user interrupts, what was solved is written.
+    pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
+        let source = Source::read(&self.file)?;
+        let csv = self.csv.clone().map(Target::from);
+        if let Some(Target::File(csv)) = &csv {
+            refuse_input(csv, &self.file, "--csv")?;
+        }
+        let loaded = load(&source)?;
+        loaded.run(Motion {
+            source: source.name(),
+            arguments: self,
+            csv,
+            interrupted,
+        })
+    }
+}
+
+struct Motion<'a> {
+    source: &'a str,
+    arguments: Arguments,
+    csv: Option<Target>,
+    interrupted: &'a AtomicBool,
+}
+
+impl Work for Motion<'_> {
+    type Answer = ();
+
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        mechanism: &Mechanism<L, N>,
+    ) -> Result<(), Failure> {
+        let csv = self.csv.as_ref();
+        let outcome = record(mechanism, &mechanism.instants, csv, KEPT, self.interrupted)?;
+        let mut written = Vec::new();
+        if let Some(Target::File(path)) = csv {
+            written.push(path.clone());
+        }
+        let Arguments { file, plots, .. } = &self.arguments;
+        if let Some(folder) = plots {
+            let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+            written.extend(draw(
+                mechanism,
+                &outcome,
+                (folder, &stem),
+                height_and_angles,
+            )?);
+        }
+        if csv.is_none() && plots.is_none() {
+            let Mechanism {
+                linkage,
+                names,
+                unit,
+                ..
+            } = mechanism;
+            print(&summary::text(linkage, names, *unit, &outcome))?;
+        }
+        announce(&written);
+        outcome.failure(self.source, csv).map_or(Ok(()), Err)
+    }
+}

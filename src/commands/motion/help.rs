@@ -1,0 +1,70 @@
+//! What `suspension motion --help` explains.
+
+use suspension_core::linkages::attia2003;
+
+use crate::mechanism::{Names, Unit, WheelPoints};
+use crate::quantities::{CATALOGUE, Shown, in_words};
+
+/// The file, the results with the names that they have for the published linkage, the exit codes.
+pub(super) fn text() -> String {
+    // Which points they are is of no account here.
+    let names = Names {
+        wheel: Some(WheelPoints::default()),
+        kingpin: Some([0; 2]),
+        ..Names::of(&attia2003::Listing)
+    };
+    let tabled = CATALOGUE.iter().copied();
+    let tabled: Vec<_> = tabled
+        .filter(|quantity| quantity.shown != Shown::InSummaries)
+        .collect();
+    format!(
+        "{FILE}{}{EXIT_CODES}",
+        in_words(&tabled, &names, Unit::Metre)
+    )
+}
+
+const FILE: &str = r#"The file:
+
+  linkage = "attia2003"              # or "five_link"
+  unit = "m"                         # or "mm": of all lengths here, and of results; no conversion
+  [points]                           # chassis points, free points and markers, each by name
+  p1 = [-1.396, -0.025, -0.082]
+  p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, off another point
+  [lengths]                          # optional: all lengths; free points are then but a guess
+  d6_1 = 0.445872
+  [design]                           # optional: the drives' values at which the mechanism is
+  theta = 1.5707963267948966         # assembled and markers are attached; else as the points are
+  [time]                             # in seconds; or: instants = [0.0, 0.25, 0.5]
+  start = 0.0
+  stop = 1.95                        # the last instant is the last multiple of step within stop
+  step = 0.05
+  [drives]                           # polynomials of time in seconds, constant first,
+  theta = [0.7, 0.5, 0.125]          # in rad (angles) or the unit (coordinates)
+  height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
+                                     # leads through turning points of the drive: both linkages
+                                     # have height, that of the wheel centre, in place of theta
+
+Results, one row an instant, its columns in this order, named here as for attia2003; lengths are in
+the file's unit:
+
+"#;
+
+const EXIT_CODES: &str = r#"
+Axes: x forward, y left, z up. What a linkage lacks, a kingpin say, has no columns.
+
+In examples/attia2003.toml the wheel centre, point 11, is an assumption: the paper prints no
+coordinates for it. It is put 0.10 m outboard (+y) of point 8, on a spin axis parallel to y,
+where theta = pi/2.
+
+Exit codes:
+  0    done
+  1    a result cannot be written
+  2    wrong input (file:line:column says where), or --csv names the motion file
+  3    no configuration was found: the motion stops short of its last instant (where what leads
+       it turns, say), or the points do not assemble in the design position, or the first instant
+       is out of reach from there
+  130  interrupted (Ctrl-C, SIGTERM or SIGHUP)
+Where the motion stops short or is interrupted, the rows up to there are in the CSV file.
+
+Example:
+  suspension motion examples/five_link.toml --csv sweep.csv --plots plots"#;

@@ -1,0 +1,88 @@
+//! Without a command: the published motion, the paper's tables and ours beside them.
+
+mod beside;
+mod comparison;
+mod figures;
+pub mod paper;
+mod timing;
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::load::load;
+use crate::mechanism::{Mechanism, Suspension, Work};
+use crate::output::csv_file::Target;
+use crate::output::figures::draw;
+use crate::output::files::{announce, print};
+use crate::output::record::record;
+use crate::output::summary;
+use paper::Paper;
+use timing::Timing;
+
+/// The file that the published motion is solved from, and its name.
+const BUILT_IN: (&str, &str) = (
+    "examples/attia2003.toml",
+    include_str!("../../examples/attia2003.toml"),
+);
+
+/// The folder of all that is written, and how the files' names begin.
+const WRITTEN: (&str, &str) = ("out", "attia2003");
+
+/// Solves the published motion, compares it with the paper and writes `out/attia2003*`.
+///
+/// # Errors
+///
+/// Where a result cannot be written, or the user interrupts.
+pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
+    let (name, text) = BUILT_IN;
+    load(&Source::new(name, text))?.run(Published { interrupted })
+}
+
+struct Published<'a> {
+    interrupted: &'a AtomicBool,
+}
+
+impl Work for Published<'_> {
+    type Answer = ();
+
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        mechanism: &Mechanism<L, N>,
+    ) -> Result<(), Failure> {
+        let (folder, stem) = WRITTEN;
+        let csv = PathBuf::from(format!("{folder}/{stem}.csv"));
+        let target = Target::File(csv.clone());
+        let instants = &mechanism.instants;
+        let keep = instants.count();
+        let outcome = record(mechanism, instants, Some(&target), keep, self.interrupted)?;
+        let (name, _) = BUILT_IN;
+        if let Some(failure) = outcome.failure(name, Some(&target)) {
+            return Err(failure);
+        }
+        let mut written = vec![csv];
+        let files = (Path::new(folder), stem);
+        written.extend(draw(mechanism, &outcome, files, figures::charts)?);
+        let paper = Paper::built_in();
+        let mut report = comparison::text(&paper, &mechanism.names, &outcome.kept);
+        report.push_str(&figures::text(&mechanism.names, &outcome.kept));
+        report.push('\n');
+        report.push_str(&summary::totals(&outcome, mechanism.unit));
+        if let Some(timing) = timing::time_a_step(mechanism) {
+            report.push_str(&in_words(&timing));
+        }
+        print(&report)?;
+        announce(&written);
+        Ok(())
+    }
+}
+
+fn in_words(timing: &Timing) -> String {
+    format!(
+        "Time a step: {:.2} us for position, velocity and acceleration\n             (median of {} passes through the motion in {} steps of 1 ms)\n",
+        timing.per_step.as_secs_f64() * 1e6,
+        timing.passes,
+        timing.steps,
+    )
+}

@@ -1,0 +1,82 @@
+//! A column of the paper and ours beside it.
+
+use crate::commands::published::paper::{self, Entry, Paper};
+use crate::mechanism::{State, Unit};
+use crate::quantities;
+
+/// A printed entry and ours.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair<'a> {
+    /// The column.
+    pub(super) column: &'a str,
+    /// The instant, s.
+    pub(super) t: f64,
+    /// As the paper has it.
+    pub(super) entry: &'a Entry,
+    /// As we have it.
+    pub(super) ours: f64,
+}
+
+impl Pair<'_> {
+    /// Ours minus the paper's, misprints corrected.
+    pub(super) fn difference(&self) -> f64 {
+        self.ours - self.entry.value
+    }
+
+    /// The size of the difference in units of the last printed digit; up to one half is rounding.
+    pub(super) fn units(&self) -> f64 {
+        self.difference().abs() / self.entry.unit
+    }
+}
+
+/// A column of the paper, and ours.
+pub(super) struct Compared<'a> {
+    printed: &'a paper::Column,
+    /// Ours.
+    pub(super) ours: &'a quantities::Column,
+    /// What ours is multiplied with: angles of drives are printed in degrees.
+    scale: f64,
+}
+
+impl<'a> Compared<'a> {
+    /// Those of a table that our results have.
+    pub(super) fn all(
+        table: &'a [paper::Column],
+        ours: &'a [quantities::Column],
+    ) -> Vec<Compared<'a>> {
+        let one = |printed: &'a paper::Column| {
+            ours.iter().find_map(|ours| {
+                let scale = scale(ours, &printed.name)?;
+                Some(Compared {
+                    printed,
+                    ours,
+                    scale,
+                })
+            })
+        };
+        table.iter().filter_map(one).collect()
+    }
+
+    /// The entries with our results at the same instants.
+    pub(super) fn pairs(&self, paper: &Paper, states: &[State]) -> Vec<Pair<'a>> {
+        let entries = self.printed.entries.iter().zip(&paper.times);
+        let pair = |((entry, t), state): ((&'a Entry, &f64), &State)| Pair {
+            column: &self.printed.name,
+            t: *t,
+            entry,
+            ours: self.ours.value(state) * self.scale,
+        };
+        entries.zip(states).map(pair).collect()
+    }
+}
+
+/// What to multiply our column with where it has this name.
+fn scale(ours: &quantities::Column, name: &str) -> Option<f64> {
+    let unit = Unit::Metre;
+    if ours.csv_name(unit) == name {
+        Some(1.0)
+    } else {
+        let (scale, _) = ours.kind.for_people(unit);
+        (ours.name_for_people(unit) == name).then_some(scale)
+    }
+}

@@ -1,0 +1,128 @@
+//! What the paper's Fig. 4 and Fig. 5 show, as text and as plots.
+
+use std::fmt::Write;
+
+use crate::mechanism::{Names, State, Unit};
+use crate::output::figures::{Charts, TIME};
+use crate::output::plot::{Chart, Curve};
+use crate::quantities::{Axis, CAMBER, CENTRE, Column, KINGPIN, Quantity, columns};
+
+const TITLES: [&str; 2] = [
+    "Fig. 4: height of the wheel centre, z of point 11",
+    "Fig. 5: kingpin angle and camber angle",
+];
+
+/// What the figures show, the first in Fig. 4: the paper's name, the name in a legend, the sign that it has
+/// there, and the catalogue's row. `alpha = atan((y8 - y6) / (z8 - z6))` has the opposite sign of the
+/// usual kingpin angle.
+const SHOWN: [(&str, &str, f64, &Quantity); 3] = [
+    ("z11", "point 11", 1.0, &CENTRE),
+    (
+        "alpha",
+        "alpha, points 6 and 8: top outboard positive (usual kingpin angle: -alpha)",
+        -1.0,
+        &KINGPIN,
+    ),
+    (
+        "beta",
+        "beta, points 8 and 11: top outboard positive",
+        1.0,
+        &CAMBER,
+    ),
+];
+
+const NOTES: &str = "  \
+  alpha   kingpin angle: the line of points 6 and 8, positive where point 6 is displaced in the negative y direction
+          (top outboard). The usual kingpin angle, positive where the top leans inboard, is -alpha: `kingpin_rad` in
+          the CSV file. The printed arctangent of a quotient jumps by 180 deg where z8 passes z6 (at 0.06 s);
+          atan2(y8 - y6, z8 - z6) equals it modulo 180 deg and is continuous.
+  beta    camber angle: the line of points 8 and 11, positive where the top of the wheel leans outboard.
+  The coordinates of point 11, on which z11 and beta rest, are an assumption: the paper prints none.
+";
+
+/// What a figure shows, read off states.
+struct Shown {
+    name: &'static str,
+    legend: &'static str,
+    sign: f64,
+    column: Column,
+}
+
+impl Shown {
+    fn all(names: &Names) -> Vec<Self> {
+        let of_one = |(name, legend, sign, quantity): (_, _, _, &'static Quantity)| {
+            let mut columns = columns(&[quantity], names).into_iter();
+            let column = columns.find(|column| matches!(column.axis, None | Some(Axis::Z)))?;
+            Some(Self {
+                name,
+                legend,
+                sign,
+                column,
+            })
+        };
+        SHOWN.into_iter().filter_map(of_one).collect()
+    }
+
+    /// As people read it, with the paper's sign.
+    fn value(&self, state: &State) -> f64 {
+        let (scale, _) = self.column.kind.for_people(Unit::Metre);
+        self.column.value(state) * scale * self.sign
+    }
+
+    fn heading(&self) -> String {
+        let (_, symbol) = self.column.kind.for_people(Unit::Metre);
+        format!("{} ({symbol})", self.name)
+    }
+
+    fn curve(&self, states: [&[State]; 2]) -> Curve {
+        let [line, marks] = states.map(|states| {
+            let points = states.iter().map(|state| (state.t, self.value(state)));
+            points.filter(|(_, value)| value.is_finite()).collect()
+        });
+        Curve {
+            name: self.legend.to_owned(),
+            line,
+            marks,
+        }
+    }
+}
+
+/// The figures' curves at the kept instants.
+pub(super) fn text(names: &Names, states: &[State]) -> String {
+    let [height, angles] = TITLES;
+    let mut out = format!("\n{height}\n{angles}\n\n  t (s)");
+    let all = Shown::all(names);
+    for shown in &all {
+        let _ = write!(out, " | {:>11}", shown.heading());
+    }
+    out.push('\n');
+    for state in states {
+        let _ = write!(out, "  {:5.2}", state.t);
+        for shown in &all {
+            let decimals = shown.column.kind.decimals(Unit::Metre);
+            let _ = write!(out, " | {:>11.decimals$}", shown.value(state));
+        }
+        out.push('\n');
+    }
+    out.push('\n');
+    out + NOTES
+}
+
+/// Both figures, by what they show.
+pub(super) fn charts(names: &Names, _: Unit, states: [&[State]; 2]) -> Charts {
+    let curves: Vec<_> = Shown::all(names)
+        .iter()
+        .map(|shown| shown.curve(states))
+        .collect();
+    let (height, angles) = curves.split_at(1);
+    let chart = |title: &str, quantity: &str, curves: &[Curve]| Chart {
+        title: title.to_owned(),
+        across: TIME.to_owned(),
+        quantity: quantity.to_owned(),
+        curves: curves.to_vec(),
+    };
+    vec![
+        ("height", chart(TITLES[0], "height z (m)", height)),
+        ("angles", chart(TITLES[1], "angle (deg)", angles)),
+    ]
+}

@@ -1,0 +1,144 @@
+//! `suspension range`: how far each drive leads the mechanism, and what is beyond.
+
+pub mod course;
+pub mod meeting;
+mod picture;
+mod report;
+mod station;
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::load::load;
+use crate::mechanism::{Mechanism, Names, Suspension, Unit, Work};
+use crate::output::csv_file::Target;
+use crate::output::files::{announce, print, refuse_input, write_file};
+use crate::output::table::Table;
+use course::{DriveRange, range};
+
+/// What `suspension range` is given.
+#[derive(Args, Clone, Debug)]
+#[command(after_long_help = NOTES)]
+pub struct Arguments {
+    /// The motion file (TOML), see suspension motion --help.
+    file: PathBuf,
+    /// Write every place of the curves as comma-separated values to PATH, or to standard output
+    /// for `-`.
+    #[arg(long, value_name = "PATH")]
+    csv: Option<PathBuf>,
+    /// Draw wheel-centre height over each drive's whole curve as SVG into the folder DIR.
+    #[arg(long, value_name = "DIR")]
+    plots: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// Finds the range of each drive, the others held as at the first instant.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`]. What was found before the user interrupts is written.
+    pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
+        let source = Source::read(&self.file)?;
+        let csv = self.csv.clone().map(Target::from);
+        if let Some(Target::File(csv)) = &csv {
+            refuse_input(csv, &self.file, "--csv")?;
+        }
+        load(&source)?.run(Ranges {
+            arguments: &self,
+            csv,
+            interrupted,
+        })?;
+        if interrupted.load(Ordering::Relaxed) {
+            return Err(Failure::Interrupted(format!(
+                "{}: interrupted; the curves are cut short",
+                source.name()
+            )));
+        }
+        Ok(())
+    }
+}
+
+struct Ranges<'a> {
+    arguments: &'a Arguments,
+    csv: Option<Target>,
+    interrupted: &'a AtomicBool,
+}
+
+impl Work for Ranges<'_> {
+    type Answer = ();
+
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        mechanism: &Mechanism<L, N>,
+    ) -> Result<(), Failure> {
+        let Mechanism { names, unit, .. } = mechanism;
+        let drives = 0..names.drives.len();
+        let ranges = drives.map(|index| range(mechanism, index, self.interrupted));
+        let ranges = ranges.collect::<Result<Vec<_>, _>>()?;
+        let mut written = Vec::new();
+        if let Some(target) = &self.csv {
+            table(names, *unit, &ranges, target)?;
+            if let Target::File(path) = target {
+                written.push(path.clone());
+            }
+        }
+        let Arguments { file, plots, .. } = self.arguments;
+        if let Some(folder) = plots {
+            let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+            for range in &ranges {
+                let path = folder.join(format!("{stem}_range_{}.svg", range.name));
+                let chart = picture::chart(names, *unit, range);
+                if let Some(svg) = chart.and_then(|chart| chart.svg()) {
+                    write_file(&path, &svg)?;
+                    written.push(path);
+                }
+            }
+        }
+        if self.csv.as_ref() != Some(&Target::Stdout) {
+            print(&report::text(mechanism, &ranges))?;
+        }
+        announce(&written);
+        Ok(())
+    }
+}
+
+fn table(names: &Names, unit: Unit, ranges: &[DriveRange], target: &Target) -> Result<(), Failure> {
+    let mut table = Table::create(target, station::columns(names, unit))?;
+    let mut stations = ranges.iter().flat_map(|range| &range.curve);
+    stations.try_for_each(|station| table.add(station))?;
+    table.finish()
+}
+
+const NOTES: &str = "\
+Each drive in turn is set free, the others held as at the file's first instant, and the mechanism
+is followed through the turning points of the drive, which the drive itself cannot do, until its
+curve closes or another curve crosses. Printed for each drive:
+
+  lower end, upper end   the values between which it leads the mechanism from the first instant,
+                         and what ends them: a turning point, where the mechanism locks and
+                         velocities grow without bound; 0 or pi, where an angle itself ends; a
+                         bifurcation, where the mechanism can go either way
+  motion                 when the file's motion is at an end, where it moves this drive alone
+  poor                   where the transmission is poor: for a unit of the drive the free points
+                         move (root of the sum of squares) more than five times as far as where in
+                         the range they move least
+  curve                  whether it is closed, and how often the drive turns on it
+
+The table, one row a place, in the order along the curve:
+
+  freed              the number of the drive that is free, from 1
+  turns              1 where it turns, else 0
+  each drive         in rad or the unit
+  speed              how far the free points move for a unit of the drive; inf where it turns
+  points             _x _y _z, in the unit
+  kingpin, caster, camber, toe in rad; residual in the unit
+
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the first instant is out of
+reach, or is a bifurcation, 130 interrupted, what was found is kept.
+
+Example:
+  suspension range examples/five_link.toml --csv curve.csv --plots plots";

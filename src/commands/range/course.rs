@@ -1,0 +1,244 @@
+//! One drive set free, and its curve followed both ways.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use suspension_core::path::{Continuation, Curve, End, Place};
+use suspension_core::{DriveKind, Signal, Values};
+
+use crate::commands::range::station::Station;
+use crate::failure::Failure;
+use crate::mechanism::{Mechanism, State, Suspension};
+
+/// Beyond this multiple of its least value in the range, the points' speed for a unit of the drive
+/// tells of a poor transmission.
+pub const POOR: f64 = 5.0;
+
+/// The longest step, as a part of the linkage's size: curves are drawn through the places.
+const LONGEST: f64 = 0.01;
+
+/// What is known of one drive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DriveRange {
+    /// Its name.
+    pub name: String,
+    /// Its index among the drives.
+    pub index: usize,
+    /// What it measures.
+    pub kind: DriveKind,
+    /// Its value at the first instant.
+    pub start: f64,
+    /// The lower and the upper end of the values to which it leads the mechanism from there.
+    pub ends: [RangeEnd; 2],
+    /// Places from the lower end to the upper.
+    pub usable: Vec<Station>,
+    /// All places of the curve, also those to which the drive cannot lead.
+    pub curve: Vec<Station>,
+    /// Turning points of the drive on the curve.
+    pub turns: usize,
+    /// The gap with which the curve closes; `None` where it is open.
+    pub gap: Option<f64>,
+}
+
+/// An end of a drive's range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RangeEnd {
+    /// The drive's value, in rad or the unit.
+    pub value: f64,
+    /// What the end is.
+    pub limit: Limit,
+}
+
+/// What limits a drive.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Limit {
+    /// The drive turns: led by it, the mechanism locks.
+    Locks,
+    /// The angle itself is 0 or pi.
+    EndOfAngle,
+    /// Another curve crosses within so much of the value, in the unit of length.
+    Bifurcation(f64),
+    /// The search was cut short: all steps were made, or the user interrupted.
+    Cut,
+    /// No further place was found, and why.
+    Lost(String),
+}
+
+/// The curve one way from the start.
+struct Run {
+    stations: Vec<Station>,
+    /// Indices of turning points among them, and whether each is an end of the angle.
+    turns: Vec<(usize, bool)>,
+    limit: Limit,
+    gap: Option<f64>,
+}
+
+/// The range of the drive with this index, the others held as at the first instant.
+///
+/// # Errors
+///
+/// [`Failure::Solver`] where the curve has no start.
+pub fn range<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    index: usize,
+    interrupted: &AtomicBool,
+) -> Result<DriveRange, Failure> {
+    let [down, up] = [false, true].map(|up| run(mechanism, index, up, interrupted));
+    let (down, up) = (down?, up?);
+    let ends = [&down, &up].map(Run::end);
+    let usable = [&down, &up].map(Run::usable);
+    let backwards = usable[0].iter().skip(1).rev();
+    let usable = backwards.chain(usable[1]).cloned().collect();
+    let gap = up.gap;
+    let mut turns = up.turns.len();
+    let curve = if gap.is_some() {
+        up.stations
+    } else {
+        turns += down.turns.len();
+        let back = down.stations.into_iter().skip(1).rev();
+        back.chain(up.stations).collect()
+    };
+    let [first, _] = mechanism.instants.ends();
+    let inputs = mechanism.drives.inputs::<L::Drives>(first);
+    let drive = &mechanism.names.drives[index];
+    Ok(DriveRange {
+        name: drive.name.clone(),
+        index,
+        kind: drive.kind,
+        start: mechanism.given(&inputs.drives.value)[index],
+        ends,
+        usable,
+        curve,
+        turns,
+        gap,
+    })
+}
+
+/// The curve one way from the first instant.
+fn run<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    index: usize,
+    increasing: bool,
+    interrupted: &AtomicBool,
+) -> Result<Run, Failure> {
+    let settings = Continuation {
+        longest: LONGEST,
+        ..Continuation::default()
+    };
+    let [first, _] = mechanism.instants.ends();
+    let inputs = mechanism.drives.inputs(first);
+    let curve = Curve::new(&mechanism.model, &inputs, index)
+        .ok_or_else(|| Failure::Solver("there is no such drive".to_owned()))?;
+    let lost = |error| mechanism.names.cause(&error, mechanism.unit);
+    let mut path = settings
+        .path(curve, &mechanism.start.position, increasing)
+        .map_err(|error| Failure::Solver(format!("the curve has no start: {}", lost(error))))?;
+    let at = |curve: &Curve<'_, L, N>, place: &Place<f64, N>, turns| {
+        let drives = inputs.drives.value.with(index, place.value);
+        Station {
+            freed: index,
+            turns,
+            speed: speed(curve, place, turns),
+            state: State {
+                residual: place.residual,
+                ..mechanism.at_rest(first, &drives, curve.points(&place.configuration))
+            },
+        }
+    };
+    let mut run = Run {
+        stations: vec![at(path.curve(), path.here(), false)],
+        turns: Vec::new(),
+        limit: Limit::Cut,
+        gap: None,
+    };
+    while !interrupted.load(Ordering::Relaxed) {
+        let stretch = match path.next() {
+            Some(Ok(stretch)) => stretch,
+            Some(Err(error)) => {
+                run.limit = Limit::Lost(lost(error));
+                break;
+            }
+            None => break,
+        };
+        if let Some(turning) = stretch.turning {
+            run.turns
+                .push((run.stations.len(), turning.is_end_of_angle));
+            run.stations.push(at(path.curve(), &turning.place, true));
+        }
+        run.stations.push(at(path.curve(), &stretch.place, false));
+        match stretch.end {
+            Some(End::Closed { gap }) => run.gap = Some(gap),
+            Some(End::Bifurcation { accuracy }) => run.limit = Limit::Bifurcation(accuracy),
+            Some(End::Range | End::OutOfRange | End::Steps) | None => {}
+        }
+    }
+    Ok(run)
+}
+
+/// How far the free points move for a unit of the drive.
+fn speed<L: Suspension<N>, const N: usize>(
+    curve: &Curve<'_, L, N>,
+    place: &Place<f64, N>,
+    turns: bool,
+) -> f64 {
+    if turns {
+        return f64::INFINITY;
+    }
+    let (tangent, at) = (&place.tangent, &place.configuration);
+    let drive = curve.value(&Signal {
+        value: at.drive,
+        rate: tangent.drive,
+        second_rate: 0.0,
+    });
+    tangent.unknowns.norm() / drive.rate.abs()
+}
+
+impl Run {
+    /// Where the drive's range ends.
+    fn end(&self) -> RangeEnd {
+        let (place, limit) = match self.turns.first() {
+            Some((place, true)) => (*place, Limit::EndOfAngle),
+            Some((place, false)) => (*place, Limit::Locks),
+            None => (self.stations.len() - 1, self.limit.clone()),
+        };
+        RangeEnd {
+            value: self.stations[place].value(),
+            limit,
+        }
+    }
+
+    /// The stations up to there.
+    fn usable(&self) -> &[Station] {
+        let first = self.turns.first();
+        first.map_or(&self.stations, |(place, _)| &self.stations[..=*place])
+    }
+}
+
+impl DriveRange {
+    /// The drive's values between which the transmission is poor: the points move more than
+    /// [`POOR`] times as far for a unit of the drive as where in the range they move least.
+    pub fn poor(&self) -> Vec<[f64; 2]> {
+        let least = self
+            .usable
+            .iter()
+            .map(|s| s.speed)
+            .fold(f64::INFINITY, f64::min);
+        // The inverse goes through zero where the drive turns.
+        let margin = |station: &Station| 1.0 / station.speed - 1.0 / (POOR * least);
+        let mut intervals: Vec<[f64; 2]> = Vec::new();
+        for pair in self.usable.windows(2) {
+            let [from, to] = [&pair[0], &pair[1]];
+            let [before, after] = [margin(from), margin(to)];
+            if before >= 0.0 && after >= 0.0 {
+                continue;
+            }
+            let crossing = from.value() + (to.value() - from.value()) * before / (before - after);
+            let low = if before < 0.0 { from.value() } else { crossing };
+            let high = if after < 0.0 { to.value() } else { crossing };
+            match intervals.last_mut() {
+                Some(last) if last[1] == low => last[1] = high,
+                _ => intervals.push([low, high]),
+            }
+        }
+        intervals
+    }
+}

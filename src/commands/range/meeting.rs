@@ -1,0 +1,55 @@
+//! When a motion meets an end of a drive's range.
+
+use suspension_core::Values;
+
+use crate::mechanism::{Mechanism, Suspension};
+
+/// The motion is carried on beyond its last instant, to this many times its duration.
+pub const CARRIED_ON: f64 = 10.0;
+
+/// The first time at which the drive with this index is at one of `ends`, in the file's coordinates, and
+/// which; `None` where it is not, or where another drive moves too or a measure leads: then the ends are
+/// not those of the motion.
+pub fn meeting<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    index: usize,
+    ends: [f64; 2],
+) -> Option<(f64, usize)> {
+    const LOOKS: usize = 20_000;
+    if mechanism.lead.is_some() {
+        return None;
+    }
+    let ends = ends.map(|end| end - mechanism.drive_offset(index));
+    let [first, last] = mechanism.instants.ends();
+    let at = |t: f64| mechanism.drives.inputs::<L::Drives>(t).drives;
+    let value = |t: f64| at(t).value.values().nth(index);
+    let span = (last - first) * CARRIED_ON;
+    let excess = |t: f64| Some([ends[0] - value(t)?, value(t)? - ends[1]]);
+    let mut before = first;
+    for look in 1..=LOOKS {
+        let after = first + span * look as f64 / LOOKS as f64;
+        let rates = at(after).rate;
+        let mut others = rates.values().enumerate();
+        if others.any(|(other, rate)| other != index && rate != 0.0) {
+            return None;
+        }
+        let beyond = excess(after)?;
+        if let Some(end) = beyond.iter().position(|excess| *excess >= 0.0) {
+            let mut ways = [before, after];
+            while let [from, to] = ways
+                && let middle = from + (to - from) / 2.0
+                && middle != from
+                && middle != to
+            {
+                ways = if excess(middle)?[end] >= 0.0 {
+                    [from, middle]
+                } else {
+                    [middle, to]
+                };
+            }
+            return Some((ways[1], end));
+        }
+        before = after;
+    }
+    None
+}

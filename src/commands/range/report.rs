@@ -1,0 +1,125 @@
+//! The ranges of the drives in a few lines of text.
+
+use std::fmt::Write;
+
+use suspension_core::DriveKind;
+
+use crate::commands::range::course::{DriveRange, Limit, POOR, RangeEnd};
+use crate::commands::range::meeting::{CARRIED_ON, meeting};
+use crate::mechanism::{Mechanism, Suspension, Unit};
+use crate::number::rounded;
+
+/// Digits of an end: all that are known of one in radians.
+const DIGITS: usize = 13;
+
+/// What is known of each drive.
+pub(super) fn text<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    ranges: &[DriveRange],
+) -> String {
+    let mut out = format!("Linkage {}\n", mechanism.linkage);
+    let unit = mechanism.unit;
+    for range in ranges {
+        let in_words = |value| value_in_words(range.kind, unit, value, DIGITS);
+        let [lower, upper] = &range.ends;
+        let _ = write!(
+            out,
+            "\nDrive {}, from {} at the first instant, the other drives held\n  \
+             lower end   {}: {}\n  upper end   {}: {}\n",
+            range.name,
+            in_words(range.start),
+            in_words(lower.value),
+            limit(lower, unit),
+            in_words(upper.value),
+            limit(upper, unit),
+        );
+        let _ = writeln!(out, "  motion      {}", motion(mechanism, range));
+        let _ = writeln!(out, "  poor        {}", poor(range, unit));
+        let _ = writeln!(out, "  curve       {}", curve(range, unit));
+    }
+    out
+}
+
+fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> String {
+    match kind {
+        DriveKind::Angle => format!(
+            "{} deg ({} rad)",
+            rounded(value.to_degrees(), digits.min(7)),
+            rounded(value, digits)
+        ),
+        DriveKind::Coordinate => format!("{} {}", rounded(value, digits), unit.symbol()),
+    }
+}
+
+fn limit(end: &RangeEnd, unit: Unit) -> String {
+    match &end.limit {
+        Limit::Locks => "turning point of the drive, the mechanism locks".to_owned(),
+        Limit::EndOfAngle => {
+            "the end of the angle, beyond it the drive acts as before it".to_owned()
+        }
+        Limit::Bifurcation(accuracy) => format!(
+            "bifurcation within {} {} along the curve, the mechanism can go either way",
+            rounded(*accuracy, 2),
+            unit.symbol()
+        ),
+        Limit::Cut => "the search was cut short here".to_owned(),
+        Limit::Lost(cause) => format!("no further place was found ({cause})"),
+    }
+}
+
+/// When the file's motion is at an end.
+fn motion<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    range: &DriveRange,
+) -> String {
+    let ends = [range.ends[0].value, range.ends[1].value];
+    let [first, last] = mechanism.instants.ends();
+    match meeting(mechanism, range.index, ends) {
+        Some((t, end)) => {
+            let when = if (t - first).abs() > (last - first).abs() {
+                format!(", after its last instant, {} s", rounded(last, DIGITS))
+            } else {
+                String::new()
+            };
+            format!(
+                "the file's motion is at the {} end at t = {} s{when}",
+                ["lower", "upper"][end],
+                rounded(t, DIGITS)
+            )
+        }
+        None if mechanism.lead.is_some() => "led by a measure, not by this drive".to_owned(),
+        None => format!(
+            "the file's motion, carried on to {CARRIED_ON} times its duration, is at neither end \
+             by this drive alone"
+        ),
+    }
+}
+
+fn poor(range: &DriveRange, unit: Unit) -> String {
+    let intervals = range.poor();
+    let what = format!(
+        "for a unit of the drive the points move more than {POOR} times as far as where they move \
+         least"
+    );
+    if intervals.is_empty() {
+        return format!("nowhere: {what}");
+    }
+    let each = intervals.iter().map(|ends| {
+        let [low, high] = ends.map(|end| value_in_words(range.kind, unit, end, 5));
+        format!("{low} to {high}")
+    });
+    let each: Vec<String> = each.collect();
+    format!("{}: {what}", each.join(", "))
+}
+
+fn curve(range: &DriveRange, unit: Unit) -> String {
+    let turns = range.turns;
+    match range.gap {
+        Some(gap) => format!(
+            "closed to {} {}, with {turns} turning points of the drive",
+            rounded(gap, 2),
+            unit.symbol()
+        ),
+        None => format!("open, with {turns} turning points of the drive"),
+    }
+}

@@ -1,0 +1,10 @@
+//! What is written in a motion file: its text, its grammar, and what it may say beyond its grammar.
+
+pub mod check;
+mod leading;
+mod motion_file;
+mod source;
+
+pub use leading::{StandIn, stand_in};
+pub use motion_file::{MotionFile, Offset, Position, Table, Time};
+pub use source::Source;

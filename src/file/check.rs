@@ -1,0 +1,279 @@
+//! What a motion file may say, beyond its grammar. Each refusal names its place.
+
+use std::borrow::Borrow;
+
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::motion_file::{MotionFile, Offset, Position, Table, Time};
+use crate::file::source::Source;
+use crate::mechanism::Instants;
+use crate::number::{number, rounded};
+
+/// More instants than this are taken for a mistyped step.
+const MOST_INSTANTS: f64 = 1e7;
+
+/// Checks that a table has an entry for each known name and no other.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first unknown key, or at the table where a name is missing.
+pub fn names<V>(
+    source: &Source,
+    table: &Table<V>,
+    kind: &str,
+    known: &[impl Borrow<str>],
+) -> Result<(), Failure> {
+    known_names(source, table, kind, known)?;
+    let entries = table.get_ref();
+    match known
+        .iter()
+        .map(Borrow::borrow)
+        .find(|name| !entries.contains_key(*name))
+    {
+        Some(name) => Err(source.refuse(&table.span(), format!("{kind} `{name}` is missing"))),
+        None => Ok(()),
+    }
+}
+
+/// Checks that a table has no entry but for known names.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first unknown key.
+pub fn known_names<V>(
+    source: &Source,
+    table: &Table<V>,
+    kind: &str,
+    known: &[impl Borrow<str>],
+) -> Result<(), Failure> {
+    let unknown = table
+        .get_ref()
+        .keys()
+        .filter(|key| known.iter().all(|name| name.borrow() != key.get_ref()))
+        .min_by_key(|key| key.span().start);
+    let Some(key) = unknown else {
+        return Ok(());
+    };
+    let message = format!(
+        "unknown {kind} `{}`; the linkage has {}",
+        key.get_ref(),
+        known.join(", ")
+    );
+    Err(source.refuse(&key.span(), message))
+}
+
+/// Checks that all values of a table are finite.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first that is not.
+pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<(), Failure> {
+    for (name, value) in in_file_order(table) {
+        if !value.get_ref().is_finite() {
+            let message = format!("{kind} `{name}` is not a finite number");
+            return Err(source.refuse(&value.span(), message));
+        }
+    }
+    Ok(())
+}
+
+/// Checks the lengths: positive and finite.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first that is not.
+pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
+    for (name, value) in in_file_order(table) {
+        let length = *value.get_ref();
+        if !(length > 0.0 && length.is_finite()) {
+            let message = format!(
+                "length `{name}` is {}, not a positive finite number",
+                number(length)
+            );
+            return Err(source.refuse(&value.span(), message));
+        }
+    }
+    Ok(())
+}
+
+/// Checks the points: finite, no two chassis or free points in one place, only `markers` placed
+/// relative to another point, and that one placed by coordinates.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first point that is not so.
+pub fn points(source: &Source, file: &MotionFile, markers: &[String]) -> Result<(), Failure> {
+    let is_marker = |name: &str| markers.iter().any(|marker| marker == name);
+    let mut placed: Vec<(&str, [f64; 3])> = Vec::new();
+    for (name, position) in in_file_order(&file.points) {
+        let refuse = |message: String| Err(source.refuse(&position.span(), message));
+        let (Position::At(numbers)
+        | Position::Off(Offset {
+            offset: numbers, ..
+        })) = position.get_ref();
+        if numbers.iter().any(|number| !number.is_finite()) {
+            return refuse(format!(
+                "point `{name}` has a coordinate that is not a finite number"
+            ));
+        }
+        match position.get_ref() {
+            Position::Off(off) => {
+                if !is_marker(name) {
+                    return refuse(format!(
+                        "point `{name}` is no marker and needs coordinates [x, y, z]"
+                    ));
+                }
+                base_of_marker(source, file, &off.from)?;
+            }
+            Position::At(at) if !is_marker(name) => {
+                if let Some((other, _)) = placed.iter().find(|(_, place)| place == at) {
+                    return refuse(format!(
+                        "point `{name}` is in the same place as point `{other}`"
+                    ));
+                }
+                placed.push((name, *at));
+            }
+            Position::At(_) => {}
+        }
+    }
+    Ok(())
+}
+
+fn base_of_marker(
+    source: &Source,
+    file: &MotionFile,
+    from: &Spanned<String>,
+) -> Result<(), Failure> {
+    let base = from.get_ref();
+    match file
+        .points
+        .get_ref()
+        .get(base.as_str())
+        .map(Spanned::get_ref)
+    {
+        Some(Position::At(_)) => Ok(()),
+        Some(Position::Off(_)) => Err(source.refuse(
+            &from.span(),
+            format!("point `{base}` is itself placed relative to another point"),
+        )),
+        None => Err(source.refuse(&from.span(), format!("there is no point `{base}`"))),
+    }
+}
+
+/// A table's entries from top to bottom, so that the first mistake is the one reported.
+fn in_file_order<V>(table: &Table<V>) -> Vec<(&str, &Spanned<V>)> {
+    let mut entries: Vec<_> = table.get_ref().iter().collect();
+    entries.sort_by_key(|(name, _)| name.span().start);
+    entries
+        .into_iter()
+        .map(|(name, value)| (name.get_ref().as_str(), value))
+        .collect()
+}
+
+/// Checks the drives' polynomials: at least one coefficient each, all finite.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first that is not.
+pub fn drives(source: &Source, table: &Table<Vec<f64>>) -> Result<(), Failure> {
+    for (name, coefficients) in in_file_order(table) {
+        let fault = if coefficients.get_ref().is_empty() {
+            "needs at least one coefficient"
+        } else if coefficients.get_ref().iter().any(|c| !c.is_finite()) {
+            "has a coefficient that is not a finite number"
+        } else {
+            continue;
+        };
+        return Err(source.refuse(&coefficients.span(), format!("drive `{name}` {fault}")));
+    }
+    Ok(())
+}
+
+/// The instants that the file asks for.
+///
+/// # Errors
+///
+/// [`Failure::Input`] where there are none, too many, or they do not run one way.
+pub fn instants(source: &Source, time: &Spanned<Time>) -> Result<Instants, Failure> {
+    match time.get_ref() {
+        Time {
+            start: Some(start),
+            stop: Some(stop),
+            step: Some(step),
+            instants: None,
+        } => stepped(source, [start, stop, step]),
+        Time {
+            start: None,
+            stop: None,
+            step: None,
+            instants: Some(instants),
+        } => listed(source, instants),
+        _ => Err(source.refuse(
+            &time.span(),
+            "[time] needs either start, stop and step, or instants",
+        )),
+    }
+}
+
+fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Failure> {
+    for value in values {
+        finite_time(source, value)?;
+    }
+    let [first, stop, step] = values.map(|value| *value.get_ref());
+    let refuse = |message: String| Err(source.refuse(&values[2].span(), message));
+    if step == 0.0 {
+        return refuse("the time step is zero".into());
+    }
+    let steps = (stop - first) / step;
+    if steps < 0.0 {
+        return refuse(format!(
+            "the time step {} s leads away from the stop at {} s",
+            number(step),
+            number(stop)
+        ));
+    }
+    if steps.is_nan() || steps >= MOST_INSTANTS {
+        return refuse(format!(
+            "the time step {} s makes {} steps; at most {MOST_INSTANTS:e} are allowed",
+            number(step),
+            rounded(steps, 4)
+        ));
+    }
+    Ok(Instants::stepped(first, stop, step))
+}
+
+fn listed(source: &Source, list: &Spanned<Vec<Spanned<f64>>>) -> Result<Instants, Failure> {
+    for instant in list.get_ref() {
+        finite_time(source, instant)?;
+    }
+    let times: Vec<f64> = list.get_ref().iter().map(|t| *t.get_ref()).collect();
+    if times.is_empty() {
+        return Err(source.refuse(&list.span(), "the list of instants is empty"));
+    }
+    let backwards = times.len() > 1 && times[1] < times[0];
+    for (pair, at) in times.windows(2).zip(&list.get_ref()[1..]) {
+        let onwards = if backwards {
+            pair[1] < pair[0]
+        } else {
+            pair[1] > pair[0]
+        };
+        if !onwards {
+            let message = format!(
+                "the instants must run one way, but {} s follows {} s",
+                number(pair[1]),
+                number(pair[0])
+            );
+            return Err(source.refuse(&at.span(), message));
+        }
+    }
+    Ok(Instants::Listed(times))
+}
+
+fn finite_time(source: &Source, time: &Spanned<f64>) -> Result<(), Failure> {
+    if time.get_ref().is_finite() {
+        Ok(())
+    } else {
+        Err(source.refuse(&time.span(), "a time is not a finite number"))
+    }
+}

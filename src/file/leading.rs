@@ -1,0 +1,131 @@
+//! Which quantities of a motion file lead: its drives, or a measure in place of one of them.
+
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::check;
+use crate::file::motion_file::Table;
+use crate::file::source::Source;
+
+/// A measure that stands in for a drive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StandIn {
+    /// Its name, with its place in the file.
+    pub key: Spanned<String>,
+    /// Its index among the measures.
+    pub measure: usize,
+    /// The index of the drive that it sets free.
+    pub drive: usize,
+}
+
+/// The measure that stands in for a drive; `None` where all drives lead themselves.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at a name that is neither, at a measure too many, or where a drive is missing
+/// for which nothing stands in.
+pub fn stand_in<V>(
+    source: &Source,
+    table: &Table<V>,
+    drives: &[&str],
+    measures: &[&str],
+) -> Result<Option<StandIn>, Failure> {
+    check::known_names(source, table, "drive", &[drives, measures].concat())?;
+    let entries = table.get_ref();
+    let missing: Vec<usize> = (0..drives.len())
+        .filter(|index| !entries.contains_key(drives[*index]))
+        .collect();
+    let index = |key: &Spanned<String>| measures.iter().position(|name| name == key.get_ref());
+    let mut leading: Vec<_> = entries
+        .keys()
+        .filter_map(|key| Some((key, index(key)?)))
+        .collect();
+    leading.sort_by_key(|(key, _)| key.span().start);
+    match (leading.as_slice(), missing.as_slice()) {
+        ([], []) => Ok(None),
+        ([(key, measure)], [drive]) => Ok(Some(StandIn {
+            key: (*key).clone(),
+            measure: *measure,
+            drive: *drive,
+        })),
+        ([], [drive, ..]) => {
+            let message = format!("drive `{}` is missing", drives[*drive]);
+            Err(source.refuse(&table.span(), message))
+        }
+        ([(key, _)], []) => {
+            let message = format!(
+                "measure `{}` can lead only in place of a drive; leave out one of {}",
+                key.get_ref(),
+                drives.join(", ")
+            );
+            Err(source.refuse(&key.span(), message))
+        }
+        ([(key, _)], [_, drive, ..]) => {
+            let message = format!(
+                "drive `{}` is missing; measure `{}` stands in for one drive only",
+                drives[*drive],
+                key.get_ref()
+            );
+            Err(source.refuse(&table.span(), message))
+        }
+        ([(first, _), (second, _), ..], _) => {
+            let message = format!(
+                "measure `{}` cannot lead beside measure `{}`: one may stand in for a drive",
+                second.get_ref(),
+                first.get_ref()
+            );
+            Err(source.refuse(&second.span(), message))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(leading: &str) -> Result<Option<StandIn>, String> {
+        let source = Source::new("a.toml", leading);
+        let table: Table<f64> = toml::from_str(leading).expect("a table");
+        let (drives, measures) = (["bump", "steer"], ["height", "spring"]);
+        stand_in(&source, &table, &drives, &measures).map_err(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn one_measure_stands_in_for_the_drive_that_is_left_out() {
+        assert_eq!(told("bump = 1\nsteer = 2"), Ok(None));
+        let found = told("spring = 1\nbump = 2").expect("good").expect("led");
+        assert_eq!((found.measure, found.drive), (1, 1));
+        assert_eq!(
+            (found.key.get_ref().as_str(), found.key.span()),
+            ("spring", 0..6)
+        );
+    }
+
+    #[test]
+    fn any_other_set_of_names_is_refused_at_its_place() {
+        let cases = [
+            ("", "a.toml:1:1: drive `bump` is missing"),
+            ("steer = 1", "a.toml:1:1: drive `bump` is missing"),
+            (
+                "steer = 1\ncamber = 2",
+                "a.toml:2:1: unknown drive `camber`",
+            ),
+            (
+                "height = 1",
+                "a.toml:1:1: drive `steer` is missing; measure `height` stands in",
+            ),
+            (
+                "bump = 1\nsteer = 1\nspring = 1",
+                "a.toml:3:1: measure `spring` can lead only in",
+            ),
+            (
+                "steer = 1\nspring = 1\nheight = 1",
+                "a.toml:3:1: measure `height` cannot lead beside",
+            ),
+        ];
+        for (leading, expected) in cases {
+            let message = told(leading).expect_err(leading);
+            assert!(message.starts_with(expected), "{expected}: {message}");
+        }
+    }
+}

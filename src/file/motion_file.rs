@@ -1,0 +1,150 @@
+//! The motion file: one mechanism, its lengths, the instants and the drives.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{self, MapAccess, SeqAccess, Visitor, value::MapAccessDeserializer};
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::source::Source;
+use crate::mechanism::Unit;
+
+/// Values by name, each with its place in the file.
+pub type Table<V> = Spanned<BTreeMap<Spanned<String>, Spanned<V>>>;
+
+/// A motion file as written; names and values are not checked yet.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MotionFile {
+    /// The linkage's name: one of the catalogue's, or that of one's own.
+    pub linkage: Spanned<String>,
+    /// The unit of all lengths and coordinates, in the file and in the results.
+    pub unit: Unit,
+    /// Every point of the linkage: chassis points, free points, markers.
+    pub points: Table<Position>,
+    /// The lengths of links and bodies; with them the points are a rough guess.
+    pub lengths: Option<Table<f64>>,
+    /// The drives' values at which the mechanism is assembled and markers are attached.
+    pub design: Option<Table<f64>>,
+    /// The instants.
+    pub time: Spanned<Time>,
+    /// Each drive as a polynomial of time in seconds, constant first.
+    pub drives: Table<Vec<f64>>,
+}
+
+impl MotionFile {
+    /// Reads the text of a motion file.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] with the place of the first mistake.
+    pub fn parse(source: &Source) -> Result<Self, Failure> {
+        toml::from_str(source.text()).map_err(|error| {
+            let message = error.message().trim_end().replace('\n', ", ");
+            source.refuse(&error.span().unwrap_or(0..0), message)
+        })
+    }
+
+    /// The same file with its points in coordinates whose origin is at `origin`.
+    pub fn seen_from(&self, origin: [f64; 3]) -> Self {
+        let mut file = self.clone();
+        for position in file.points.get_mut().values_mut() {
+            if let Position::At(at) = position.get_mut() {
+                for (x, origin) in at.iter_mut().zip(origin) {
+                    *x -= origin;
+                }
+            }
+        }
+        file
+    }
+
+    /// The same file with the drives' values less by what `offset` has for their names.
+    pub fn driven_from<'a>(mut self, offset: impl Iterator<Item = (&'a str, f64)>) -> Self {
+        for (name, offset) in offset {
+            let design = self.design.as_mut();
+            if let Some(value) = design.and_then(|values| values.get_mut().get_mut(name)) {
+                *value.get_mut() -= offset;
+            }
+            let law = self.drives.get_mut().get_mut(name);
+            if let Some(constant) = law.and_then(|law| law.get_mut().first_mut()) {
+                *constant -= offset;
+            }
+        }
+        self
+    }
+}
+
+/// Where a point is.
+#[derive(Clone, Debug)]
+pub enum Position {
+    /// At coordinates x, y, z.
+    At([f64; 3]),
+    /// Off another point, in the configuration of the design.
+    Off(Offset),
+}
+
+/// A marker's place relative to another point.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Offset {
+    /// The other point.
+    pub from: Spanned<String>,
+    /// From there to the marker, along x, y, z.
+    #[serde(deserialize_with = "coordinates")]
+    pub offset: [f64; 3],
+}
+
+/// The instants of the sweep, in one of two forms.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Time {
+    /// The first instant, s.
+    pub start: Option<Spanned<f64>>,
+    /// Where the steps end, s.
+    pub stop: Option<Spanned<f64>>,
+    /// From one instant to the next, s.
+    pub step: Option<Spanned<f64>>,
+    /// The instants one by one, s.
+    pub instants: Option<Spanned<Vec<Spanned<f64>>>>,
+}
+
+impl<'de> Deserialize<'de> for Position {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(PositionVisitor)
+    }
+}
+
+fn coordinates<'de, D: de::Deserializer<'de>>(deserializer: D) -> Result<[f64; 3], D::Error> {
+    let list = Vec::deserialize(deserializer)?;
+    three(&list)
+}
+
+/// An array type would read three numbers and drop the rest.
+fn three<E: de::Error>(list: &[f64]) -> Result<[f64; 3], E> {
+    <[f64; 3]>::try_from(list)
+        .map_err(|_| E::invalid_length(list.len(), &"three coordinates [x, y, z]"))
+}
+
+struct PositionVisitor;
+
+impl<'de> Visitor<'de> for PositionVisitor {
+    type Value = Position;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("[x, y, z] or { from = \"point\", offset = [x, y, z] }")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut entries: A) -> Result<Position, A::Error> {
+        let mut list = Vec::new();
+        while let Some(coordinate) = entries.next_element()? {
+            list.push(coordinate);
+        }
+        three(&list).map(Position::At)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Position, A::Error> {
+        Offset::deserialize(MapAccessDeserializer::new(map)).map(Position::Off)
+    }
+}

@@ -1,0 +1,11 @@
+//! From a motion file to a mechanism in the configuration of the first instant.
+
+mod design;
+mod led;
+mod listing;
+mod loaded;
+mod prepare;
+mod start;
+mod task;
+
+pub use loaded::{Loaded, load, load_own};

@@ -1,0 +1,120 @@
+//! The design position: where the mechanism is assembled and its markers are attached.
+
+use nalgebra::{SVector, Vector3};
+use suspension_core::{Linkage, LocalOrigin, Newton, Values, assemble};
+
+use crate::failure::Failure;
+use crate::file::{Offset, Position};
+use crate::load::task::Task;
+use crate::mechanism::{DriveLaws, Polynomial, Suspension, given};
+
+/// The configuration in which markers are attached.
+pub(super) struct Design<L: Linkage<N>, const N: usize> {
+    pub(super) origin: LocalOrigin<f64>,
+    pub(super) model: L,
+    pub(super) q: SVector<f64, N>,
+    pub(super) drives: L::Drives,
+}
+
+impl<L: Suspension<N>, const N: usize> Design<L, N> {
+    /// The drives' values in the file's coordinates, from local ones.
+    pub(super) fn given(&self, local: &L::Drives) -> Vec<f64> {
+        given(&self.origin, &self.model, local)
+    }
+}
+
+pub(super) fn at_design<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    model: L,
+    origin: LocalOrigin<f64>,
+    guess: &L::Points,
+) -> Result<Design<L, N>, Failure> {
+    let Task { file, names, .. } = task;
+    let drives = match &file.design {
+        Some(table) => {
+            let each = names.drives.iter();
+            let each = each.map(|drive| *table.get_ref()[drive.name.as_str()].get_ref());
+            let drives = L::Drives::from_values(each);
+            task.check_angles(drives.values(), table)?;
+            drives
+        }
+        None => model.drives_at(guess),
+    };
+    let at_rest = DriveLaws::new(drives.values().map(|value| Polynomial::new(vec![value])));
+    let inputs = at_rest.inputs::<L::Drives>(0.0);
+    let mut q = model.unknowns(guess);
+    if file.lengths.is_some() || file.design.is_some() {
+        assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
+            let drives = given(&origin, &model, &drives);
+            let at = names.drives_in_words(&drives, file.unit, None);
+            unassembled(task, &at, &names.cause(&error, file.unit))
+        })?;
+    }
+    let fixed = model.drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
+    let points = place_markers(task, &model.points(&q, &fixed));
+    check_spin_axis(task, &points)?;
+    let model = model
+        .with_markers(&points)
+        .map_err(|error| task.refuse_geometry(&error))?;
+    Ok(Design {
+        origin,
+        model,
+        q,
+        drives,
+    })
+}
+
+/// The equation that a solver ends at says little about the number that was mistyped.
+fn unassembled(task: &Task<'_>, at: &str, cause: &str) -> Failure {
+    let doubt = if task.file.lengths.is_some() {
+        "lengths and points may not fit together: is one of them in another unit?"
+    } else {
+        "the design may be out of reach"
+    };
+    let name = task.source.name();
+    Failure::Solver(format!(
+        "{name}: the points do not assemble at {at}: {cause}; {doubt}"
+    ))
+}
+
+/// Puts markers where the file wants them in the configuration `points`. Where the points of the
+/// file are exact, a marker with coordinates is already attached to them.
+fn place_markers<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> P {
+    let Task { file, names, .. } = task;
+    let first_marker = names.points.len() - names.markers().len();
+    let placed: Vec<Vector3<f64>> = points.values().collect();
+    let position = |wanted: &str| {
+        let found = names.points.iter().position(|name| name == wanted);
+        found.map_or_else(Vector3::zeros, |point| placed[point])
+    };
+    let each = names.points.iter().enumerate();
+    P::from_values(each.map(
+        |(point, name)| match file.points.get_ref()[name.as_str()].get_ref() {
+            Position::Off(Offset { from, offset }) => {
+                position(from.get_ref()) + Vector3::from(*offset)
+            }
+            Position::At(at) if file.lengths.is_some() && point >= first_marker => {
+                Vector3::from(*at)
+            }
+            Position::At(_) => placed[point],
+        },
+    ))
+}
+
+/// The spin axis, where there is one, must have a direction.
+fn check_spin_axis<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> Result<(), Failure> {
+    let Task { file, names, .. } = task;
+    let Some(wheel) = names.wheel else {
+        return Ok(());
+    };
+    let placed: Vec<Vector3<f64>> = points.values().collect();
+    let [inner, centre] = wheel.axis;
+    let length = (placed[centre] - placed[inner]).norm();
+    if length > 0.0 && length.is_finite() {
+        return Ok(());
+    }
+    let name = &names.points[centre];
+    let place = file.points.get_ref()[name.as_str()].span();
+    let message = format!("point `{name}` gives the spin axis no length");
+    Err(task.source.refuse(&place, message))
+}

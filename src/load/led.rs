@@ -1,0 +1,85 @@
+//! To the first instant of a motion that a measure leads.
+
+use suspension_core::Values;
+use suspension_core::path::{Curve, Led};
+
+use crate::failure::Failure;
+use crate::file::StandIn;
+use crate::load::design::Design;
+use crate::load::start::{FROM_DESIGN_TO_FIRST, out_of_reach, way};
+use crate::load::task::Task;
+use crate::mechanism::{DriveLaws, Law, Lead, Polynomial, Suspension};
+
+/// Leads the mechanism from its design to the first instant: the measure and the drives that are
+/// left on a straight line.
+pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    design: &Design<L, N>,
+    drives: &DriveLaws,
+    stand_in: &StandIn,
+) -> Result<Lead<N>, Failure> {
+    let way = way(task, design, drives);
+    let mut led = at_rest(task, design, &way, stand_in.drive)?;
+    let points = led.points(&design.model, &way.inputs::<L::Drives>(0.0));
+    let measured = |all: L::Measures| all.values().nth(stand_in.measure).unwrap_or_default();
+    let offset = measured(design.origin.of_measures(&design.model));
+    let law = law(task, stand_in, offset);
+    let ends = [
+        measured(design.model.measures(&points).value),
+        law.at(task.first).value,
+    ];
+    let lead = Lead {
+        measure: stand_in.measure,
+        drive: stand_in.drive,
+        law: Law::new(Polynomial::line(ends[0], ends[1])),
+        offset,
+        start: led,
+    };
+    match lead.follow(&design.model, &way, FROM_DESIGN_TO_FIRST, &mut led) {
+        Ok(_) => Ok(Lead {
+            law,
+            start: led,
+            ..lead
+        }),
+        Err(stopped) => {
+            let (names, unit) = (task.names, task.file.unit);
+            let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]].map(|t| {
+                let drives = way.inputs::<L::Drives>(t).drives.value;
+                lead.in_words(names, &design.given(&drives), t, unit)
+            });
+            let cause = stopped.refused;
+            let cause = cause.map(|(_, error)| lead.cause(names, &error, unit));
+            Err(out_of_reach(task, [&first, &reached], cause))
+        }
+    }
+}
+
+/// At rest in the design position, one drive free.
+fn at_rest<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    design: &Design<L, N>,
+    way: &DriveLaws,
+    drive: usize,
+) -> Result<Led<f64, N>, Failure> {
+    let name = task.source.name();
+    let inputs = way.inputs::<L::Drives>(0.0);
+    let curve = Curve::new(&design.model, &inputs, drive)
+        .ok_or_else(|| Failure::Solver(format!("{name}: there is no such drive")))?;
+    Led::at_rest(&curve, &design.q).map_err(|error| {
+        let cause = task.names.cause(&error, task.file.unit);
+        Failure::Solver(format!(
+            "{name}: no measure leads from the design position: {cause}"
+        ))
+    })
+}
+
+/// The measure over time, as the file has it, of points in local coordinates.
+fn law(task: &Task<'_>, stand_in: &StandIn, offset: f64) -> Law {
+    let mut coefficients = task.file.drives.get_ref()[stand_in.key.get_ref().as_str()]
+        .get_ref()
+        .clone();
+    if let Some(constant) = coefficients.first_mut() {
+        *constant -= offset;
+    }
+    Law::new(Polynomial::new(coefficients))
+}

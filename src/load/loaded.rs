@@ -1,0 +1,180 @@
+//! A motion file that was read, and work on the mechanism that it describes.
+
+use crate::failure::Failure;
+use crate::file::{MotionFile, Source, check};
+use crate::load::listing;
+use crate::mechanism::{Instants, Mechanism, Suspension, Work};
+
+/// A motion file that was read. Its mechanism is brought to the first instant when there is work on it.
+#[derive(Clone, Debug)]
+pub struct Loaded<'a> {
+    source: &'a Source,
+    file: MotionFile,
+    instants: Instants,
+}
+
+/// Reads a motion file of a linkage of the catalogue.
+///
+/// # Errors
+///
+/// [`Failure::Input`] with a place where the file is wrong.
+pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
+    Loaded::of_one(listing::NAMES, source)
+}
+
+/// Reads a motion file for a linkage of one's own, under the name that the file must give, and brings its
+/// mechanism to the first instant. The listing states a `wheel` and a `kingpin`; the file all points and
+/// drives, as `suspension motion --help` explains. Such a program depends on `suspension` and
+/// `suspension-core`.
+///
+/// ```no_run
+/// use std::ops::ControlFlow;
+/// use std::path::Path;
+///
+/// use suspension::file::Source;
+/// use suspension::load::load_own;
+///
+/// suspension_core::linkage! {
+///     mod double_wishbone {
+///         fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
+///         free: lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+///         link lower_fore: lower_front -> lower_ball;
+///         link lower_aft: lower_rear -> lower_ball;
+///         link upper_fore: upper_front -> upper_ball;
+///         link upper_aft: upper_rear -> upper_ball;
+///         link tie_rod: rack -> tie_ball;
+///         body upright: lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
+///         drive bump: axle_outer.z;
+///         drive steer: rack.y;
+///         wheel: axle_inner -> axle_outer;
+///         kingpin: lower_ball -> upper_ball;
+///     }
+/// }
+///
+/// # fn main() -> Result<(), suspension::failure::Failure> {
+/// let source = Source::read(Path::new("my.toml"))?; // linkage = "double_wishbone"
+/// let mechanism = load_own::<double_wishbone::Model<f64>, _>("double_wishbone", &source)?;
+/// println!("{:?}", mechanism.names.points);
+/// let end = mechanism.sweep(&mechanism.instants, &mut |state| {
+///     println!("{} s: {:?}", state.t, state.points.value);
+///     Ok(ControlFlow::Continue(()))
+/// })?;
+/// println!("{end:?}"); // whether the motion went through
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+///
+/// [`Failure::Input`] with a place where the file is wrong, [`Failure::Solver`] where the mechanism does not
+/// assemble or does not reach the first instant.
+pub fn load_own<L, const N: usize>(
+    linkage: &str,
+    source: &Source,
+) -> Result<Mechanism<L, N>, Failure>
+where
+    L: Suspension<N, Listing: Default>,
+{
+    Loaded::of_one(&[linkage], source)?.mechanism()
+}
+
+impl<'a> Loaded<'a> {
+    fn of_one(known: &[&str], source: &'a Source) -> Result<Self, Failure> {
+        let file = MotionFile::parse(source)?;
+        if !known.contains(&file.linkage.get_ref().as_str()) {
+            return Err(listing::unknown(source, &file, known));
+        }
+        let instants = check::instants(source, &file.time)?;
+        Ok(Self {
+            source,
+            file,
+            instants,
+        })
+    }
+
+    /// The linkage's name.
+    pub fn linkage(&self) -> &str {
+        self.file.linkage.get_ref()
+    }
+
+    /// The instants.
+    pub fn instants(&self) -> &Instants {
+        &self.instants
+    }
+
+    /// Brings the mechanism, of a listing that is compiled in, to the first instant.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] with a place where the file is wrong, [`Failure::Solver`] where the mechanism
+    /// does not assemble or does not reach the first instant.
+    pub fn mechanism<L, const N: usize>(&self) -> Result<Mechanism<L, N>, Failure>
+    where
+        L: Suspension<N, Listing: Default>,
+    {
+        listing::compiled(self.source, &self.file, &self.instants)
+    }
+
+    /// Brings the mechanism to the first instant and does the work on it.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`mechanism`](Self::mechanism) and of the work.
+    pub fn run<W: Work>(&self, work: W) -> Result<W::Answer, Failure> {
+        listing::run(self.source, &self.file, &self.instants, work)
+    }
+
+    /// The same for a command whose motion drives must lead.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`run`](Self::run), and [`Failure::Input`] where a measure stands in for a drive.
+    pub fn run_driven<W: Work>(&self, command: &str, work: W) -> Result<W::Answer, Failure> {
+        self.run(Driven {
+            loaded: self,
+            command,
+            work,
+        })
+    }
+
+    /// Whether drives lead the motion, as a command needs it.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where a measure stands in for a drive.
+    pub fn check_driven<L, const N: usize>(
+        &self,
+        command: &str,
+        mechanism: &Mechanism<L, N>,
+    ) -> Result<(), Failure> {
+        let Some(lead) = &mechanism.lead else {
+            return Ok(());
+        };
+        let table = &self.file.drives;
+        let measure = &mechanism.names.measures[lead.measure].name;
+        let stated = table.get_ref().get_key_value(measure.as_str());
+        let place = stated.map_or_else(|| table.span(), |(key, _)| key.span());
+        let message =
+            format!("`{measure}` is a measure; {command} needs a motion that drives lead");
+        Err(self.source.refuse(&place, message))
+    }
+}
+
+/// Work on a mechanism that its drives lead.
+struct Driven<'a, W> {
+    loaded: &'a Loaded<'a>,
+    command: &'a str,
+    work: W,
+}
+
+impl<W: Work> Work for Driven<'_, W> {
+    type Answer = W::Answer;
+
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        mechanism: &Mechanism<L, N>,
+    ) -> Result<W::Answer, Failure> {
+        self.loaded.check_driven(self.command, mechanism)?;
+        self.work.on(mechanism)
+    }
+}

@@ -1,0 +1,137 @@
+//! From what a file says to a mechanism in the configuration of the first instant.
+
+use nalgebra::Vector3;
+use suspension_core::{GeometryError, LocalOrigin, Values, parts};
+
+use crate::failure::Failure;
+use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
+use crate::load::design::at_design;
+use crate::load::task::Task;
+use crate::load::{led, start};
+use crate::mechanism::{Instants, Mechanism, Names, Suspension};
+
+/// The mechanism of a file, of a listing.
+pub(super) fn prepare<L: Suspension<N>, const N: usize>(
+    source: &Source,
+    file: &MotionFile,
+    instants: &Instants,
+    listing: L::Listing,
+) -> Result<Mechanism<L, N>, Failure> {
+    let names = Names::of(&listing);
+    let task = Task {
+        source,
+        file,
+        first: instants.ends()[0],
+        names: &names,
+    };
+    let stand_in = check_names(&task)?;
+    let given: L::Points = guess(&task);
+    parts::finite(given.values().take(names.points.len()))
+        .map_err(|error| task.refuse_geometry(&error))?;
+    let origin = LocalOrigin::among(given.values().take(names.points.len()));
+    let file = file.seen_from(origin.position().into());
+    let task = Task {
+        file: &file,
+        ..task
+    };
+    let guess = guess(&task);
+    let model = L::of(listing, &guess).and_then(|model| with_lengths(&task, model));
+    let model = model.map_err(|error| task.refuse_geometry(&error))?;
+    let names = Names::of_model(&model);
+    let task = Task {
+        names: &names,
+        ..task
+    };
+    let offsets = origin.of_drives(&model);
+    let file = file
+        .clone()
+        .driven_from(names.of_drives().into_iter().zip(offsets.values()));
+    let task = Task {
+        file: &file,
+        ..task
+    };
+    let design = at_design(&task, model, origin, &guess)?;
+    let drives = task.drive_laws(design.drives.values());
+    let first = drives.inputs::<L::Drives>(task.first).drives.value;
+    task.check_angles(first.values(), &file.drives)?;
+    let (start, drives, lead) = match stand_in {
+        None => {
+            let start = start::to_first_instant(&task, &design, &drives)?;
+            (start, drives, None)
+        }
+        Some(stand_in) => {
+            let lead = led::to_first_instant(&task, &design, &drives, &stand_in)?;
+            let there = lead.inputs(&design.model, &drives.inputs(task.first), &lead.start);
+            let drives = task.drive_laws(there.drives.value.values());
+            (lead.start.motion(), drives, Some(lead))
+        }
+    };
+    Ok(Mechanism {
+        linkage: file.linkage.get_ref().clone(),
+        unit: file.unit,
+        origin,
+        model: design.model,
+        instants: instants.clone(),
+        start,
+        drives,
+        lead,
+        names,
+    })
+}
+
+fn check_names(task: &Task<'_>) -> Result<Option<StandIn>, Failure> {
+    let Task {
+        source,
+        file,
+        names,
+        ..
+    } = task;
+    check::names(source, &file.points, "point", &names.points)?;
+    check::points(source, file, names.markers())?;
+    if let Some(lengths) = &file.lengths {
+        check::names(source, lengths, "length", &names.lengths)?;
+        check::lengths(source, lengths)?;
+    }
+    let drives = names.of_drives();
+    if let Some(design) = &file.design {
+        check::names(source, design, "drive", &drives)?;
+        check::finite_values(source, design, "drive")?;
+    }
+    let stand_in = stand_in(source, &file.drives, &drives, &names.of_measures())?;
+    check::drives(source, &file.drives)?;
+    Ok(stand_in)
+}
+
+/// The points as the file has them, relative ones off the others as they stand.
+fn guess<P: Values<Vector3<f64>>>(task: &Task<'_>) -> P {
+    let points = task.file.points.get_ref();
+    let each = task
+        .names
+        .points
+        .iter()
+        .map(|name| match points[name.as_str()].get_ref() {
+            Position::At(at) => Vector3::from(*at),
+            Position::Off(Offset { from, offset }) => {
+                let base = match points[from.get_ref().as_str()].get_ref() {
+                    Position::At(at) => *at,
+                    Position::Off(_) => [f64::NAN; 3],
+                };
+                Vector3::from(base) + Vector3::from(*offset)
+            }
+        });
+    P::from_values(each)
+}
+
+/// The model with the lengths that the file states.
+fn with_lengths<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    model: L,
+) -> Result<L, GeometryError> {
+    let Some(table) = &task.file.lengths else {
+        return Ok(model);
+    };
+    let table = table.get_ref();
+    let lengths = task.names.lengths.iter();
+    let lengths = lengths.map(|name| *table[name.as_str()].get_ref());
+    model.with_lengths(&L::Lengths::from_values(lengths))
+}

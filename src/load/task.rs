@@ -1,0 +1,84 @@
+//! A file that is being prepared.
+
+use std::f64::consts::PI;
+
+use suspension_core::{DriveKind, GeometryError, Parts};
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::{MotionFile, Source, Table};
+use crate::mechanism::{DriveLaws, Names, Polynomial};
+use crate::number::number;
+
+/// A file whose mechanism is being prepared.
+#[derive(Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub(super) source: &'a Source,
+    pub(super) file: &'a MotionFile,
+    /// The first instant, s.
+    pub(super) first: f64,
+    pub(super) names: &'a Names,
+}
+
+impl Task<'_> {
+    /// Points out, in the file, what makes a linkage impossible to build.
+    pub(super) fn refuse_geometry(&self, error: &GeometryError) -> Failure {
+        let Self {
+            source,
+            file,
+            names,
+            ..
+        } = self;
+        let points = file.points.get_ref();
+        let lengths = file.lengths.as_ref();
+        let name = names.name(error.part());
+        let span = match error {
+            GeometryError::NotFinite { .. }
+            | GeometryError::Collinear { .. }
+            | GeometryError::Flat { .. } => points.get(name).map(Spanned::span),
+            GeometryError::BadLength { .. } => lengths
+                .and_then(|lengths| lengths.get_ref().get(name))
+                .map(Spanned::span),
+            GeometryError::NotClosed { .. } => lengths.map(Spanned::span),
+        };
+        source.refuse(
+            &span.unwrap_or_else(|| file.points.span()),
+            error.named(*names),
+        )
+    }
+
+    /// The drives over time; those that the file does not lead stay as they are in `held`.
+    pub(super) fn drive_laws(&self, held: impl Iterator<Item = f64>) -> DriveLaws {
+        let table = self.file.drives.get_ref();
+        let each = self.names.drives.iter().zip(held);
+        DriveLaws::new(each.map(|(drive, held)| {
+            let stated = table
+                .get(drive.name.as_str())
+                .map(|law| law.get_ref().clone());
+            Polynomial::new(stated.unwrap_or_else(|| vec![held]))
+        }))
+    }
+
+    /// Checks that driving angles lie where a link's angle from an axis can lie, from 0 to pi. `table` has
+    /// the drives' places.
+    pub(super) fn check_angles<V>(
+        &self,
+        values: impl Iterator<Item = f64>,
+        table: &Table<V>,
+    ) -> Result<(), Failure> {
+        for (drive, value) in self.names.drives.iter().zip(values) {
+            if drive.kind == DriveKind::Angle && !(0.0..=PI).contains(&value) {
+                let name = &drive.name;
+                let place = table.get_ref().get(name.as_str()).map(Spanned::span);
+                let message = format!(
+                    "drive `{name}` begins at {} rad; the angle of a link from an axis lies between 0 and pi",
+                    number(value)
+                );
+                return Err(self
+                    .source
+                    .refuse(&place.unwrap_or_else(|| table.span()), message));
+            }
+        }
+        Ok(())
+    }
+}

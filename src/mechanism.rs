@@ -1,0 +1,26 @@
+//! A mechanism ready to move, whatever its linkage: the file's coordinates outside, local ones inside.
+
+mod drives;
+mod end;
+mod instants;
+mod lead;
+mod locking;
+mod moving;
+mod names;
+mod polynomial;
+mod ready;
+mod state;
+mod sweep;
+mod unit;
+mod words;
+
+pub use drives::{DriveLaws, Law, follow, given};
+pub use end::{End, Stop};
+pub use instants::Instants;
+pub use lead::Lead;
+pub use names::{Drive, Measure, Names, Suspension, WheelPoints};
+pub use polynomial::Polynomial;
+pub use ready::{Mechanism, Work};
+pub use state::State;
+pub use sweep::OnState;
+pub use unit::Unit;

@@ -1,0 +1,105 @@
+//! From polynomials of time to what the solver is given.
+
+use suspension_core::listing::Kind;
+use suspension_core::{
+    Advanced, Build, Inputs, Linkage, LocalOrigin, Motion, Signal, Still, Stopped, Tracker, Values,
+};
+
+use crate::mechanism::polynomial::Polynomial;
+
+/// A quantity over time: a polynomial with its first and second derivative.
+#[derive(Clone, Debug)]
+pub struct Law([Polynomial; 3]);
+
+impl Law {
+    /// Of a polynomial.
+    pub fn new(value: Polynomial) -> Self {
+        let rate = value.derivative();
+        let second_rate = rate.derivative();
+        Self([value, rate, second_rate])
+    }
+
+    /// The quantity with its rates at time `t`.
+    pub fn at(&self, t: f64) -> Signal<f64> {
+        let [value, rate, second_rate] = self.0.each_ref().map(|law| law.at(t));
+        Signal {
+            value,
+            rate,
+            second_rate,
+        }
+    }
+}
+
+/// The drives of a linkage over time, in the order of its drives.
+#[derive(Clone, Debug)]
+pub struct DriveLaws {
+    laws: Vec<Law>,
+}
+
+impl DriveLaws {
+    /// One polynomial for each drive.
+    pub fn new(polynomials: impl IntoIterator<Item = Polynomial>) -> Self {
+        Self {
+            laws: polynomials.into_iter().map(Law::new).collect(),
+        }
+    }
+
+    /// Taylor coefficients of the drives at time `t`, order 1 first.
+    pub fn terms<D: Values<f64>, const K: usize>(&self, t: f64) -> [D; K] {
+        let mut derivatives: Vec<Polynomial> =
+            self.laws.iter().map(|law| law.0[0].clone()).collect();
+        let mut factorial = 1.0;
+        std::array::from_fn(|index| {
+            factorial *= (index + 1) as f64;
+            for derivative in &mut derivatives {
+                *derivative = derivative.derivative();
+            }
+            let values = derivatives.iter().map(|derivative| derivative.at(t));
+            D::from_values(values.map(|value| value / factorial))
+        })
+    }
+
+    /// The inputs at time `t`, the chassis at rest.
+    pub fn inputs<D: Values<f64>>(&self, t: f64) -> Inputs<Still, D> {
+        let [value, rate, second_rate] =
+            [0, 1, 2].map(|order| D::from_values(self.laws.iter().map(|law| law.0[order].at(t))));
+        Inputs::still(Signal {
+            value,
+            rate,
+            second_rate,
+        })
+    }
+}
+
+/// Steps that the way from one instant to the next may take.
+pub(super) const MAX_STEPS: usize = 10_000;
+
+/// Follows the motion from one time to another, in as many steps as it takes.
+///
+/// # Errors
+///
+/// [`Stopped`] where the mechanism goes no further.
+pub fn follow<L: Linkage<N, Scalar = f64>, const N: usize>(
+    model: &L,
+    drives: &DriveLaws,
+    [from, to]: [f64; 2],
+    motion: &mut Motion<f64, N>,
+) -> Result<Advanced<f64>, Stopped<f64>> {
+    let tracker = Tracker {
+        max_steps: MAX_STEPS,
+        ..Tracker::default()
+    };
+    tracker.advance(model, |t| drives.inputs(t), from, to, motion)
+}
+
+/// The drives' values in the coordinates in which `origin` is stated, from local ones.
+pub fn given<L: Build<N, Scalar = f64>, const N: usize>(
+    origin: &LocalOrigin<f64>,
+    model: &L,
+    local: &L::Drives,
+) -> Vec<f64> {
+    let offsets = origin.of_drives(model);
+    let each = local.values().zip(offsets.values());
+    let each = each.take(model.count(Kind::Drive));
+    each.map(|(local, offset)| local + offset).collect()
+}

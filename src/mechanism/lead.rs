@@ -1,0 +1,98 @@
+//! A motion that a measure of the linkage leads in place of one of the drives.
+
+use suspension_core::path::{Leader, Led, measured};
+use suspension_core::{Advanced, Inputs, Linkage, Signal, SolveError, Still, Stopped, Values};
+
+use crate::mechanism::drives::{DriveLaws, Law, MAX_STEPS};
+use crate::mechanism::names::Names;
+use crate::mechanism::unit::Unit;
+use crate::number::number;
+
+/// What leads in place of a drive.
+#[derive(Clone, Debug)]
+pub struct Lead<const N: usize> {
+    /// The measure's number.
+    pub measure: usize,
+    /// The number of the drive that it sets free.
+    pub drive: usize,
+    /// The measure over time, of points in local coordinates.
+    pub law: Law,
+    /// What to add for the file's coordinates.
+    pub offset: f64,
+    /// Where the motion starts.
+    pub start: Led<f64, N>,
+}
+
+impl<const N: usize> Lead<N> {
+    /// Follows the motion from one time to another, in as many steps as it takes.
+    ///
+    /// # Errors
+    ///
+    /// [`Stopped`] where the mechanism goes no further.
+    pub fn follow<L: Linkage<N, Scalar = f64>>(
+        &self,
+        model: &L,
+        drives: &DriveLaws,
+        times: [f64; 2],
+        led: &mut Led<f64, N>,
+    ) -> Result<Advanced<f64>, Stopped<f64>> {
+        let leader = Leader {
+            max_steps: MAX_STEPS,
+            ..Leader::default()
+        };
+        let Some(quantity) = measured(model, self.measure) else {
+            let [reached, _] = times;
+            return Err(Stopped {
+                reached,
+                refused: None,
+            });
+        };
+        let target = |t| self.law.at(t);
+        leader.advance(model, |t| drives.inputs(t), quantity, target, times, led)
+    }
+
+    /// The inputs `held`, the free drive as the mechanism has it.
+    pub fn inputs<L: Linkage<N, Scalar = f64>>(
+        &self,
+        model: &L,
+        held: &Inputs<Still, L::Drives>,
+        led: &Led<f64, N>,
+    ) -> Inputs<Still, L::Drives> {
+        let free = led.drive(model, held);
+        let index = self.drive;
+        let Signal {
+            value,
+            rate,
+            second_rate,
+        } = held.drives;
+        Inputs::still(Signal {
+            value: value.with(index, free.value),
+            rate: rate.with(index, free.rate),
+            second_rate: second_rate.with(index, free.second_rate),
+        })
+    }
+
+    /// What leads at time `t` in words, as `height = 50 mm`, the measure in place of its drive.
+    pub fn in_words(&self, names: &Names, drives: &[f64], t: f64, unit: Unit) -> String {
+        let value = self.value_in_words(names, self.law.at(t).value, unit);
+        let measure = format!("{} = {value}", names.measures[self.measure].name);
+        names.drives_in_words(drives, unit, Some((self.drive, &measure)))
+    }
+
+    /// Why a step was refused.
+    pub fn cause(&self, names: &Names, error: &SolveError<f64>, unit: Unit) -> String {
+        match error {
+            SolveError::TurningPoint { extreme, .. } => format!(
+                "measure `{}` turns at {}, there is none beyond on this branch",
+                names.measures[self.measure].name,
+                self.value_in_words(names, *extreme, unit)
+            ),
+            _ => names.cause(error, unit),
+        }
+    }
+
+    fn value_in_words(&self, names: &Names, value: f64, unit: Unit) -> String {
+        let unit = unit.of_measure(names.measures[self.measure].kind);
+        format!("{} {unit}", number(value + self.offset))
+    }
+}

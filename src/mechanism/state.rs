@@ -1,0 +1,65 @@
+//! The mechanism at one place of its motion, whatever its linkage.
+
+use nalgebra::Vector3;
+use suspension_core::{Signal, Values};
+
+use crate::mechanism::names::Suspension;
+use crate::mechanism::ready::Mechanism;
+
+/// A mechanism at one place of its motion: positions and rates, from which all quantities follow.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// The time, s.
+    pub t: f64,
+    /// The drives' values, in the file's coordinates.
+    pub drives: Vec<f64>,
+    /// All points with their velocities and accelerations, in local coordinates.
+    pub points: Signal<Vec<Vector3<f64>>>,
+    /// What to add to a position for the file's coordinates.
+    pub origin: Vector3<f64>,
+    /// What the linkage measures, in the file's coordinates.
+    pub measures: Vec<f64>,
+    /// Iterations of Newton's method, steps in between included.
+    pub iterations: usize,
+    /// The largest residual, in the unit of lengths.
+    pub residual: f64,
+}
+
+impl State {
+    /// A point in the file's coordinates.
+    pub fn position(&self, point: usize) -> Vector3<f64> {
+        self.points.value[point] + self.origin
+    }
+}
+
+impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
+    /// The state of points with their rates, at local values of the drives.
+    pub fn state(&self, t: f64, drives: &L::Drives, points: &Signal<L::Points>) -> State {
+        let Self { model, names, .. } = self;
+        let offsets = self.origin.of_measures(model);
+        let measures = model.measures(points).value;
+        let measures = measures.values().zip(offsets.values());
+        let measures = measures.take(names.measures.len());
+        let listed = |points: &L::Points| points.values().take(names.points.len()).collect();
+        State {
+            t,
+            drives: self.given(drives),
+            points: points.map(listed),
+            origin: self.origin.position(),
+            measures: measures.map(|(local, offset)| local + offset).collect(),
+            iterations: 0,
+            residual: 0.0,
+        }
+    }
+
+    /// The same at rest.
+    pub fn at_rest(&self, t: f64, drives: &L::Drives, points: L::Points) -> State {
+        let still = L::Points::from_values([]);
+        let points = Signal {
+            value: points,
+            rate: still,
+            second_rate: still,
+        };
+        self.state(t, drives, &points)
+    }
+}

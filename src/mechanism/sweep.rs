@@ -1,0 +1,59 @@
+//! A mechanism moved from instant to instant.
+
+use std::ops::ControlFlow;
+
+use suspension_core::{Advanced, Inputs, Motion, Still};
+
+use crate::failure::Failure;
+use crate::mechanism::end::End;
+use crate::mechanism::instants::Instants;
+use crate::mechanism::names::Suspension;
+use crate::mechanism::ready::Mechanism;
+use crate::mechanism::state::State;
+
+/// Takes the state at one instant; may end the sweep.
+pub type OnState<'a> = dyn FnMut(State) -> Result<ControlFlow<()>, Failure> + 'a;
+
+impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
+    /// Moves the mechanism from instant to instant. The first lies where the file's does. Where the
+    /// mechanism locks or the caller stops, that is the [`End`]: not an error.
+    ///
+    /// # Errors
+    ///
+    /// What `on_state` fails with.
+    pub fn sweep(&self, instants: &Instants, on_state: &mut OnState<'_>) -> Result<End, Failure> {
+        let mut moving = self.moving();
+        let [mut last, _] = instants.ends();
+        for t in instants.iter() {
+            match self.follow([last, t], &mut moving) {
+                Ok(advanced) => {
+                    let inputs = self.inputs(t, &moving);
+                    let state = self.at(t, &inputs, &moving.motion(), &advanced);
+                    if on_state(state)?.is_break() {
+                        return Ok(End::Cut);
+                    }
+                }
+                Err(stopped) => {
+                    return Ok(End::Stopped(self.stop(t, &stopped, &moving)));
+                }
+            }
+            last = t;
+        }
+        Ok(End::Complete)
+    }
+
+    /// The state at an instant of its motion.
+    fn at(
+        &self,
+        t: f64,
+        inputs: &Inputs<Still, L::Drives>,
+        motion: &Motion<f64, N>,
+        advanced: &Advanced<f64>,
+    ) -> State {
+        State {
+            iterations: advanced.iterations,
+            residual: advanced.last.residual,
+            ..self.state(t, &inputs.drives.value, &motion.points(&self.model, inputs))
+        }
+    }
+}

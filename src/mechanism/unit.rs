@@ -1,0 +1,57 @@
+//! The unit of lengths.
+
+use serde::Deserialize;
+use suspension_core::{DriveKind, MeasureKind};
+
+/// A unit of length.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+pub enum Unit {
+    /// Metres.
+    #[serde(rename = "m")]
+    Metre,
+    /// Millimetres.
+    #[serde(rename = "mm")]
+    Millimetre,
+}
+
+impl Unit {
+    /// Its symbol.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Metre => "m",
+            Self::Millimetre => "mm",
+        }
+    }
+
+    /// A metre in this unit.
+    pub fn metre(self) -> f64 {
+        match self {
+            Self::Metre => 1.0,
+            Self::Millimetre => 1000.0,
+        }
+    }
+
+    /// Decimals of a length in a table for people: a hundredth of a millimetre.
+    pub fn decimals(self) -> usize {
+        match self {
+            Self::Metre => 5,
+            Self::Millimetre => 2,
+        }
+    }
+
+    /// The symbol of a drive's unit.
+    pub fn of_drive(self, kind: DriveKind) -> &'static str {
+        match kind {
+            DriveKind::Angle => "rad",
+            DriveKind::Coordinate => self.symbol(),
+        }
+    }
+
+    /// The symbol of a measure's unit.
+    pub fn of_measure(self, kind: MeasureKind) -> &'static str {
+        match kind {
+            MeasureKind::Angle => "rad",
+            MeasureKind::Length => self.symbol(),
+        }
+    }
+}

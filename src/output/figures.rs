@@ -1,0 +1,132 @@
+//! Plots of a motion: the height of the wheel centre, and the angles of kingpin and wheel.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use crate::failure::Failure;
+use crate::mechanism::{End, Instants, Mechanism, Names, State, Suspension, Unit};
+use crate::output::files::write_file;
+use crate::output::plot::{Chart, Curve};
+use crate::output::record::{Outcome, record};
+use crate::quantities::{Axis, CAMBER, CENTRE, Column, KINGPIN, Quantity, columns};
+
+/// Instants behind a line.
+const DENSE: usize = 401;
+
+/// The horizontal axis.
+pub const TIME: &str = "time t (s)";
+
+/// Plots by what they show, made of a dense sequence of states and of those to mark.
+pub type Charts = Vec<(&'static str, Chart)>;
+
+/// Draws the part of a motion that was recorded, into `folder` under names that begin with `stem`; no file
+/// where nothing was, or where the user has no time. Says which files were written.
+///
+/// # Errors
+///
+/// [`Failure::Output`] where a file cannot be written.
+pub fn draw<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    outcome: &Outcome,
+    (folder, stem): (&Path, &str),
+    charts: impl Fn(&Names, Unit, [&[State]; 2]) -> Charts,
+) -> Result<Vec<PathBuf>, Failure> {
+    if outcome.solved == 0 || outcome.end == End::Cut {
+        return Ok(Vec::new());
+    }
+    let [first, _] = mechanism.instants.ends();
+    let dense = Instants::dense(first, outcome.farthest(), DENSE);
+    let line = record(mechanism, &dense, None, DENSE, &AtomicBool::new(false))?.kept;
+    let every_instant_kept = outcome.kept.len() == outcome.solved;
+    let marks = if every_instant_kept {
+        outcome.kept.as_slice()
+    } else {
+        &[]
+    };
+    let Mechanism { names, unit, .. } = mechanism;
+    let mut written = Vec::new();
+    for (name, chart) in charts(names, *unit, [&line, marks]) {
+        if let Some(svg) = chart.svg() {
+            let path = folder.join(format!("{stem}_{name}.svg"));
+            write_file(&path, &svg)?;
+            written.push(path);
+        }
+    }
+    Ok(written)
+}
+
+/// Those of any linkage.
+pub fn height_and_angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Charts {
+    vec![
+        ("height", height(names, unit, states)),
+        ("angles", angles(names, unit, states)),
+    ]
+}
+
+fn height(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
+    let columns = columns(&[&CENTRE], names).into_iter();
+    let mut height = columns.filter(|column| column.axis == Some(Axis::Z));
+    let centre = names.wheel_centre().unwrap_or_default();
+    Chart {
+        title: format!("Height of the {}", CENTRE.title),
+        across: TIME.to_owned(),
+        quantity: format!("height z ({})", unit.symbol()),
+        curves: height
+            .next()
+            .map(|height| curve(named(CENTRE.title, centre), &height, unit, states))
+            .into_iter()
+            .collect(),
+    }
+}
+
+fn angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
+    let columns = columns(&[&KINGPIN, &CAMBER], names);
+    let titles = columns.iter().map(|column| column.quantity.title);
+    let curves = columns.iter().map(|column| {
+        let name = with_points(column.quantity, names);
+        curve(name, column, unit, states)
+    });
+    Chart {
+        title: capitalised(&titles.collect::<Vec<_>>().join(" and ")),
+        across: TIME.to_owned(),
+        quantity: "angle (deg)".to_owned(),
+        curves: curves.collect(),
+    }
+}
+
+/// A quantity over time, as people read it: a dense line, and marks.
+fn curve(name: String, column: &Column, unit: Unit, states: [&[State]; 2]) -> Curve {
+    let (scale, _) = column.kind.for_people(unit);
+    let [line, marks] = states.map(|states| {
+        let points = states.iter();
+        let points = points.map(|state| (state.t, column.value(state) * scale));
+        points.filter(|(_, value)| value.is_finite()).collect()
+    });
+    Curve { name, line, marks }
+}
+
+/// A quantity, and of which points where that is the kingpin.
+fn with_points(quantity: &'static Quantity, names: &Names) -> String {
+    match names.kingpin {
+        Some(kingpin) if std::ptr::eq(quantity, &KINGPIN) => {
+            let [lower, upper] = kingpin.map(|point| &names.points[point]);
+            format!("{} ({lower} to {upper})", quantity.title)
+        }
+        _ => quantity.title.to_owned(),
+    }
+}
+
+/// What a point is and its name, where that says something else.
+fn named(what: &str, point: &str) -> String {
+    if point.replace('_', " ") == what {
+        what.to_owned()
+    } else {
+        format!("{what} {point}")
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut characters = text.chars();
+    let first = characters.next().map(|first| first.to_ascii_uppercase());
+    first.into_iter().chain(characters).collect()
+}

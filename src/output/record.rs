@@ -1,0 +1,143 @@
+//! A motion written down: every state into a CSV file, some kept for tables and plots, and the totals.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::failure::Failure;
+use crate::mechanism::{End, Instants, Mechanism, State, Suspension};
+use crate::number::number;
+use crate::output::csv_file::Target;
+use crate::output::progress::Progress;
+use crate::output::table::{Column, Table};
+use crate::quantities::{self, CATALOGUE, Shown};
+
+/// What a sweep came to.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// How it ended.
+    pub end: End,
+    /// Instants solved.
+    pub solved: usize,
+    /// The last of them, s; the first to solve where there is none.
+    pub last: f64,
+    /// Newton iterations of all instants.
+    pub iterations: usize,
+    /// The most that one instant took.
+    pub most_iterations: usize,
+    /// The largest residual.
+    pub residual: f64,
+    /// States kept: evenly spread, the first and the last among them.
+    pub kept: Vec<State>,
+}
+
+/// Sweeps through the instants, writes every state to `csv` and keeps about `keep` of them.
+///
+/// A file is complete and named even where the solver stops or the user interrupts.
+///
+/// # Errors
+///
+/// Where a row cannot be written.
+pub fn record<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    instants: &Instants,
+    csv: Option<&Target>,
+    keep: usize,
+    interrupted: &AtomicBool,
+) -> Result<Outcome, Failure> {
+    let mut table = csv
+        .map(|target| Table::create(target, columns_of(mechanism)))
+        .transpose()?;
+    let [first, _] = instants.ends();
+    let mut outcome = Outcome {
+        end: End::Complete,
+        solved: 0,
+        last: first,
+        iterations: 0,
+        most_iterations: 0,
+        residual: 0.0,
+        kept: Vec::new(),
+    };
+    let every = instants.count().div_ceil(keep);
+    let mut last = None;
+    let mut progress = Progress::new(instants.count(), "instants");
+    outcome.end = mechanism.sweep(instants, &mut |state| {
+        if let Some(table) = &mut table {
+            table.add(&state)?;
+        }
+        last = outcome.add(state, every);
+        progress.step();
+        Ok(if interrupted.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        })
+    })?;
+    outcome.kept.extend(last);
+    table.map_or(Ok(()), Table::finish)?;
+    Ok(outcome)
+}
+
+/// The catalogue's quantities, a column each number.
+fn columns_of<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Vec<Column<State>> {
+    let all = quantities::columns(CATALOGUE, &mechanism.names).into_iter();
+    let tabled = all.filter(|column| column.quantity.shown != Shown::InSummaries);
+    tabled
+        .map(|column| Column::of_state(column, mechanism.unit, |state| state))
+        .collect()
+}
+
+impl Outcome {
+    /// Counts a state and keeps one of `every`; gives back what it does not keep.
+    fn add(&mut self, state: State, every: usize) -> Option<State> {
+        let is_kept = self.solved.is_multiple_of(every);
+        self.solved += 1;
+        self.last = state.t;
+        self.iterations += state.iterations;
+        self.most_iterations = self.most_iterations.max(state.iterations);
+        self.residual = self.residual.max(state.residual);
+        if is_kept {
+            self.kept.push(state);
+            None
+        } else {
+            Some(state)
+        }
+    }
+
+    /// The last time at which the mechanism is known to have a configuration, s.
+    pub fn farthest(&self) -> f64 {
+        match &self.end {
+            End::Stopped(stop) => stop.reached,
+            End::Complete | End::Cut => self.last,
+        }
+    }
+
+    /// What remains to be said where the sweep did not reach its last instant. Rows are kept
+    /// where a table was written.
+    pub fn failure(&self, source: &str, table: Option<&Target>) -> Option<Failure> {
+        let done = self.done_in_words(table.is_some());
+        match &self.end {
+            End::Complete => None,
+            End::Cut => Some(Failure::Interrupted(format!(
+                "{source}: interrupted; {done}"
+            ))),
+            End::Stopped(stop) => Some(Failure::Solver(format!(
+                "{source}: {}; {done}",
+                stop.in_words()
+            ))),
+        }
+    }
+
+    fn done_in_words(&self, kept: bool) -> String {
+        let (what, done) = if kept {
+            ("row", "kept")
+        } else {
+            ("instant", "solved")
+        };
+        let last = number(self.last);
+        match self.solved {
+            0 => format!("no {what} was {done}"),
+            1 => format!("1 {what} was {done}, at t = {last} s"),
+            count => format!("{count} {what}s were {done}, up to t = {last} s"),
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! What numbers measure, and their units.
+
+use suspension_core::{DriveKind, MeasureKind};
+
+use crate::mechanism::Unit;
+
+/// What a number measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A time.
+    Time,
+    /// A length or a coordinate.
+    Length,
+    /// The rate of a length.
+    Velocity,
+    /// The rate of that.
+    Acceleration,
+    /// An angle.
+    Angle,
+    /// The rate of an angle.
+    AngularVelocity,
+    /// The rate of that.
+    AngularAcceleration,
+    /// How many.
+    Count,
+}
+
+impl Kind {
+    /// The unit's symbol where lengths are in `unit`.
+    pub fn symbol(self, unit: Unit) -> String {
+        let length = unit.symbol();
+        match self {
+            Self::Time => "s".to_owned(),
+            Self::Length => length.to_owned(),
+            Self::Velocity => format!("{length}/s"),
+            Self::Acceleration => format!("{length}/s^2"),
+            Self::Angle => "rad".to_owned(),
+            Self::AngularVelocity => "rad/s".to_owned(),
+            Self::AngularAcceleration => "rad/s^2".to_owned(),
+            Self::Count => String::new(),
+        }
+    }
+
+    /// Whether positions alone determine it.
+    pub fn is_of_positions(self) -> bool {
+        matches!(self, Self::Length | Self::Angle)
+    }
+
+    /// In text and plots for people, angles are in degrees: what to multiply with, and the unit's symbol.
+    pub fn for_people(self, unit: Unit) -> (f64, String) {
+        match self {
+            Self::Angle => (1_f64.to_degrees(), "deg".to_owned()),
+            _ => (1.0, self.symbol(unit)),
+        }
+    }
+
+    /// Decimals in text for people.
+    pub fn decimals(self, unit: Unit) -> usize {
+        match self {
+            Self::Count => 0,
+            Self::Time => 4,
+            Self::Length | Self::Velocity | Self::Acceleration => unit.decimals(),
+            Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => 3,
+        }
+    }
+}
+
+impl From<DriveKind> for Kind {
+    fn from(kind: DriveKind) -> Self {
+        match kind {
+            DriveKind::Coordinate => Self::Length,
+            DriveKind::Angle => Self::Angle,
+        }
+    }
+}
+
+impl From<MeasureKind> for Kind {
+    fn from(kind: MeasureKind) -> Self {
+        match kind {
+            MeasureKind::Length => Self::Length,
+            MeasureKind::Angle => Self::Angle,
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! A quantity, and the columns of numbers that it makes.
+
+use std::fmt;
+
+use crate::mechanism::{Names, State, Unit};
+use crate::quantities::kind::Kind;
+
+/// What is read off a mechanism: a row of the catalogue.
+pub struct Quantity {
+    /// What it is called.
+    pub title: &'static str,
+    /// Its name in tables; empty where it is one of several things that the linkage names.
+    pub name: &'static str,
+    /// What is positive; empty where that goes without saying.
+    pub sign: &'static str,
+    /// What it is, by a formula where there is one.
+    pub definition: &'static str,
+    /// Where the definition is from.
+    pub source: &'static str,
+    /// Where it is shown.
+    pub shown: Shown,
+    /// Its numbers; none where the linkage has no such thing.
+    pub(super) read: fn(&Names) -> Vec<Reading>,
+}
+
+/// Where a quantity is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// In tables of all numbers, as CSV files are.
+    InTables,
+    /// In summaries, as it stands in tables under another name.
+    InSummaries,
+    /// In both.
+    InBoth,
+}
+
+/// One number of a quantity.
+pub(super) struct Reading {
+    pub(super) name: Option<String>,
+    pub(super) kind: Kind,
+    pub(super) axis: Option<Axis>,
+    pub(super) value: Box<dyn Fn(&State) -> f64>,
+}
+
+/// A component of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Forward.
+    X,
+    /// To the left.
+    Y,
+    /// Upward.
+    Z,
+}
+
+impl Axis {
+    /// All three, in the order of a vector's components.
+    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        })
+    }
+}
+
+/// A column of numbers: one number of a quantity, read of any state of a mechanism.
+pub struct Column {
+    /// The quantity.
+    pub quantity: &'static Quantity,
+    /// What it is the quantity of, or else the quantity's name.
+    pub name: String,
+    /// What it measures.
+    pub kind: Kind,
+    /// The component, of a vector.
+    pub axis: Option<Axis>,
+    value: Box<dyn Fn(&State) -> f64>,
+}
+
+impl Column {
+    /// Its number in a state: lengths in the file's unit, angles in radians.
+    pub fn value(&self, state: &State) -> f64 {
+        (self.value)(state)
+    }
+
+    /// Its name in a CSV file: `p6_x`, `p6_vx`, `omega_x`, `camber_rad`.
+    pub fn csv_name(&self, unit: Unit) -> String {
+        self.name_with(&self.kind.symbol(unit))
+    }
+
+    /// The same of numbers for people: `camber_deg`.
+    pub fn name_for_people(&self, unit: Unit) -> String {
+        let (_, symbol) = self.kind.for_people(unit);
+        self.name_with(&symbol)
+    }
+
+    fn name_with(&self, symbol: &str) -> String {
+        let Self { name, kind, .. } = self;
+        match (self.axis, kind) {
+            (Some(axis), Kind::Velocity) => format!("{name}_v{axis}"),
+            (Some(axis), Kind::Acceleration) => format!("{name}_a{axis}"),
+            (Some(axis), _) => format!("{name}_{axis}"),
+            (None, Kind::Count) => name.clone(),
+            (None, _) => format!("{name}_{}", symbol.replace('/', "_").replace('^', "")),
+        }
+    }
+
+    /// Above a column for people: `camber (deg)`, `centre x (m)`.
+    pub fn heading(&self, unit: Unit) -> String {
+        let (_, symbol) = self.kind.for_people(unit);
+        let axis = self
+            .axis
+            .map_or_else(String::new, |axis| format!(" {axis}"));
+        format!("{}{axis} ({symbol})", self.name)
+    }
+
+    /// Whether it is one of a quantity's.
+    pub fn is(&self, quantity: &Quantity) -> bool {
+        std::ptr::eq(self.quantity, quantity)
+    }
+}
+
+/// The columns of quantities that a linkage has, in their order.
+pub fn columns(quantities: &[&'static Quantity], names: &Names) -> Vec<Column> {
+    let of_one = |quantity: &&'static Quantity| {
+        let quantity = *quantity;
+        (quantity.read)(names)
+            .into_iter()
+            .map(move |reading| Column {
+                quantity,
+                name: reading.name.unwrap_or_else(|| quantity.name.to_owned()),
+                kind: reading.kind,
+                axis: reading.axis,
+                value: reading.value,
+            })
+    };
+    quantities.iter().flat_map(of_one).collect()
+}

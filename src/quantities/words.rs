@@ -1,0 +1,46 @@
+//! The catalogue in words, for help.
+
+use std::fmt::Write;
+
+use crate::mechanism::{Names, Unit};
+use crate::quantities::quantity::{Quantity, columns};
+
+/// What quantities are, each under the names of its first and last column for a linkage; those that it lacks
+/// are left out.
+pub fn in_words(quantities: &[&'static Quantity], names: &Names, unit: Unit) -> String {
+    let mut text = String::new();
+    for quantity in quantities {
+        let columns = columns(&[quantity], names);
+        let [first, .., last] = columns.as_slice() else {
+            if let [only] = columns.as_slice() {
+                let name = only.csv_name(unit);
+                entry(&mut text, quantity, &name, &only.kind.symbol(unit));
+            }
+            continue;
+        };
+        let name = format!("{} to {}", first.csv_name(unit), last.csv_name(unit));
+        entry(&mut text, quantity, &name, &first.kind.symbol(unit));
+    }
+    text
+}
+
+/// A name and what it names; below it the definition; below that sign and source.
+fn entry(text: &mut String, quantity: &Quantity, name: &str, symbol: &str) {
+    let Quantity {
+        title,
+        sign,
+        definition,
+        source,
+        ..
+    } = quantity;
+    let unit = if symbol.is_empty() { "" } else { ", " };
+    let sign = if sign.is_empty() {
+        String::new()
+    } else {
+        format!("; {sign}")
+    };
+    let _ = write!(
+        text,
+        "  {name:<22} {title}{unit}{symbol}{sign}\n      {definition}\n      ({source})\n"
+    );
+}
