@@ -2,13 +2,14 @@
 
 use std::borrow::Borrow;
 
+use suspension_core::parts;
 use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::motion_file::{MotionFile, Offset, Position, Table, Time};
 use crate::file::source::Source;
 use crate::mechanism::Instants;
-use crate::number::{number, rounded};
+use crate::number::number;
 
 /// More instants than this are taken for a mistyped step.
 const MOST_INSTANTS: f64 = 1e7;
@@ -78,7 +79,7 @@ pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<
     Ok(())
 }
 
-/// Checks the lengths: positive and finite.
+/// Checks the lengths: positive, finite and of a size that can be computed with.
 ///
 /// # Errors
 ///
@@ -86,13 +87,17 @@ pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<
 pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
     for (name, value) in in_file_order(table) {
         let length = *value.get_ref();
-        if !(length > 0.0 && length.is_finite()) {
-            let message = format!(
-                "length `{name}` is {}, not a positive finite number",
-                number(length)
-            );
-            return Err(source.refuse(&value.span(), message));
-        }
+        let fault = if !(length > 0.0 && length.is_finite()) {
+            "not a positive finite number"
+        } else if parts::positive([length]).is_ok() {
+            continue;
+        } else if length > 1.0 {
+            "too large to compute with"
+        } else {
+            "too small to compute with"
+        };
+        let message = format!("length `{name}` is {}, {fault}", number(length));
+        return Err(source.refuse(&value.span(), message));
     }
     Ok(())
 }
@@ -225,19 +230,19 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
     if step == 0.0 {
         return refuse("the time step is zero".into());
     }
-    let steps = (stop - first) / step;
-    if steps < 0.0 {
+    if (stop - first) / step < 0.0 {
         return refuse(format!(
             "the time step {} s leads away from the stop at {} s",
             number(step),
             number(stop)
         ));
     }
-    if steps.is_nan() || steps >= MOST_INSTANTS {
+    let count = Instants::count_stepped(first, stop, step);
+    if count.is_nan() || count > MOST_INSTANTS {
         return refuse(format!(
-            "the time step {} s makes {} steps; at most {MOST_INSTANTS:e} are allowed",
+            "the time step {} s makes {} instants; at most {MOST_INSTANTS} are allowed",
             number(step),
-            rounded(steps, 4)
+            number(count)
         ));
     }
     Ok(Instants::stepped(first, stop, step))

@@ -16,19 +16,27 @@ pub enum Instants {
     },
 }
 
+/// Of a step: how far a stop may lie from a multiple of it and still be one.
+const SLACK: f64 = 1e-6;
+
 impl Instants {
+    /// How many there are from `first` towards `stop` in steps of `step`; more than can be counted, or
+    /// NaN, where the numbers are extreme.
+    pub fn count_stepped(first: f64, stop: f64, step: f64) -> f64 {
+        ((stop - first) / step + SLACK).floor() + 1.0
+    }
+
     /// From `first` towards `stop` in steps of `step`, which points there and is not zero.
     pub fn stepped(first: f64, stop: f64, step: f64) -> Self {
-        /// Of a step: how far `stop` may lie from a multiple of it and still be one.
-        const SLACK: f64 = 1e-6;
         let steps = (stop - first) / step;
-        let whole = (steps + SLACK).floor();
+        let count = Self::count_stepped(first, stop, step);
+        let whole = count - 1.0;
         let last = if (steps - whole).abs() <= SLACK {
             stop
         } else {
             first + whole * step
         };
-        let count = whole as usize + 1;
+        let count = count as usize;
         Self::Even { first, count, last }
     }
 

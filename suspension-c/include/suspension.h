@@ -50,7 +50,7 @@ enum {
     SUSP_ERROR_NO_DIRECTION = 7,
     /** a coordinate of the point is not finite, or too large to compute with */
     SUSP_ERROR_POINT_NOT_FINITE = 20,
-    /** the length is not a positive finite number */
+    /** the length is not positive, or too large or too small to compute with */
     SUSP_ERROR_BAD_LENGTH = 21,
     /** the points that carry the point lie in line */
     SUSP_ERROR_COLLINEAR = 22,

@@ -60,7 +60,7 @@ statuses! {
     NoDirection = 7: "the points that give a direction coincide, lie in line or are not finite";
 
     PointNotFinite = 20: "a coordinate of the point is not finite, or too large to compute with";
-    BadLength = 21: "the length is not a positive finite number";
+    BadLength = 21: "the length is not positive, or too large or too small to compute with";
     Collinear = 22: "the points that carry the point lie in line";
     Flat = 23: "the point lies in the plane of the points that links join it to";
     NotClosed = 24: "the lengths to the point do not fit together in any rigid body";

@@ -7,7 +7,7 @@ use super::program::{edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 59] = [
+const BAD: [Case; 61] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "ft"),
@@ -56,11 +56,13 @@ const BAD: [Case; 59] = [
     ("p11", "p11 = { from = \"p8\", offset = [0, 1e308, 0] }", ":26:7", "`p11`"),
     ("p11", "p11 = { from = \"p8\", offset = [0, nan, 0] }", ":26:7", "`p11`"),
     ("d7_2", "d7_2 = 1e308", ":31:8", "`d7_2`"),
-    ("d7_2", "d7_2 = 5e-324", ":31:8", "`d7_2`"),
+    ("d7_2", "d7_2 = 1e300", ":31:8", "`d7_2` is 1e300, too large to compute with"),
+    ("d7_2", "d7_2 = 5e-324", ":31:8", "`d7_2` is 5e-324, too small to compute with"),
     ("d7_6", "d7_6 = 10", ":28:", "do not fit together"),
     ("d7_2", "d7_2 = 1\n[lengths]", ":32:2", "duplicate key"),
     ("p2", "\"\\u001b[31m\\n\" = [0, 0, 1]", ":13:", "\\u{1b}[31m\\n"),
-    ("instants", "start = 0\nstop = 1e12\nstep = 1", ":53:8", "1e12 steps"),
+    ("instants", "start = 0\nstop = 1.95\nstep = 1.95e-7", ":53:8", "10000001 instants; at most 10000000 are"),
+    ("instants", "start = 0\nstop = 1e12\nstep = 1", ":53:8", "makes 1e12 instants"),
     ("instants", "start = -1e308\nstop = 1e308\nstep = 1", ":53:8", "at most"),
     ("instants", "start = 0\nstop = 1\nstep = 5e-324", ":53:8", "at most"),
     ("instants", "start = 0\nstop = 1\nstep = nan", ":53:8", "finite"),
