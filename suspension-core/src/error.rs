@@ -242,7 +242,7 @@ pub enum GeometryError {
         /// The point.
         point: usize,
     },
-    /// The length is zero, negative, NaN or infinite.
+    /// The length is zero, negative or NaN, or too large or too small to compute with.
     BadLength {
         /// The length.
         length: usize,
@@ -292,7 +292,10 @@ impl Failure for GeometryError {
                 "point {name} has a coordinate that is not a finite number, or too large to compute with"
             ),
             Self::BadLength { .. } => {
-                write!(f, "length {name} is not a positive finite number")
+                write!(
+                    f,
+                    "length {name} is not positive, or too large or too small to compute with"
+                )
             }
             Self::Collinear { .. } => {
                 write!(

@@ -140,3 +140,23 @@ fn without_sweeps_the_residual_is_within_the_tolerance() {
         }
     }
 }
+
+/// A program hands a refusal on as any other error.
+#[test]
+fn each_refusal_is_an_error_with_a_sentence_of_its_own() {
+    let sentence = |refusal: Refusal| -> String {
+        let error: Box<dyn std::error::Error> = refusal.into();
+        error.to_string()
+    };
+    let all = [
+        Refusal::NotFinite,
+        Refusal::Diverging,
+        Refusal::NotConverged,
+        Refusal::CrossedSingularity,
+        Refusal::Mirrored,
+        Refusal::Unhealthy,
+    ];
+    let sentences: std::collections::BTreeSet<String> = all.map(sentence).into();
+    assert_eq!(sentences.len(), all.len());
+    assert!(sentences.iter().all(|sentence| sentence.contains(' ')));
+}

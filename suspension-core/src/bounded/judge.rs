@@ -1,5 +1,7 @@
 //! Whether a step is accepted, and if not, why.
 
+use core::fmt;
+
 use nalgebra::SVector;
 
 use super::{Bounded, Step};
@@ -111,6 +113,27 @@ pub enum Refusal {
     /// The pivots of the macro's order are too small: with partial pivoting there may be a step.
     Unhealthy,
 }
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotFinite => "a position, velocity or acceleration is not a finite number",
+            Self::Diverging => "no root near by: the error of the prediction exceeds its bound",
+            Self::NotConverged => "the residual exceeds the tolerance",
+            Self::CrossedSingularity => {
+                "a singularity was crossed: the determinant has changed its sign"
+            }
+            Self::Mirrored => {
+                "a point stands on the wrong side of the points that links join it to"
+            }
+            Self::Unhealthy => {
+                "the pivots of the fixed order are too small: a bounded step tries others"
+            }
+        })
+    }
+}
+
+impl core::error::Error for Refusal {}
 
 impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER> {
     /// What the residual of a linkage of the given size is compared with.
