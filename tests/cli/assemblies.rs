@@ -5,7 +5,11 @@ use super::program::{example, folder, rows, run, text};
 #[test]
 fn a_table_of_assemblies_and_how_sure_it_is() {
     let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), example("five_link.toml")).expect("written");
+    std::fs::write(
+        folder.path().join("a.toml"),
+        example("published_five_link.toml"),
+    )
+    .expect("written");
     let output = run(
         folder.path(),
         &[
@@ -59,7 +63,11 @@ fn nine_distances_have_mirrored_assemblies_too() {
 #[test]
 fn what_makes_no_sense_is_refused() {
     let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), example("five_link.toml")).expect("written");
+    std::fs::write(
+        folder.path().join("a.toml"),
+        example("published_five_link.toml"),
+    )
+    .expect("written");
     for (arguments, message) in [
         (["--at", "4"], "between 0 and pi"),
         (["--at", "nan"], "between 0 and pi"),

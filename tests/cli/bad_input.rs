@@ -99,8 +99,8 @@ fn bad_input_is_refused_in_one_line_that_names_the_place() {
 #[test]
 fn a_body_in_line_is_refused_at_its_point() {
     let folder = folder();
-    let text_of_file =
-        example("five_link.toml").replace("[-1287.0, 345.0, 140.0]", "[-1325.5, 412.5, 48.0]");
+    let text_of_file = example("published_five_link.toml")
+        .replace("[-1287.0, 345.0, 140.0]", "[-1325.5, 412.5, 48.0]");
     std::fs::write(folder.path().join("bad.toml"), text_of_file).expect("written");
     let output = run(folder.path(), &["motion", "bad.toml"]);
     assert_eq!(output.status.code(), Some(2));

@@ -10,7 +10,7 @@ use super::program::{example, folder, run, text};
 const RANGE: [&str; 4] = ["--from", "0.75", "--to", "2"];
 
 fn baked(folder: &Path, arguments: &[&str]) -> String {
-    std::fs::write(folder.join("a.toml"), example("five_link.toml")).expect("written");
+    std::fs::write(folder.join("a.toml"), example("published_five_link.toml")).expect("written");
     let fixed = ["bake", "a.toml", "--output", "wheel_by_theta"];
     let output = run(folder, &[&fixed, arguments].concat());
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));

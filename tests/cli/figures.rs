@@ -79,7 +79,8 @@ fn both_listings_measure_the_angles_as_the_paper_prints_them() {
     let fine = "start = 0.0\nstop = 1.95\nstep = 0.001";
     let published = solve(edited("instants", fine));
     assert_defined_as_printed(&published, ["p6", "p8", "p11"]);
-    let five_link = solve(example("five_link.toml").replace("step = 0.05", "step = 0.001"));
+    let five_link =
+        solve(example("published_five_link.toml").replace("step = 0.05", "step = 0.001"));
     let names = ["lower_front_outer", "upper_rear_outer", "wheel_centre"];
     assert_defined_as_printed(&five_link, names);
 }

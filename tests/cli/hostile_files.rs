@@ -93,7 +93,7 @@ fn other_systems_text() {
     assert_eq!(solved("mark.toml", &format!("\u{feff}{plain}")), expected);
     let wrong = crlf.replace("unit = \"mm\"", "unit = \"ft\"");
     let message = refused_content(format!("\u{feff}{wrong}"));
-    assert!(message.starts_with("bad.toml:4:8: "), "{message}");
+    assert!(message.starts_with("bad.toml:6:8: "), "{message}");
 }
 
 /// The same mechanism a thousand kilometres away: the same motion, positions moved as far.

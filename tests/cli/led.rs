@@ -47,7 +47,7 @@ fn a_led_motion_is_the_driven_one_at_another_pace() {
     write(
         folder.path(),
         "theta.toml",
-        &edited("five_link.toml", &BY_THETA),
+        &edited("published_five_link.toml", &BY_THETA),
     );
     let driven = table(folder.path(), &["motion", "theta.toml"]);
     let from = driven[0]["height_mm"];
@@ -59,7 +59,7 @@ fn a_led_motion_is_the_driven_one_at_another_pace() {
     write(
         folder.path(),
         "height.toml",
-        &edited("five_link.toml", &by_height),
+        &edited("published_five_link.toml", &by_height),
     );
     let led = table(folder.path(), &["motion", "height.toml"]);
     assert_eq!((led.len(), driven.len()), (49, 49));
@@ -186,7 +186,7 @@ fn a_first_height_beyond_the_turn_is_out_of_reach() {
 fn far_from_the_origin_the_height_is_that_of_the_file() {
     const UP: f64 = 1e6;
     let folder = folder();
-    let near = edited("five_link.toml", &[BY_HEIGHT]);
+    let near = edited("published_five_link.toml", &[BY_HEIGHT]);
     let raised = |line: &str| match line
         .split_once("= [")
         .map(|(name, rest)| (name, rest.trim_end_matches(']')))
@@ -245,7 +245,7 @@ fn sets_of_leading_quantities_that_do_not_fit_are_refused() {
     ];
     let folder = folder();
     for (drives, expected) in cases {
-        let content = edited("five_link.toml", &[(BY_HEIGHT.0, drives)]);
+        let content = edited("published_five_link.toml", &[(BY_HEIGHT.0, drives)]);
         write(folder.path(), "a.toml", &content);
         let output = run(folder.path(), &["motion", "a.toml"]);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
@@ -257,7 +257,7 @@ fn sets_of_leading_quantities_that_do_not_fit_are_refused() {
         );
     }
     let design = edited(
-        "five_link.toml",
+        "published_five_link.toml",
         &[("theta = 1.57", "height = 50.0\ntheta = 1.57")],
     );
     write(folder.path(), "a.toml", &design);
@@ -272,7 +272,7 @@ fn bake_needs_drives_to_lead() {
     write(
         folder.path(),
         "a.toml",
-        &edited("five_link.toml", &[BY_HEIGHT]),
+        &edited("published_five_link.toml", &[BY_HEIGHT]),
     );
     let output = run(folder.path(), &["bake", "a.toml"]);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
@@ -288,7 +288,7 @@ fn range_and_assemblies_start_from_where_the_measure_leads_to() {
     write(
         folder.path(),
         "a.toml",
-        &edited("five_link.toml", &[BY_HEIGHT]),
+        &edited("published_five_link.toml", &[BY_HEIGHT]),
     );
     let theta = table(folder.path(), &["motion", "a.toml"])[0]["theta_rad"];
     for (command, before, after) in [

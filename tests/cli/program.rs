@@ -24,6 +24,7 @@ pub(crate) fn example(name: &str) -> String {
     match name {
         "attia2003.toml" => include_str!("../../examples/attia2003.toml"),
         "five_link.toml" => include_str!("../../examples/five_link.toml"),
+        "published_five_link.toml" => include_str!("../data/published_five_link.toml"),
         "five_link_height.toml" => include_str!("../../examples/five_link_height.toml"),
         other => panic!("no example {other}"),
     }

@@ -18,7 +18,7 @@ fn number_after(report: &str, words: &str) -> f64 {
 #[test]
 fn both_ends_and_when_the_motion_locks() {
     let folder = folder();
-    for name in ["attia2003.toml", "five_link.toml"] {
+    for name in ["attia2003.toml", "published_five_link.toml"] {
         std::fs::write(folder.path().join(name), example(name)).expect("written");
         let output = run(folder.path(), &["range", name]);
         assert_eq!(output.status.code(), Some(0), "{output:?}");

@@ -121,6 +121,51 @@ fn without_options_a_summary_is_printed() {
     assert_eq!(files, 1);
 }
 
+/// Whoever copies the example moves a point by a centimetre, and it runs.
+#[test]
+fn every_hardpoint_of_the_example_can_be_moved() {
+    let folder = folder();
+    let content = example("five_link.toml");
+    let heights = |content: &str| {
+        std::fs::write(folder.path().join("a.toml"), content).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{content}\n{output:?}");
+        assert!(output.stderr.is_empty(), "{output:?}");
+        let rows = rows(&output.stdout);
+        rows.iter()
+            .map(|row| row["wheel_centre_z"])
+            .collect::<Vec<_>>()
+    };
+    let as_shipped = heights(&content);
+    let hardpoints = content
+        .lines()
+        .filter(|line| line.contains("ner = [") || line.contains("ter = ["));
+    let mut moved = 0;
+    for line in hardpoints {
+        let (name, list) = line.split_once(" = ").expect("a point");
+        let at: Vec<f64> = list
+            .trim_matches(['[', ']'])
+            .split(", ")
+            .map(|number| number.parse().expect("a number"))
+            .collect();
+        for (axis, by) in [
+            (0, 10.0),
+            (1, 10.0),
+            (2, 10.0),
+            (0, -10.0),
+            (1, -10.0),
+            (2, -10.0),
+        ] {
+            let mut at = at.clone();
+            at[axis] += by;
+            let edited = content.replace(line, &format!("{name} = {at:?}"));
+            assert_ne!(heights(&edited), as_shipped, "{name} by {by}");
+            moved += 1;
+        }
+    }
+    assert_eq!(moved, 60);
+}
+
 #[test]
 fn far_instants_in_any_order_of_time_stay_in_the_same_assembly() {
     let folder = folder();
@@ -152,7 +197,7 @@ fn five_link_in_millimetres_moves_as_the_paper_in_metres() {
         "m.toml",
         edited("instants", "start = 0.0\nstop = 1.95\nstep = 0.05"),
     );
-    let millimetres = write("mm.toml", example("five_link.toml"));
+    let millimetres = write("mm.toml", example("published_five_link.toml"));
     assert_eq!((metres.len(), millimetres.len()), (40, 40));
     for (m, mm) in metres.iter().zip(&millimetres) {
         for (long, short) in support::FIVE_LINK_NAMES.iter().skip(5) {

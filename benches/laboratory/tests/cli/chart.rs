@@ -102,7 +102,11 @@ fn every_method_has_all_its_rows_and_is_in_the_page() {
 #[test]
 fn single_precision_is_as_exact_as_the_guarantee_says() {
     let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), example("five_link.toml")).expect("written");
+    std::fs::write(
+        folder.path().join("a.toml"),
+        example("published_five_link.toml"),
+    )
+    .expect("written");
     let output = run(
         folder.path(),
         &["chart", "a.toml", "--quick", "--rounds", "1"],

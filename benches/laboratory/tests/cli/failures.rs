@@ -75,7 +75,7 @@ fn all_counts_are_in_the_table_and_the_page() {
 fn lengths_in_millimetres() {
     let folder = folder();
     let (whole, brief) = ("stop = 1.95\nstep = 0.05", "stop = 0.05\nstep = 0.05");
-    let text = example("five_link.toml").replace(whole, brief);
+    let text = example("published_five_link.toml").replace(whole, brief);
     std::fs::write(folder.path().join("mm.toml"), text).expect("written");
     let arguments = [&["failures", "mm.toml"], &LITTLE[..]].concat();
     let output = run(folder.path(), &arguments);

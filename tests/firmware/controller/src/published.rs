@@ -1,4 +1,4 @@
-//! The mechanism and the motion: examples/attia2003.toml and examples/five_link.toml.
+//! The published mechanism and motion, that of examples/attia2003.toml: both listings.
 
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::Vector3;
