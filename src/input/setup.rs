@@ -145,7 +145,8 @@ fn refuse_geometry<L: Suspension<N>, const N: usize>(
     let span = match error {
         GeometryError::NotFinite { .. }
         | GeometryError::Collinear { .. }
-        | GeometryError::Flat { .. } => points.get(name).map(Spanned::span),
+        | GeometryError::Flat { .. }
+        | GeometryError::NoLine { .. } => points.get(name).map(Spanned::span),
         GeometryError::BadLength { .. } => lengths
             .and_then(|lengths| lengths.get_ref().get(name))
             .map(Spanned::span),
