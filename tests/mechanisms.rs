@@ -6,4 +6,5 @@ mod double_wishbone;
 mod four_bar;
 mod hinge;
 mod rocker;
+mod slide;
 mod trailing_arm;

@@ -35,7 +35,8 @@ impl Task<'_> {
         let span = match error {
             GeometryError::NotFinite { .. }
             | GeometryError::Collinear { .. }
-            | GeometryError::Flat { .. } => points.get(name).map(Spanned::span),
+            | GeometryError::Flat { .. }
+            | GeometryError::NoLine { .. } => points.get(name).map(Spanned::span),
             GeometryError::BadLength { .. } => lengths
                 .and_then(|lengths| lengths.get_ref().get(name))
                 .map(Spanned::span),

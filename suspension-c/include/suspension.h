@@ -58,6 +58,8 @@ enum {
     SUSP_ERROR_FLAT = 23,
     /** the lengths to the point do not fit together in any rigid body */
     SUSP_ERROR_NOT_CLOSED = 24,
+    /** the ends of the line that ends at the point coincide */
+    SUSP_ERROR_NO_LINE = 25,
     /** the residual of the equation is not a finite number */
     SUSP_ERROR_NOT_FINITE = 40,
     /** the change of the unknown is not a finite number */

@@ -98,6 +98,7 @@ fn geometry<T: Real>(error: GeometryError, names: &Names) -> Failure<T> {
         GeometryError::Collinear { .. } => Status::Collinear,
         GeometryError::Flat { .. } => Status::Flat,
         GeometryError::NotClosed { .. } => Status::NotClosed,
+        GeometryError::NoLine { .. } => Status::NoLine,
     };
     Failure {
         culprit: names.of(error.part()),

@@ -64,6 +64,7 @@ statuses! {
     Collinear = 22: "the points that carry the point lie in line";
     Flat = 23: "the point lies in the plane of the points that links join it to";
     NotClosed = 24: "the lengths to the point do not fit together in any rigid body";
+    NoLine = 25: "the ends of the line that ends at the point coincide";
 
     NotFinite = 40: "the residual of the equation is not a finite number";
     Overflow = 41: "the change of the unknown is not a finite number";

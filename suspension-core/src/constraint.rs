@@ -10,6 +10,7 @@
 //! Residuals are in units of length. Generated code calls these functions; no derivative is
 //! written anywhere else.
 
+mod along;
 mod carried;
 mod distance;
 mod frame;
@@ -18,6 +19,7 @@ use crate::scalar::Scalar;
 use crate::signal::Signal;
 use crate::trigonometry::sine_cosine;
 
+pub use along::{Along, AlongGradient};
 pub use carried::{Carried, CarriedGradient};
 pub use distance::Distance;
 pub use frame::Frame;

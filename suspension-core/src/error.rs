@@ -258,6 +258,11 @@ pub enum GeometryError {
         /// The point.
         point: usize,
     },
+    /// The ends of a line on which a point slides coincide, or are too far apart to compute with.
+    NoLine {
+        /// The end of the line.
+        point: usize,
+    },
     /// No rigid body has the given lengths: they break the triangle inequality, or its like in
     /// space, at this point.
     NotClosed {
@@ -278,6 +283,7 @@ impl GeometryError {
             Self::NotFinite { point }
             | Self::Collinear { point }
             | Self::Flat { point }
+            | Self::NoLine { point }
             | Self::NotClosed { point } => Part::Point(point),
             Self::BadLength { length } => Part::Length(length),
         }
@@ -307,6 +313,12 @@ impl Failure for GeometryError {
                 write!(
                     f,
                     "point {name} lies in the plane of the points that links join it to, where their lengths do not hold it; state these points as a `body`"
+                )
+            }
+            Self::NoLine { .. } => {
+                write!(
+                    f,
+                    "the line that ends at {name} has no length to slide along; put its ends apart"
                 )
             }
             Self::NotClosed { .. } => {

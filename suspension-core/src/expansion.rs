@@ -10,6 +10,8 @@
 ///     body plate: c, d, e;         a rigid body: chassis points first, then those shared with
 ///                                  another body, then in this order, three are not in line
 ///     hinge arm:  a, b -> c, d;    a rigid body that turns about the line of two chassis points
+///     slide strut: a on d -> e;    a point on the line through two others, which a body or the chassis
+///                                    carries; adds an unknown, the distance from `d` to `a`
 ///     drive lift: e.z;             prescribes a coordinate: of a free point, an equation;
 ///                                  of a fixed point, it moves the anchor
 ///     drive gap:  c.z - a.z;       prescribes a difference of coordinates

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::constraint::{Carried, Distance, Frame};
+use crate::constraint::{Along, Carried, Distance, Frame};
 use crate::error::GeometryError;
 use crate::factored::growth_limit;
 use crate::handedness::Linked;
@@ -75,6 +75,19 @@ pub fn distance<T: Real>(
         Ok(Distance::new(value))
     } else {
         Err(GeometryError::BadLength { length })
+    }
+}
+
+/// A line whose ends are a length apart, `end` being the index of the last.
+///
+/// # Errors
+///
+/// [`GeometryError::NoLine`] where they coincide, or are too far apart to square.
+pub fn line<T: Real>(end: usize, length: T) -> Result<Along<T>, GeometryError> {
+    if is_usable(length) {
+        Ok(Along::new(length))
+    } else {
+        Err(GeometryError::NoLine { point: end })
     }
 }
 

@@ -1,6 +1,7 @@
 //! Whether a listing makes sense: names and operands first, then uses, counts and structural rank.
 
 mod determined;
+mod generated;
 mod lengths;
 mod uses;
 
@@ -14,6 +15,7 @@ use crate::name::Name;
 use crate::statement::{Kind, Rank};
 
 pub(crate) use determined::determined;
+pub(crate) use generated::generated_names;
 pub(crate) use uses::chassis_points;
 
 /// Fields of the generated model and its factors, variables of its methods, and names that a pattern

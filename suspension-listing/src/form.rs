@@ -3,6 +3,7 @@
 //! A statement of a listing becomes equations of these forms. The register below is the only place that
 //! tells the forms apart; everything else asks a form what [`Equations`] has it answer.
 
+mod along;
 mod carried;
 mod distance;
 mod linear;
@@ -11,6 +12,7 @@ use crate::name::Name;
 use crate::system::Site;
 use crate::vector::Vector;
 
+pub use along::Along;
 pub use carried::Carried;
 pub use distance::Distance;
 pub use linear::{Linear, Term};
@@ -21,6 +23,7 @@ pub enum Form {
     Distance(Distance),
     Carried(Carried),
     Linear(Linear),
+    Along(Along),
 }
 
 impl Form {
@@ -30,6 +33,7 @@ impl Form {
             Self::Distance(form) => form,
             Self::Carried(form) => form,
             Self::Linear(form) => form,
+            Self::Along(form) => form,
         }
     }
 }
@@ -39,21 +43,31 @@ pub trait Equations {
     /// The points that it joins.
     fn sites(&self) -> Vec<&Site>;
 
+    /// The unknown that it has beside the coordinates of points.
+    fn scalar(&self) -> Option<&Name> {
+        None
+    }
+
+    /// That unknown's value where the sites are.
+    fn scalar_at(&self, _at: &[Vector]) -> f64 {
+        0.0
+    }
+
     /// 1, or 3: one an axis.
     fn rows(&self) -> usize {
         1
     }
 
-    /// How a row depends on a coordinate of one of the sites.
+    /// How a row depends on a coordinate of one of the sites. All rows depend on the scalar in some way.
     fn dependence(&self, row: usize, site: usize, axis: usize) -> Dependence;
 
     /// The constants with which the equations hold where the sites are; `None` where there are
     /// none.
     fn constants(&self, at: &[Vector]) -> Option<Vector>;
 
-    /// The residual, a row an entry, of sites `at` other positions than those of the constants. What is
-    /// driven counts as zero.
-    fn residual(&self, constants: &Vector, at: &[Vector]) -> Vector;
+    /// The residual, a row an entry, of sites `at` other positions than those of the constants, and of the
+    /// scalar. What is driven counts as zero.
+    fn residual(&self, constants: &Vector, at: &[Vector], scalar: f64) -> Vector;
 
     /// The two points whose distance it keeps.
     fn keeps(&self) -> Option<[&Site; 2]> {

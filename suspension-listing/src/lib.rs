@@ -41,6 +41,7 @@ pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()
     if errors.is_empty() {
         check::chassis_points(listing, &mut errors);
         errors.append(on_the_way);
+        check::generated_names(listing, &system, &mut errors);
         check::determined(listing, &system, &mut errors);
     }
     (system, errors.into_result())

@@ -94,6 +94,13 @@ impl Listing {
             .map_or(self.span, Ident::span)
     }
 
+    /// Whether a point is on the chassis and no drive moves it.
+    pub(crate) fn is_at_rest(&self, point: &Ident) -> bool {
+        let mut statements = self.statements.iter();
+        self.fixed.iter().any(|fixed| fixed.named.name == *point)
+            && !statements.any(|statement| statement.moves() == Some(point))
+    }
+
     /// The bodies, each with its points.
     pub(crate) fn bodies(&self) -> impl Iterator<Item = (&Ident, &[Ident])> {
         let statements = self.statements.iter();

@@ -25,6 +25,7 @@ pub(crate) fn system(listing: &Listing, errors: &mut Errors) -> System {
             markers: Vec::new(),
             bodies: Vec::new(),
             clusters: Vec::new(),
+            scalars: Vec::new(),
             equations: Vec::new(),
             drives: Vec::new(),
             measures: Vec::new(),

@@ -9,43 +9,53 @@ use crate::vector::{Vector, minus};
 
 pub use path::positions;
 
-/// The derivatives of an equation's rows by the coordinates of its sites: by site, axis, row.
-pub type Gradient = Vec<[Vector; 3]>;
+/// The derivatives of an equation's rows by each of its arguments: the coordinates of its sites, then its
+/// scalar.
+pub type Gradient = Vec<Vector>;
 
 /// The gradients of all equations, each with the constants that the positions give it; `None` where the
 /// geometry is degenerate.
 pub fn gradients(system: &System, positions: &Positions) -> Option<Vec<Gradient>> {
     let equations = system.equations.iter();
-    let gradients = equations.map(|equation| gradient(&equation.form, positions));
+    let gradients = equations.map(|equation| gradient(system, &equation.form, positions));
     gradients.collect()
 }
 
 /// By central differences of the residual, which are exact for a quadratic but for rounding.
-fn gradient(form: &Form, positions: &Positions) -> Option<Gradient> {
+fn gradient(system: &System, form: &Form, positions: &Positions) -> Option<Gradient> {
     let form = form.equations();
-    let sites = form.sites();
-    let mut at: Vec<Vector> = sites.iter().map(|site| positions.of(site)).collect();
-    let constants = form.constants(&at)?;
-    let step = extent(&at);
-    let mut gradient = vec![[[0.0; 3]; 3]; sites.len()];
-    for (site, by_site) in gradient.iter_mut().enumerate() {
-        for (axis, derivative) in by_site.iter_mut().enumerate() {
-            let here = at[site][axis];
-            let mut residual_at = |x: f64| {
-                at[site][axis] = x;
-                form.residual(&constants, &at)
-            };
-            let (ahead, behind) = (residual_at(here + step), residual_at(here - step));
-            at[site][axis] = here;
-            let width = (here + step) - (here - step);
-            *derivative = minus(ahead, behind).map(|change| change / width);
+    let sites = positions.of_sites(form);
+    let constants = form.constants(&sites)?;
+    let step = extent(&sites);
+    let scalar = form.scalar().and_then(|name| system.scalar(name));
+    let mut arguments: Vec<f64> = sites.iter().flatten().copied().collect();
+    arguments.extend(scalar.map(|index| positions.scalars[index]));
+    let mut sites = sites;
+    let mut residual_at = |arguments: &[f64]| {
+        let (coordinates, scalar) = arguments.split_at(3 * sites.len());
+        for (x, argument) in sites.iter_mut().flatten().zip(coordinates) {
+            *x = *argument;
         }
+        form.residual(
+            &constants,
+            &sites,
+            scalar.first().copied().unwrap_or_default(),
+        )
+    };
+    let mut gradient = Vec::new();
+    for index in 0..arguments.len() {
+        let here = arguments[index];
+        let mut moved = |x: f64| {
+            arguments[index] = x;
+            residual_at(&arguments)
+        };
+        let (ahead, behind) = (moved(here + step), moved(here - step));
+        arguments[index] = here;
+        let width = (here + step) - (here - step);
+        gradient.push(minus(ahead, behind).map(|change| change / width));
     }
-    let numbers = gradient.iter().flatten().flatten();
-    numbers
-        .into_iter()
-        .all(|x| x.is_finite())
-        .then_some(gradient)
+    let mut numbers = gradient.iter().flatten();
+    numbers.all(|x| x.is_finite()).then_some(gradient)
 }
 
 /// How far the sites are apart, along an axis: a step of their own size.

@@ -12,6 +12,7 @@ mod measure;
 mod points;
 mod quantity;
 mod role;
+mod slide;
 
 use std::fmt;
 
@@ -32,6 +33,7 @@ pub(crate) const STATEMENTS: &[Word] = &[
     link::LINK,
     body::BODY,
     hinge::HINGE,
+    slide::SLIDE,
     drive::DRIVE,
     measure::MEASURE,
     marker::POINT,

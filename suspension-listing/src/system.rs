@@ -3,7 +3,7 @@
 
 mod places;
 
-use crate::form::Form;
+use crate::form::{Equations, Form};
 use crate::name::{Name, Named};
 use crate::statement::Kind;
 use crate::vector::Vector;
@@ -20,6 +20,8 @@ pub struct System {
     pub bodies: Vec<Body>,
     /// Points that links alone make rigid bodies; they have no equations of their own.
     pub clusters: Vec<Body>,
+    /// Unknowns beside the coordinates of the free points.
+    pub scalars: Vec<Name>,
     pub equations: Vec<Equation>,
     pub drives: Vec<Drive>,
     pub measures: Vec<Measure>,
@@ -196,7 +198,12 @@ impl Equation {
 impl System {
     /// The number of unknowns.
     pub fn size(&self) -> usize {
-        3 * self.free.len()
+        3 * self.free.len() + self.scalars.len()
+    }
+
+    /// Which of the scalars has a name.
+    pub fn scalar(&self, name: &Name) -> Option<usize> {
+        self.scalars.iter().position(|scalar| scalar == name)
     }
 
     /// The rows' names, in order.
@@ -218,21 +225,40 @@ impl System {
     pub fn design(&self) -> Option<Positions> {
         let stated =
             |points: &[Point]| -> Option<Vec<Vector>> { points.iter().map(|p| p.at).collect() };
-        Some(Positions {
-            fixed: stated(&self.fixed)?,
-            free: stated(&self.free)?,
-        })
+        Some(self.positions(stated(&self.fixed)?, stated(&self.free)?))
+    }
+
+    /// Where the points are, and the scalars with them.
+    pub fn positions(&self, fixed: Vec<Vector>, free: Vec<Vector>) -> Positions {
+        let mut positions = Positions {
+            fixed,
+            free,
+            scalars: vec![0.0; self.scalars.len()],
+        };
+        for equation in &self.equations {
+            let form = equation.form.equations();
+            if let Some(index) = form.scalar().and_then(|name| self.scalar(name)) {
+                positions.scalars[index] = form.scalar_at(&positions.of_sites(form));
+            }
+        }
+        positions
     }
 }
 
-/// Where the points are.
+/// Values of the points' coordinates and of the other unknowns.
 #[derive(Clone, Debug)]
 pub struct Positions {
     pub fixed: Vec<Vector>,
     pub free: Vec<Vector>,
+    pub scalars: Vec<f64>,
 }
 
 impl Positions {
+    /// Of the sites of an equation.
+    pub fn of_sites(&self, form: &dyn Equations) -> Vec<Vector> {
+        form.sites().into_iter().map(|site| self.of(site)).collect()
+    }
+
     pub fn of(&self, site: &Site) -> Vector {
         if site.is_free() {
             self.free[site.index]

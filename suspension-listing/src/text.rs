@@ -12,8 +12,6 @@ use proc_macro2::{LexError, Span, TokenStream};
 use syn::Error;
 use syn::parse::{ParseStream, Parser};
 
-use crate::errors::Errors;
-use crate::listing::Listing;
 use crate::name::Name;
 use crate::statement::Kind;
 use crate::system::System;
@@ -71,7 +69,7 @@ pub fn parse(text: &str, file: &str) -> Result<System, Mistakes> {
     let read = limits::length(text).map_or_else(
         |mistake| Err(vec![mistake]),
         |()| {
-            let read = front(text, limits::listing);
+            let read = front(text, true);
             match read.system.filter(|_| read.mistakes.is_empty()) {
                 Some(system) => Ok(system),
                 None => Err(read.mistakes),
@@ -95,18 +93,31 @@ pub struct Read {
 
 /// Reads a text of any size, as the macro does.
 pub fn read(text: &str) -> Read {
-    front(text, |_| Ok(()))
+    front(text, false)
 }
 
-fn front(text: &str, limits: fn(&Listing) -> syn::Result<()>) -> Read {
+fn front(text: &str, bounded: bool) -> Read {
     let listing = tokens(text).and_then(|tokens| {
         let statements = |input: ParseStream<'_>| parse::statements(input, Span::call_site());
         let (listing, errors) = statements.parse2(tokens).map_err(|e| mistakes(text, e))?;
-        limits(&listing).map_err(|e| mistakes(text, e))?;
+        if bounded {
+            limits::listing(&listing).map_err(|e| mistakes(text, e))?;
+        }
         Ok((listing, errors))
     });
     let read = match listing {
-        Ok((listing, errors)) => of_listing(text, &listing, errors),
+        Ok((listing, errors)) => {
+            let (system, found) = checked(&listing, errors);
+            let found = match found {
+                Ok(()) if bounded => limits::unknowns(&listing, system.size()),
+                found => found,
+            };
+            Read {
+                system: Some(system),
+                names: listing.names(),
+                mistakes: found.err().map_or_else(Vec::new, |e| mistakes(text, e)),
+            }
+        }
         Err(mistakes) => Read {
             system: None,
             names: Vec::new(),
@@ -115,15 +126,6 @@ fn front(text: &str, limits: fn(&Listing) -> syn::Result<()>) -> Read {
     };
     proc_macro2::extra::invalidate_current_thread_spans();
     read
-}
-
-fn of_listing(text: &str, listing: &Listing, errors: Errors) -> Read {
-    let (system, found) = checked(listing, errors);
-    Read {
-        system: Some(system),
-        names: listing.names(),
-        mistakes: found.err().map_or_else(Vec::new, |e| mistakes(text, e)),
-    }
 }
 
 fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {

@@ -39,7 +39,7 @@ impl Equations for Linear {
         Some([0.0; 3])
     }
 
-    fn residual(&self, _constants: &Vector, at: &[Vector]) -> Vector {
+    fn residual(&self, _constants: &Vector, at: &[Vector], _scalar: f64) -> Vector {
         let terms = self.terms.iter().zip(at);
         let sum = terms.map(|(term, at)| term.factor * at[term.axis]).sum();
         [sum, 0.0, 0.0]

@@ -81,8 +81,9 @@ fn moved(
 
 fn displaced(position: &Positions, rate: &[f64], step: f64) -> Positions {
     let mut displaced = position.clone();
-    for (coordinate, rate) in displaced.free.iter_mut().flatten().zip(rate) {
-        *coordinate += step * rate;
+    let coordinates = displaced.free.iter_mut().flatten();
+    for (unknown, rate) in coordinates.chain(&mut displaced.scalars).zip(rate) {
+        *unknown += step * rate;
     }
     displaced
 }

@@ -14,9 +14,9 @@ pub struct Place<'a> {
     pub column: usize,
     equation: usize,
     row_of_equation: usize,
-    site: usize,
-    axis: usize,
-    point: &'a Site,
+    /// See [`Gradient`].
+    argument: usize,
+    point: Option<&'a Name>,
     /// Whether it is 1 in every position.
     unit: bool,
     /// See [`Entry::carried`].
@@ -26,7 +26,7 @@ pub struct Place<'a> {
 impl Place<'_> {
     /// Its value, of the gradients of all equations.
     pub fn value(&self, gradients: &[Gradient]) -> f64 {
-        gradients[self.equation][self.site][self.axis][self.row_of_equation]
+        gradients[self.equation][self.argument][self.row_of_equation]
     }
 }
 
@@ -123,7 +123,7 @@ impl System {
         for place in &mut places {
             place.carried &= substituted
                 .iter()
-                .any(|other| *other.point == place.point.name);
+                .any(|other| Some(other.point) == place.point);
         }
         places
     }
@@ -137,22 +137,31 @@ impl System {
     ) -> impl Iterator<Item = Place<'_>> {
         let form = self.equations[equation].form.equations();
         let carried = form.carries().map(|carried| &carried.point.name);
-        let sites = form.sites().into_iter().enumerate();
+        let place = move |argument, column, point, unit| Place {
+            row,
+            column,
+            equation,
+            row_of_equation,
+            argument,
+            point,
+            unit,
+            carried: point.is_some() && carried == point,
+        };
+        let sites = form.sites();
+        let scalar = form.scalar().and_then(|name| self.scalar(name));
+        let scalar = scalar.map(|index| {
+            let column = 3 * self.free.len() + index;
+            place(3 * sites.len(), column, None, false)
+        });
+        let sites = sites.into_iter().enumerate();
         let axes = sites.flat_map(|(site, point)| (0..3).map(move |axis| (site, point, axis)));
-        axes.filter_map(move |(site, point, axis)| {
+        let coordinates = axes.filter_map(move |(site, point, axis)| {
             let dependence = form.dependence(row_of_equation, site, axis);
-            (dependence != Dependence::Never).then_some(())?;
-            Some(Place {
-                row,
-                column: point.first_column()? + axis,
-                equation,
-                row_of_equation,
-                site,
-                axis,
-                point,
-                unit: dependence == Dependence::Unit,
-                carried: carried == Some(&point.name),
-            })
-        })
+            let column = point.first_column()? + axis;
+            let unit = dependence == Dependence::Unit;
+            (dependence != Dependence::Never)
+                .then(|| place(3 * site + axis, column, Some(&point.name), unit))
+        });
+        coordinates.chain(scalar)
     }
 }

@@ -84,7 +84,8 @@ pub(super) fn listing(listing: &Listing) -> syn::Result<()> {
     unknowns(listing, 3 * listing.free.len())
 }
 
-fn unknowns(listing: &Listing, count: usize) -> syn::Result<()> {
+/// Refuses a system that is too large.
+pub(super) fn unknowns(listing: &Listing, count: usize) -> syn::Result<()> {
     if count > MOST_UNKNOWNS {
         return Err(too_many(listing, count, MOST_UNKNOWNS, "unknowns"));
     }

@@ -79,12 +79,15 @@ fn markers<'a>(system: &'a System, points: &'a TokenStream) -> impl Iterator<Ite
 
 /// Sets `size`, which depends on all other constants.
 fn sized(system: &System) -> TokenStream {
-    let distances = lengths::distances(system);
+    let constants = [false, true].map(|framed| form::constants(system, framed));
+    let constants = constants.into_iter().flatten();
+    let lengths = constants.filter(|constant| constant.form.has_length());
+    let lengths = lengths.map(|constant| constant.name);
     quote! {
         impl<T: Real> Model<T> {
             /// With `size` brought up to the other constants.
             fn sized(self) -> Self {
-                Self { size: parts::longest(&[#(self.#distances.length()),*]), ..self }
+                Self { size: parts::longest(&[#(self.#lengths.length()),*]), ..self }
             }
         }
     }
@@ -138,7 +141,12 @@ fn fit(system: &System) -> TokenStream {
             [#(#targets),*] = best_rigid_fit(&[origin, second, third, #(#carried),*], &[#(#guess),*]);
         }
     });
-    let fits: Vec<TokenStream> = fits.collect();
+    let scalars = system.scalars.iter();
+    let values = form::scalars(system, &|site| value_of(site, &free, &fixed));
+    let along = scalars
+        .zip(values)
+        .map(|(scalar, value)| quote!(free.#scalar = #value;));
+    let fits: Vec<TokenStream> = fits.chain(along).collect();
     let body = if fits.is_empty() {
         quote!(*q)
     } else {

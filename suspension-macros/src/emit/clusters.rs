@@ -85,7 +85,7 @@ fn frame_names(system: &System) -> impl Iterator<Item = Name> {
 }
 
 /// The length between two points as it is given, or where both are on the chassis, as it stands.
-fn length(system: &System, [a, b]: [&Site; 2]) -> TokenStream {
+pub(super) fn length(system: &System, [a, b]: [&Site; 2]) -> TokenStream {
     match distance_between(&system.equations, &a.name, &b.name) {
         Some(name) => quote!(lengths.#name),
         None => {

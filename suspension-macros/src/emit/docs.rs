@@ -84,6 +84,8 @@ pub(super) fn header(system: &System, order: &Order) -> TokenStream {
     let n = system.size();
     let non_zeros = system.places().len();
     let unknowns = list(system.free.iter().map(|point| &point.named.name));
+    let scalars = system.scalars.iter();
+    let scalars: String = scalars.map(|scalar| format!("; `{scalar}`")).collect();
     let equations = list(system.rows().iter());
     let [residual, jacobian, curvature] = evaluations(system);
     let [factor, solve] = eliminations(system, order, jacobian);
@@ -104,7 +106,7 @@ pub(super) fn header(system: &System, order: &Order) -> TokenStream {
     });
     let text = [
         String::new(),
-        format!(" {n} unknowns `q`: the coordinates of {unknowns}."),
+        format!(" {n} unknowns `q`: the coordinates of {unknowns}{scalars}."),
         String::new(),
         format!(" {n} equations `F(q) = 0`: {equations}."),
         String::new(),

@@ -1,6 +1,7 @@
 //! What the equations of each form become in the generated code. The register below is the only place that
 //! tells the forms apart.
 
+mod along;
 mod carried;
 mod distance;
 mod linear;
@@ -9,7 +10,7 @@ use proc_macro2::TokenStream;
 
 use suspension_listing::form::Form;
 use suspension_listing::name::Name;
-use suspension_listing::system::{Equation, SiteMotion, System};
+use suspension_listing::system::{Equation, Site, SiteMotion, System};
 
 use super::docs::Operations;
 use super::jacobian::Write;
@@ -25,6 +26,17 @@ pub(super) trait Emit {
     /// Whether the constant is measured in the frame of a body.
     fn is_framed(&self) -> bool {
         false
+    }
+
+    /// Whether the constant has a length, which is of the size of the linkage.
+    fn has_length(&self) -> bool {
+        false
+    }
+
+    /// The value of the unknown that it has beside coordinates, with each site where `place` says;
+    /// `None` where it has none.
+    fn scalar(&self, _name: &Name, _place: &dyn Fn(&Site) -> TokenStream) -> Option<TokenStream> {
+        None
     }
 
     /// The constant from the points `design`.
@@ -71,7 +83,16 @@ pub(super) fn of(equation: &Equation) -> &dyn Emit {
         Form::Distance(form) => form,
         Form::Carried(form) => form,
         Form::Linear(form) => form,
+        Form::Along(form) => form,
     }
+}
+
+/// The values of the scalar unknowns, with each site where `place` says.
+pub(super) fn scalars(system: &System, place: &dyn Fn(&Site) -> TokenStream) -> Vec<TokenStream> {
+    let equations = system.equations.iter();
+    equations
+        .filter_map(|equation| of(equation).scalar(&equation.named.name, place))
+        .collect()
 }
 
 /// A constant of the model that equations have.

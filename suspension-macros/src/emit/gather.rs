@@ -69,6 +69,7 @@ fn names(system: &System) -> TokenStream {
     let equations = system.rows().into_iter().map(|row| row.to_string());
     let free = system.free.iter();
     let unknowns = free.flat_map(|point| AXES.map(|axis| format!("{}.{axis}", point.named.name)));
+    let unknowns = unknowns.chain(system.scalars.iter().map(ToString::to_string));
     let markers = Literal::usize_unsuffixed(system.markers.len());
     let drives = system.drives.iter();
     let drive_kinds = drives.map(|drive| quantity::drive_kind(&drive.quantity));

@@ -34,6 +34,7 @@ pub(super) fn unknown_names(point: &Name) -> [Name; 3] {
 pub(super) fn unknowns(system: &System) -> Vec<Name> {
     let free = system.free.iter();
     free.flat_map(|point| unknown_names(&point.named.name))
+        .chain(system.scalars.iter().cloned())
         .collect()
 }
 

@@ -1,11 +1,13 @@
 //! Constant lengths: into the model, and out of it.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::{clusters, fields, form};
 use suspension_listing::name::Name;
-use suspension_listing::system::{Body, System, carried_name, frame_name, pair_name};
+use suspension_listing::system::{
+    Body, Site, System, carried_name, distance_between, frame_name, pair_name,
+};
 
 /// The distances that equations keep.
 pub(super) fn distances(system: &System) -> impl Iterator<Item = &Name> {
@@ -24,6 +26,39 @@ fn edge(body: &Body, index: usize, given: &TokenStream) -> TokenStream {
         let (a, b) = (&a.name, &b.name);
         quote!((self.fixed.#b - self.fixed.#a).norm())
     }
+}
+
+/// The length between two sites that nothing moves against each other: given, as it stands on the chassis, or in
+/// the body that carries both.
+pub(super) fn kept_length(system: &System, ends: [&Site; 2]) -> TokenStream {
+    let [a, b] = ends;
+    let lists = |body: &&Body| {
+        ends.iter()
+            .all(|end| body.points().any(|p| p.name == end.name))
+    };
+    let is_given = distance_between(&system.equations, &a.name, &b.name).is_some();
+    match system.bodies.iter().find(lists) {
+        Some(body) if !is_given && (a.is_free() || b.is_free()) => {
+            let [a, b] = ends.map(|end| at_rest(system, body, end));
+            quote!((#b - #a).norm())
+        }
+        _ => clusters::length(system, ends),
+    }
+}
+
+/// A point of a body at rest, where its frame has the given lengths.
+fn at_rest(system: &System, body: &Body, site: &Site) -> TokenStream {
+    let frame = frame_name(&body.name);
+    let mut points = body.frame.iter();
+    if let Some(index) = points.position(|point| point.name == site.name) {
+        let index = Literal::usize_unsuffixed(index);
+        return quote!(#frame.points()[#index]);
+    }
+    let name = carried_name(&body.name, &site.name);
+    let mut constants = form::constants(system, true);
+    let carried = constants.find(|constant| *constant.name == name);
+    let carried = carried.map(|constant| constant.form.of_lengths(&name, system));
+    quote!(#carried.position(&#frame))
 }
 
 pub(super) fn with_lengths(system: &System) -> TokenStream {

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::form;
 use super::terms::{ident, parameter, value_of};
 use suspension_listing::name::Name;
 use suspension_listing::system::{Marker, System, Wheel};
@@ -11,6 +12,11 @@ use suspension_listing::system::{Marker, System, Wheel};
 pub(super) fn points(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let free: Vec<&Name> = system.free.iter().map(|point| &point.named.name).collect();
+    let scalars = &system.scalars;
+    let values = form::scalars(system, &|site| {
+        let name = &site.name;
+        quote!(points.#name)
+    });
     let points = all_points(
         system,
         "free",
@@ -29,7 +35,7 @@ pub(super) fn points(system: &System) -> TokenStream {
         #accelerations
 
         fn unknowns(&self, points: &Points<T>) -> SVector<T, #n> {
-            Free { #(#free: points.#free),* }.unknowns()
+            Free { #(#free: points.#free),* #(, #scalars: #values)* }.unknowns()
         }
     }
 }

@@ -129,24 +129,26 @@ fn free(system: &System) -> TokenStream {
             .collect::<Vec<_>>()
     };
     let [x, y, z] = AXES.map(coordinate);
+    let scalars = &system.scalars;
     quote! {
         /// The free points: the unknowns under their names.
         #[derive(Clone, Copy, Debug, PartialEq)]
         struct Free<T> {
             #(#names: Vector3<T>,)*
+            #(#scalars: T,)*
         }
 
         impl<T: Scalar> Free<T> {
             #[inline(always)]
             fn of(q: &SVector<T, #n>) -> Self {
-                let [[#(#x, #y, #z),*]] = q.data.0;
-                Self { #(#names: Vector3::new(#x, #y, #z)),* }
+                let [[#(#x, #y, #z),* #(, #scalars)*]] = q.data.0;
+                Self { #(#names: Vector3::new(#x, #y, #z)),* #(, #scalars)* }
             }
 
             #[inline(always)]
             fn unknowns(&self) -> SVector<T, #n> {
-                let Self { #(#names),* } = self;
-                SVector::from([#(#names.x, #names.y, #names.z),*])
+                let Self { #(#names),* #(, #scalars)* } = self;
+                SVector::from([#(#names.x, #names.y, #names.z),* #(, *#scalars)*])
             }
         }
     }

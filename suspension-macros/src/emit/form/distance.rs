@@ -17,6 +17,10 @@ impl Emit for Distance {
         Some(quote!(Distance))
     }
 
+    fn has_length(&self) -> bool {
+        true
+    }
+
     fn of_points(&self, name: &Name, system: &System) -> TokenStream {
         let (from, to) = (&self.from.name, &self.to.name);
         let index = length_index(system, name);

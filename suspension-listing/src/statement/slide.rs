@@ -1,0 +1,121 @@
+//! `slide strut: top on low -> high;`: a point on the line through two others, which a body or the chassis
+//! carries. The strut's length, from `low` to `top`, becomes an unknown.
+
+use syn::{Error, Ident};
+
+use super::{Head, Kind, Rank, Statement, Word};
+use crate::check::Check;
+use crate::errors::{self, Errors};
+use crate::form::{Along, Form};
+use crate::listing::{Listing, Named};
+use crate::lower::{Lowering, origin};
+use crate::name::Name;
+use crate::parse::{arrow, name};
+use crate::system::{Body, System, distance_between};
+
+const KIND: Kind = Kind("slide");
+
+pub(crate) const SLIDE: Word = Word {
+    word: "slide",
+    syntax: "slide strut: top on low -> high;",
+    read: |head: Head, input, listing| {
+        let (named, point) = (head.named(input)?, name(input)?);
+        let word: Ident = input.parse()?;
+        if word != "on" {
+            return Err(not_on(&word));
+        }
+        let line = arrow(input)?;
+        let [from, to] = line;
+        let points = [point, from, to];
+        listing.statements.push(Box::new(Slide { named, points }));
+        Ok(())
+    },
+};
+
+struct Slide {
+    named: Named,
+    /// What slides, and the ends of the line.
+    points: [Ident; 3],
+}
+
+impl Statement for Slide {
+    fn named(&self) -> Option<(&Named, Kind)> {
+        Some((&self.named, KIND))
+    }
+
+    fn operands(&self) -> Vec<&Ident> {
+        self.points.iter().collect()
+    }
+
+    fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
+        check.sites(&self.points);
+        check.not_all_fixed(&self.named.name, KIND, &self.points);
+    }
+
+    fn rank(&self) -> Rank {
+        Rank::Constraint
+    }
+
+    fn lower(&self, lowering: &mut Lowering<'_>) {
+        let name = Name::from(&self.named.name);
+        let [point, from, to] = self.points.each_ref().map(|point| lowering.site(point));
+        let form = Form::Along(Along {
+            line: [from, to],
+            point,
+            distance: name.clone(),
+        });
+        let origin = origin(KIND, &name, None);
+        lowering.system.scalars.push(name);
+        lowering.equation(self.named.plain(), origin, form);
+    }
+
+    /// Checks that the line keeps its length, and that the point is not fixed to it.
+    fn check_lowered(&self, listing: &Listing, system: &System, errors: &mut Errors) {
+        let known = |point| listing.declared().any(|(name, _)| name == point);
+        let [point, from, to] = &self.points;
+        if !self.points.iter().all(known) || from == to {
+            return;
+        }
+        let names = [point, from, to].map(Name::from);
+        let lists = |body: &Body, name: &Name| body.points().any(|site| site.name == *name);
+        let [_, a, b] = &names;
+        let mut carriers = system.bodies.iter();
+        let carrier = carriers.find(|body| lists(body, a) && lists(body, b));
+        if let Some(body) = carrier.filter(|body| lists(body, &names[0])) {
+            errors.push(cannot_slide(point, body));
+        }
+        let is_kept = distance_between(&system.equations, a, b).is_some();
+        let on_the_chassis = [from, to].iter().all(|end| listing.is_at_rest(end));
+        if carrier.is_none() && !is_kept && !on_the_chassis {
+            errors.push(loose_line(from, to));
+        }
+    }
+}
+
+fn not_on(word: &Ident) -> Error {
+    errors::at(
+        word,
+        format!("unexpected `{word}`; write `slide name: point on from -> to;`"),
+    )
+}
+
+fn cannot_slide(point: &Ident, body: &Body) -> Error {
+    errors::at(
+        point,
+        format!(
+            "`{point}` and the line that it slides on are points of body `{}`; take the line of \
+             another body",
+            body.name
+        ),
+    )
+}
+
+fn loose_line(from: &Ident, to: &Ident) -> Error {
+    errors::at(
+        from,
+        format!(
+            "nothing keeps `{from}` and `{to}` apart as a line to slide on; list both in one body, \
+             or put both on the chassis"
+        ),
+    )
+}
