@@ -14,6 +14,7 @@ mod elimination;
 mod f32;
 mod failures;
 mod formulations;
+mod guarantees;
 mod guard;
 mod hostile;
 mod instructions;
