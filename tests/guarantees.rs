@@ -63,7 +63,10 @@ fn each_names_tests_that_exist() {
             named += 1;
         }
         for script in &row.check {
-            assert!(read(".ci/run").contains(&script[4..]), "{script} is not run");
+            assert!(
+                read(".ci/run").contains(&script[4..]),
+                "{script} is not run"
+            );
         }
     }
     assert!(named > 50);
@@ -97,9 +100,18 @@ fn rendered(guarantees: &Guarantees) -> String {
                 let (file, name) = test.split_once("::").unwrap_or((test, ""));
                 format!("[`{name}`](../{file})")
             });
-            let scripts = row.check.iter().map(|path| format!("[`{path}`](../{path})"));
+            let scripts = row
+                .check
+                .iter()
+                .map(|path| format!("[`{path}`](../{path})"));
             let proofs: Vec<String> = tests.chain(scripts).collect();
-            let _ = writeln!(page, "| {} | {} | {} |", row.what, row.figure, proofs.join(", "));
+            let _ = writeln!(
+                page,
+                "| {} | {} | {} |",
+                row.what,
+                row.figure,
+                proofs.join(", ")
+            );
         }
     }
     page
