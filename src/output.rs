@@ -1,6 +1,7 @@
 //! What the user gets: CSV files, plots, summaries, progress.
 
 pub mod csv_file;
+pub mod drawing;
 pub mod figures;
 pub mod files;
 pub mod plot;

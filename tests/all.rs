@@ -12,6 +12,7 @@ mod cli;
 mod derivatives;
 mod elimination;
 mod f32;
+mod guarantees;
 mod guard;
 mod hostile;
 mod instructions;
