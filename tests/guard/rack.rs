@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::tracker::Between;
-use suspension_core::{Build, Inputs, Linkage, Motion, Named, Signal, Still, Tracker, Values};
+use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Still, Tracker, Values};
 
 use super::random::Random;
 
