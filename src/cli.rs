@@ -1,13 +1,13 @@
 //! The command line's options and help.
 
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use clap::{Parser, Subcommand};
 
 use crate::commands::{assemblies, bake, motion, published, range};
 use crate::failure::Failure;
+use crate::interrupt;
 
 /// Suspension kinematics: positions, velocities and accelerations of a driven suspension.
 ///
@@ -63,12 +63,10 @@ impl Options {
 
 /// Does a job of a program; an interrupt sets the flag that it looks at. Says why where it fails.
 pub fn exit_code_of(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> ExitCode {
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&interrupted);
-    if let Err(error) = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)) {
+    if let Err(error) = interrupt::catch_signals() {
         eprintln!("note: an interrupt will lose rows: {error}");
     }
-    match job(&interrupted) {
+    match job(interrupt::flag()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             if !matches!(failure, Failure::ReaderGone) {

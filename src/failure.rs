@@ -32,10 +32,12 @@ impl Failure {
 
     /// A failure to write to `place`.
     pub fn writing(place: impl fmt::Display, error: &io::Error) -> Self {
-        if error.kind() == io::ErrorKind::BrokenPipe {
-            Self::ReaderGone
-        } else {
-            Self::Output(format!("{place}: cannot be written: {error}"))
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::ReaderGone,
+            io::ErrorKind::Interrupted => {
+                Self::Interrupted(format!("{place}: interrupted; nothing was written"))
+            }
+            _ => Self::Output(format!("{place}: cannot be written: {error}")),
         }
     }
 }

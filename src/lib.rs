@@ -17,6 +17,7 @@ pub mod commands;
 pub mod detail;
 pub mod failure;
 pub mod file;
+pub mod interrupt;
 pub mod lanes;
 pub mod load;
 pub mod mechanism;

@@ -12,8 +12,8 @@ use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{Mechanism, Suspension, Work};
 use crate::output::csv_file::Target;
-use crate::output::figures::{draw, height_and_angles};
-use crate::output::files::{announce, print, refuse_input};
+use crate::output::figures::{draw, height_and_angles, path};
+use crate::output::files::{announce, print, refuse_input, refuse_plot};
 use crate::output::record::record;
 use crate::output::summary;
 
@@ -72,14 +72,22 @@ impl Work for Motion<'_> {
         mechanism: &Mechanism<L, N>,
     ) -> Result<(), Failure> {
         let csv = self.csv.as_ref();
+        let Arguments { file, plots, .. } = &self.arguments;
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        if let (Some(Target::File(csv)), Some(folder)) = (csv, plots) {
+            let Mechanism { names, unit, .. } = mechanism;
+            let charts = height_and_angles(names, *unit, [&[], &[]]);
+            refuse_plot(
+                csv,
+                charts.iter().map(|(name, _)| path(folder, &stem, name)),
+            )?;
+        }
         let outcome = record(mechanism, &mechanism.instants, csv, KEPT, self.interrupted)?;
         let mut written = Vec::new();
         if let Some(Target::File(path)) = csv {
             written.push(path.clone());
         }
-        let Arguments { file, plots, .. } = &self.arguments;
         if let Some(folder) = plots {
-            let stem = file.file_stem().unwrap_or_default().to_string_lossy();
             written.extend(draw(
                 mechanism,
                 &outcome,

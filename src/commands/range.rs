@@ -16,7 +16,8 @@ use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{Mechanism, Names, Suspension, Unit, Work};
 use crate::output::csv_file::Target;
-use crate::output::files::{announce, print, refuse_input, write_file};
+use crate::output::figures::path;
+use crate::output::files::{announce, print, refuse_input, refuse_plot, write_file};
 use crate::output::table::Table;
 use course::{DriveRange, range};
 
@@ -76,6 +77,13 @@ impl Work for Ranges<'_> {
         mechanism: &Mechanism<L, N>,
     ) -> Result<(), Failure> {
         let Mechanism { names, unit, .. } = mechanism;
+        let Arguments { file, plots, .. } = self.arguments;
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        let plot = |folder: &PathBuf, drive: &str| path(folder, &stem, &format!("range_{drive}"));
+        if let (Some(Target::File(csv)), Some(folder)) = (&self.csv, plots) {
+            let drives = names.drives.iter();
+            refuse_plot(csv, drives.map(|drive| plot(folder, &drive.name)))?;
+        }
         let drives = 0..names.drives.len();
         let ranges = drives.map(|index| range(mechanism, index, self.interrupted));
         let ranges = ranges.collect::<Result<Vec<_>, _>>()?;
@@ -86,11 +94,9 @@ impl Work for Ranges<'_> {
                 written.push(path.clone());
             }
         }
-        let Arguments { file, plots, .. } = self.arguments;
         if let Some(folder) = plots {
-            let stem = file.file_stem().unwrap_or_default().to_string_lossy();
             for range in &ranges {
-                let path = folder.join(format!("{stem}_range_{}.svg", range.name));
+                let path = plot(folder, &range.name);
                 let chart = picture::chart(names, *unit, range);
                 if let Some(svg) = chart.and_then(|chart| chart.svg()) {
                     write_file(&path, &svg)?;

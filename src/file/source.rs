@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::failure::Failure;
+use crate::interrupt;
 
 /// The largest file that is read, in bytes: a motion takes a few thousand, and reading takes a
 /// hundred times the memory.
@@ -40,6 +41,10 @@ impl Source {
         let refuse = |why: String| Err(Failure::Input(format!("{name}: {why}")));
         let bytes = match read_at_most(path, LARGEST + 1) {
             Ok(bytes) => bytes,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {
+                let message = format!("{name}: interrupted before it was read");
+                return Err(Failure::Interrupted(message));
+            }
             Err(error) => return refuse(format!("cannot be read: {error}")),
         };
         if bytes.len() > LARGEST {
@@ -82,11 +87,20 @@ impl Source {
 }
 
 fn read_at_most(path: &Path, limit: usize) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    File::open(path)?
-        .take(limit as u64)
-        .read_to_end(&mut bytes)?;
-    Ok(bytes)
+    let is_file = path.metadata()?.is_file();
+    let path = path.to_owned();
+    let read = move || {
+        let mut bytes = Vec::new();
+        File::open(path)?
+            .take(limit as u64)
+            .read_to_end(&mut bytes)?;
+        Ok(bytes)
+    };
+    if is_file {
+        read()
+    } else {
+        interrupt::waiting(read)
+    }
 }
 
 /// Text that may quote a file, fit for a terminal: control characters escaped, cut where it is long.

@@ -47,12 +47,17 @@ pub fn draw<L: Suspension<N>, const N: usize>(
     let mut written = Vec::new();
     for (name, chart) in charts(names, *unit, [&line, marks]) {
         if let Some(svg) = chart.svg() {
-            let path = folder.join(format!("{stem}_{name}.svg"));
+            let path = path(folder, stem, name);
             write_file(&path, &svg)?;
             written.push(path);
         }
     }
     Ok(written)
+}
+
+/// Where a plot is drawn.
+pub fn path(folder: &Path, stem: &str, name: &str) -> PathBuf {
+    folder.join(format!("{stem}_{name}.svg"))
 }
 
 /// Those of any linkage.

@@ -2,11 +2,12 @@
 
 use std::fs::{File, Permissions};
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
 
 use crate::failure::Failure;
+use crate::interrupt;
 
 /// A file being written. It takes its name only when it is finished; until then what had the
 /// name before stays.
@@ -75,7 +76,8 @@ fn open(path: &Path) -> io::Result<(File, Option<TempPath>)> {
     let replaced = match path.metadata() {
         Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
         Ok(found) if !found.is_file() => {
-            let file = File::options().write(true).open(path)?;
+            let path = path.to_owned();
+            let file = interrupt::waiting(|| File::options().write(true).open(path))?;
             return Ok((file, None));
         }
         Ok(found) => Some(found.permissions()),
@@ -131,6 +133,36 @@ pub fn announce(written: &[PathBuf]) {
     for path in written {
         eprintln!("wrote {}", path.display());
     }
+}
+
+/// Refuses to write a table to where a plot is drawn.
+///
+/// # Errors
+///
+/// [`Failure::Input`].
+pub fn refuse_plot(table: &Path, plots: impl IntoIterator<Item = PathBuf>) -> Result<(), Failure> {
+    let place = resolved(table);
+    if !plots.into_iter().any(|plot| resolved(&plot) == place) {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "{}: --plots draws to this file, which --csv names too",
+        table.display()
+    )))
+}
+
+/// Where a path leads, whether there is something or not.
+fn resolved(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let mut found = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::ParentDir => drop(found.pop()),
+            other => found.push(other),
+        }
+        found = found.canonicalize().unwrap_or(found);
+    }
+    found
 }
 
 /// Refuses to write a result over the motion that it is the result of. `option` is the one that

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::program::{example, folder, run, text};
+use super::program::{edited, example, folder, run, text};
 
 fn with_input() -> tempfile::TempDir {
     let folder = folder();
@@ -45,6 +45,67 @@ fn the_input_is_not_overwritten_by_its_results() {
         let kept = std::fs::read_to_string(folder.path().join("a.toml")).expect("the input");
         assert_eq!(kept, example("attia2003.toml"));
     }
+}
+
+/// The rows of a table are not lost under a plot.
+#[test]
+fn a_table_and_a_plot_are_two_files() {
+    let folder = with_input();
+    std::fs::create_dir(folder.path().join("sub")).expect("a folder");
+    for (command, plots, table) in [
+        ("motion", ".", "a_height.svg"),
+        ("motion", "plots", "plots/a_angles.svg"),
+        (
+            "motion",
+            "plots",
+            "sub/../plots/../new/../plots/a_height.svg",
+        ),
+        ("range", "plots/.", "plots/a_range_theta.svg"),
+    ] {
+        let arguments = [command, "a.toml", "--plots", plots, "--csv", table];
+        let output = run(folder.path(), &arguments);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        let expected = format!("{table}: --plots draws to this file, which --csv names too\n");
+        assert_eq!(message, expected);
+        assert_eq!(files_in(folder.path()), 2, "nothing was written");
+    }
+    let apart = [
+        "motion",
+        "a.toml",
+        "--plots",
+        "plots",
+        "--csv",
+        "a_height.svg",
+    ];
+    let output = run(folder.path(), &apart);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+}
+
+/// Limits of the shell are those of its children. A block is 512 or 1,024 bytes.
+#[cfg(unix)]
+#[test]
+fn a_file_beyond_its_limit_is_exit_code_1_and_leaves_nothing() {
+    let folder = folder();
+    let fine = "start = 0.0\nstop = 1.9\nstep = 0.001";
+    std::fs::write(folder.path().join("a.toml"), edited("instants", fine)).expect("written");
+    let program = format!(
+        "ulimit -f 100 && exec '{}' motion a.toml --csv a.csv",
+        super::PROGRAM
+    );
+    let output = std::process::Command::new("sh")
+        .current_dir(folder.path())
+        .args(["-c", &program])
+        .output()
+        .expect("a shell");
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let message = text(&output.stderr);
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert!(
+        message.starts_with("a.csv: cannot be written: "),
+        "{message}"
+    );
+    assert_eq!(files_in(folder.path()), 1, "{message}");
 }
 
 #[cfg(unix)]

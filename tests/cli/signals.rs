@@ -72,6 +72,54 @@ fn without_a_table_no_rows_are_said_to_be_kept() {
     assert!(!message.contains("kept"), "{message}");
 }
 
+/// Whether it is the input or the table that waits for another program, which does not come.
+#[cfg(unix)]
+#[test]
+fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
+    let folder = folder();
+    let made = Command::new("mkfifo")
+        .arg(folder.path().join("fifo"))
+        .status();
+    assert!(made.expect("a FIFO").success());
+    std::fs::write(
+        folder.path().join("a.toml"),
+        edited("instants", "instants = [0.0]"),
+    )
+    .expect("written");
+    for (arguments, expected) in [
+        (
+            &["motion", "a.toml", "--csv", "fifo"][..],
+            "fifo: interrupted; nothing was written\n",
+        ),
+        (
+            &["motion", "fifo"],
+            "fifo: interrupted before it was read\n",
+        ),
+    ] {
+        let mut child = command(folder.path())
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program runs");
+        std::thread::sleep(Duration::from_millis(500));
+        let sent = Command::new("kill")
+            .args(["-INT", &child.id().to_string()])
+            .status();
+        assert!(sent.expect("a signal").success());
+        let ends = (0..200).any(|_| {
+            std::thread::sleep(Duration::from_millis(50));
+            child.try_wait().expect("a state").is_some()
+        });
+        if !ends {
+            child.kill().expect("killed");
+        }
+        let output = child.wait_with_output().expect("the program ends");
+        assert_eq!(output.status.code(), Some(130), "{arguments:?}: {output:?}");
+        assert_eq!(text(&output.stderr), expected);
+    }
+}
+
 /// After the first of many values has been listed.
 #[cfg(unix)]
 #[test]

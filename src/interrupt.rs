@@ -1,0 +1,60 @@
+//! A user who has enough, and work that waits for another program. Signals are the whole process's, and so
+//! is the flag that they set.
+
+use std::io;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, LazyLock};
+use std::thread;
+use std::time::Duration;
+
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag::register;
+
+static INTERRUPTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
+
+/// Whether the user has interrupted the program: with Ctrl-C, SIGTERM or SIGHUP.
+pub fn flag() -> &'static AtomicBool {
+    &INTERRUPTED
+}
+
+/// From now on signals set the [`flag`], and a file that grows beyond its limit is an error of the write
+/// and no longer the end of the program.
+///
+/// # Errors
+///
+/// Where the system has no handler to give.
+pub fn catch_signals() -> io::Result<()> {
+    for signal in [SIGINT, SIGTERM] {
+        register(signal, Arc::clone(&INTERRUPTED))?;
+    }
+    #[cfg(unix)]
+    {
+        use signal_hook::consts::{SIGHUP, SIGXFSZ};
+        register(SIGHUP, Arc::clone(&INTERRUPTED))?;
+        register(SIGXFSZ, Arc::default())?;
+    }
+    Ok(())
+}
+
+/// Does what waits until another program comes, as opening a FIFO does. The wait itself goes on where the
+/// user interrupts it, and ends with the program.
+///
+/// # Errors
+///
+/// Those of the work, and [`io::ErrorKind::Interrupted`].
+pub fn waiting<R: Send + 'static>(
+    work: impl FnOnce() -> io::Result<R> + Send + 'static,
+) -> io::Result<R> {
+    const LOOK: Duration = Duration::from_millis(20);
+    let (done, result) = channel();
+    // Nobody may be left to take the result.
+    thread::spawn(move || drop(done.send(work())));
+    loop {
+        match result.recv_timeout(LOOK) {
+            Ok(result) => return result,
+            Err(RecvTimeoutError::Timeout) if !flag().load(Ordering::Relaxed) => {}
+            Err(_) => return Err(io::ErrorKind::Interrupted.into()),
+        }
+    }
+}
