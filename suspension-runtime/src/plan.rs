@@ -1,149 +1,134 @@
-//! What the solver walks: a listing as indices. Made once of a listing; nothing of it is a number of a
+//! What the solver walks: a listing as indices. It is made once of a listing; nothing of it is a number of a
 //! geometry.
 
+mod clusters;
 mod elimination;
+mod lengths;
 mod readout;
+mod room;
+mod substitution;
 
-use syn::Ident;
-
-use suspension_listing::ast::Named;
 use suspension_listing::eliminate::Order;
-use suspension_listing::system::{Equation, Site, SiteMotion, System};
+use suspension_listing::form::Form;
+use suspension_listing::name::Name;
+use suspension_listing::system::{SiteMotion, System};
 
-use crate::site::CHASSIS;
-use crate::form::{Body, Coordinate, Distance, Moving};
+use crate::form::{Body, Distance, InputRates, Linear};
+use crate::site::Site;
 
-pub(crate) use elimination::{Elimination, Reduction, SPARE, Step, ZERO};
-pub(crate) use readout::{Cluster, Drive, Measure};
+pub(crate) use clusters::Cluster;
+pub(crate) use elimination::{Elimination, Step};
+pub(crate) use lengths::{Length, LengthNames};
+pub(crate) use readout::{Drive, Measure, Roles};
+pub(crate) use substitution::{Carrier, Term};
+
+/// The last place of any table: what is not needed goes there.
+pub(crate) const SPARE: u16 = u16::MAX;
+
+/// The last place but one: zero among the numbers of the factors.
+pub(crate) const ZERO: u16 = u16::MAX - 1;
 
 /// The indices of a listing.
-///
-/// A site is a free point, or beyond all of those a chassis point.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
     pub(crate) unknowns: u16,
-    pub(crate) free: u16,
     pub(crate) chassis: u16,
     pub(crate) distances: Vec<Distance>,
-    /// With the points that they carry. Those that carry none have no equation of their own.
+    /// All bodies of three points or more, each with the points that it carries.
     pub(crate) bodies: Vec<Body>,
-    pub(crate) coordinates: Vec<Coordinate>,
-    /// What moves with the drives, and what with the rest of the chassis.
-    pub(crate) driven: Moving,
-    pub(crate) undriven: Moving,
+    pub(crate) linear: Vec<Linear>,
+    /// What drives contribute to rates, with the chassis points that they move.
+    pub(crate) driven: InputRates,
+    /// What the other chassis points contribute.
+    pub(crate) undriven: InputRates,
     pub(crate) elimination: Elimination,
     pub(crate) drives: Vec<Drive>,
     pub(crate) measures: Vec<Measure>,
     /// The sites that carry each marker.
-    pub(crate) markers: Vec<[u16; 3]>,
+    pub(crate) markers: Vec<[Site; 3]>,
     pub(crate) clusters: Vec<Cluster>,
+    pub(crate) lengths: Vec<Length>,
+    pub(crate) roles: Roles,
 }
 
 impl Plan {
     pub(crate) fn new(system: &System, order: &Order) -> Self {
-        let sites = Sites::new(system);
         let elimination = Elimination::new(system, order);
-        let entry = |row, column| elimination.entry(row, column);
-        let (mut distances, mut coordinates) = (Vec::new(), Vec::new());
+        let entry = |row, column: Option<usize>| elimination.entry(row, column);
+        let lengths = LengthNames::new(system);
+        let (mut distances, mut linear) = (Vec::new(), Vec::new());
         let mut bodies: Vec<Body> = (system.bodies.iter())
-            .map(|body| Body::new(body.frame.each_ref().map(|site| sites.index(site))))
+            .map(|body| Body::new(body, &lengths))
+            .collect();
+        let substituted: Vec<&Name> = (system.substituted().iter())
+            .map(|substituted| substituted.point)
             .collect();
         let mut row = 0;
         for equation in &system.equations {
-            match equation {
-                Equation::Distance { from, to, .. } => {
-                    let ends = [from, to].map(|site| sites.index(site));
-                    distances.push(Distance::new(row, ends, entry));
+            match &equation.form {
+                Form::Distance(form) => {
+                    let length = lengths.place(&equation.named.name);
+                    distances.push(Distance::new(form, row, length, entry));
                 }
-                Equation::Carried { body, point, .. } => {
+                Form::Linear(form) => {
+                    let drive = position(system.drives.iter().map(|d| &d.named.name), &form.drive);
+                    linear.push(Linear::new(form, row, drive, entry));
+                }
+                Form::Carried(form) => {
                     let mut named = system.bodies.iter().zip(&mut bodies);
-                    if let Some((_, of)) = named.find(|(known, _)| known.name == *body) {
-                        let is_substituted = (system.substituted().iter())
-                            .any(|other| other.point == &point.name);
-                        let entry = (!is_substituted).then_some(entry);
-                        of.carry(row, sites.index(point), entry);
+                    if let Some((_, body)) = named.find(|(body, _)| body.name == form.body) {
+                        let is_stored = !substituted.contains(&&form.point.name);
+                        body.carry(form, row, &lengths, is_stored.then_some(entry));
                     }
                 }
-                Equation::Coordinate {
-                    drive,
-                    axis,
-                    of,
-                    minus,
-                } => coordinates.push(Coordinate::new(
-                    row,
-                    drive_index(system, drive),
-                    *axis,
-                    [Some(of), minus.as_ref()].map(|site| site.map(|site| sites.index(site))),
-                    entry,
-                )),
             }
-            row += equation.rows().len();
+            row += equation.form.equations().rows();
         }
-        let moving = |motion| {
-            let moves = |site: u16| sites.motion(site) == motion;
-            Moving::new(&distances, &bodies, &coordinates, moves)
-        };
-        let [driven, undriven] = [SiteMotion::DrivenAnchor, SiteMotion::Anchor].map(moving);
+        let rates = |motion| InputRates::new(system, motion);
         Self {
             unknowns: index(system.size()),
-            free: sites.free,
             chassis: index(system.fixed.len()),
-            driven,
-            undriven,
+            driven: rates(SiteMotion::DrivenAnchor),
+            undriven: rates(SiteMotion::Anchor),
             drives: readout::drives(system),
             measures: readout::measures(system),
-            markers: readout::markers(system, &sites),
-            clusters: readout::clusters(system, &sites),
+            markers: (system.markers.iter())
+                .map(|marker| marker.frame.each_ref().map(Site::from))
+                .collect(),
+            clusters: clusters::clusters(system, &lengths),
+            lengths: lengths.lengths(),
+            roles: Roles::new(system),
             distances,
             bodies,
-            coordinates,
+            linear,
             elimination,
         }
     }
-}
 
-/// The sites of a listing by name.
-struct Sites<'a> {
-    system: &'a System,
-    free: u16,
-}
-
-impl<'a> Sites<'a> {
-    fn new(system: &'a System) -> Self {
-        let free = index(system.free.len());
-        Self { system, free }
-    }
-
-    fn index(&self, site: &Site) -> u16 {
-        let place = |points: &[Named]| position(points.iter().map(|point| &point.name), &site.name);
-        if site.is_free() { 3 * place(&self.system.free) } else { CHASSIS | place(&self.system.fixed) }
-    }
-
-    /// How the drives move a site, which is free where no form has it as a chassis point.
-    fn motion(&self, site: u16) -> SiteMotion {
-        let is_driven = |point: &Ident| {
-            let mut drives = self.system.drives.iter();
-            drives.any(|drive| drive.minus.is_none() && drive.of.name == *point)
-        };
-        let chassis = (site & CHASSIS != 0).then_some(site & !CHASSIS);
-        match chassis.and_then(|chassis| self.system.fixed.get(usize::from(chassis))) {
-            Some(point) if is_driven(&point.name) => SiteMotion::DrivenAnchor,
-            Some(_) => SiteMotion::Anchor,
-            None => SiteMotion::Free,
-        }
+    /// How many points bodies carry.
+    pub(crate) fn carried(&self) -> usize {
+        self.bodies.iter().map(|body| body.carried.len()).sum()
     }
 }
 
-fn drive_index(system: &System, name: &Ident) -> u16 {
-    position(system.drives.iter().map(|drive| &drive.named.name), name)
+/// Where a name is among others. The front end has checked that it is there.
+fn position<'a>(mut names: impl Iterator<Item = &'a Name>, name: &Name) -> u16 {
+    names.position(|other| other == name).map_or(SPARE, index)
 }
 
-/// Where a name is among others, all of which were checked.
-fn position<'a>(mut names: impl Iterator<Item = &'a Ident>, name: &Ident) -> u16 {
-    names.position(|other| other == name).map_or(u16::MAX, index)
+/// The place of a point: chassis points, free points, markers.
+fn point(system: &System, name: &Name) -> u16 {
+    position(system.points().into_iter(), name)
+}
+
+/// The place of the distance that an equation keeps.
+fn distance(system: &System, name: &Name) -> u16 {
+    let equations = system.equations.iter();
+    let kept = equations.filter(|equation| equation.form.equations().keeps().is_some());
+    position(kept.map(|equation| &equation.named.name), name)
 }
 
 /// An index as plans hold it. Listings are held to far fewer of everything.
-fn index(index: usize) -> u16 {
-    u16::try_from(index).unwrap_or(u16::MAX)
+pub(crate) fn index(index: usize) -> u16 {
+    u16::try_from(index).unwrap_or(SPARE)
 }

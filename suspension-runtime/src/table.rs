@@ -2,21 +2,22 @@
 
 use core::fmt::Debug;
 
-/// What tables hold.
-pub trait Value: Copy + Debug + Send + Sync {}
+use suspension_core::Values;
 
-impl<V: Copy + Debug + Send + Sync> Value for V {}
+/// What a table holds.
+pub trait Value: Copy + Default + Debug + Send + Sync {}
 
-/// A table with room for a fixed number of values. What a listing does not fill keeps the value it was
-/// made with.
-pub trait Table<V>: Value {
-    /// A table with the same value everywhere.
-    fn filled(value: V) -> Self;
+impl<V: Copy + Default + Debug + Send + Sync> Value for V {}
 
-    /// The value at an index; of one beyond the table that of another place.
+/// A table with room for a fixed number of values; those that a listing does not fill keep their defaults.
+pub trait Table<V: Value>: Value + Values<V> {
+    /// How many values there is room for.
+    const ROOM: usize;
+
+    /// The value at an index; of an index beyond the table, that of another place.
     fn get(&self, index: u16) -> V;
 
-    /// The place of an index; of one beyond the table another place.
+    /// The place of an index; of an index beyond the table, another place.
     fn place(&mut self, index: u16) -> &mut V;
 
     /// All places.
@@ -26,25 +27,43 @@ pub trait Table<V>: Value {
     fn as_mut_slice(&mut self) -> &mut [V];
 }
 
-/// A table of `K` values, a power of two: an index is masked, which takes neither a branch nor a panic.
+/// The values of `K` places, a power of two: an index is masked, which takes neither a branch nor a panic.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Masked<V, const K: usize>([V; K]);
 
-impl<V: Value, const K: usize> Table<V> for Masked<V, K> {
+impl<V: Value, const K: usize> Default for Masked<V, K> {
     #[inline(always)]
-    fn filled(value: V) -> Self {
+    fn default() -> Self {
         const { assert!(K.is_power_of_two()) }
-        Self([value; K])
+        Self([V::default(); K])
+    }
+}
+
+impl<V: Value, const K: usize> Values<V> for Masked<V, K> {
+    fn from_values(values: impl IntoIterator<Item = V>) -> Self {
+        let mut table = Self::default();
+        for (place, value) in table.0.iter_mut().zip(values) {
+            *place = value;
+        }
+        table
     }
 
+    fn values(&self) -> impl Iterator<Item = V> {
+        self.0.iter().copied()
+    }
+}
+
+impl<V: Value, const K: usize> Table<V> for Masked<V, K> {
+    const ROOM: usize = K;
+
     #[inline(always)]
-    #[allow(clippy::indexing_slicing)]
+    #[allow(clippy::indexing_slicing, reason = "a masked index is in the table")]
     fn get(&self, index: u16) -> V {
         self.0[usize::from(index) & (K - 1)]
     }
 
     #[inline(always)]
-    #[allow(clippy::indexing_slicing)]
+    #[allow(clippy::indexing_slicing, reason = "a masked index is in the table")]
     fn place(&mut self, index: u16) -> &mut V {
         &mut self.0[usize::from(index) & (K - 1)]
     }

@@ -1,50 +1,51 @@
-//! Two points a constant length apart.
+//! `Distance`: two points a constant length apart.
 
 use nalgebra::{SMatrix, Vector3};
 use suspension_core::Scalar;
 use suspension_core::constraint;
 use suspension_core::generated::difference;
+use suspension_listing::form;
 
-use super::columns;
-use crate::site::{CHASSIS, Sites};
+use crate::plan::index;
+use crate::site::{Site, Sites};
 use crate::table::Table;
 
 /// A constant length: one row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Distance {
     pub(crate) row: u16,
-    /// Sites; of two where one is on the chassis, that is `from`.
-    pub(crate) from: u16,
-    pub(crate) to: u16,
+    /// Its place among the lengths.
+    pub(crate) length: u16,
+    pub(crate) from: Site,
+    pub(crate) to: Site,
     /// Where the factors hold the derivatives by `to` and by `from`.
-    entries: [u16; 6],
-    /// Whether `from` is on the chassis.
-    hangs: bool,
+    entries: [[u16; 3]; 2],
 }
 
 impl Distance {
     pub(crate) fn new(
+        form: &form::Distance,
         row: usize,
-        [from, to]: [u16; 2],
-                entry: impl Fn(usize, usize) -> u16,
+        length: u16,
+        entry: impl Fn(usize, Option<usize>) -> u16,
     ) -> Self {
-        // Beyond all columns where there is none, so that no entry is found.
-        let of = |site| columns(site).unwrap_or([usize::MAX; 3]);
-        let ([a, b, c], [d, e, f]) = (of(to), of(from));
+        let [from, to] = [&form.from, &form.to].map(Site::from);
         Self {
-            row: u16::try_from(row).unwrap_or(u16::MAX),
+            row: index(row),
+            length,
             from,
             to,
-            entries: [a, b, c, d, e, f].map(|column| entry(row, column)),
-            hangs: from & CHASSIS != 0,
+            entries: [to, from].map(|site| [0, 1, 2].map(|axis| entry(row, site.column(axis)))),
         }
     }
 
     /// From one point to the other.
     #[inline(always)]
-    pub(crate) fn vector<T: Scalar>(&self, sites: &Sites<'_, T, impl Table<Vector3<T>>>) -> Option<Vector3<T>> {
-        let from = if self.hangs { sites.chassis(self.from) } else { sites.free(self.from)? };
-        Some(difference(sites.free(self.to)?, from))
+    pub(crate) fn vector<T: Scalar>(
+        &self,
+        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
+    ) -> Option<Vector3<T>> {
+        Some(difference(sites.get(self.to)?, sites.get(self.from)?))
     }
 
     /// Writes the derivatives into the factors.
@@ -53,19 +54,19 @@ impl Distance {
         &self,
         constant: &constraint::Distance<T>,
         sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        entries: &mut impl Table<T>,
+        numbers: &mut impl Table<T>,
     ) {
         let Some(vector) = self.vector(sites) else {
             return;
         };
         let gradient = constant.gradient(vector);
-        let [a, b, c, d, e, f] = self.entries;
-        *entries.place(a) = gradient.x;
-        *entries.place(b) = gradient.y;
-        *entries.place(c) = gradient.z;
-        *entries.place(d) = -gradient.x;
-        *entries.place(e) = -gradient.y;
-        *entries.place(f) = -gradient.z;
+        let [[a, b, c], [d, e, f]] = self.entries;
+        *numbers.place(a) = gradient.x;
+        *numbers.place(b) = gradient.y;
+        *numbers.place(c) = gradient.z;
+        *numbers.place(d) = -gradient.x;
+        *numbers.place(e) = -gradient.y;
+        *numbers.place(f) = -gradient.z;
     }
 
     /// Writes the derivatives into a dense matrix.
@@ -79,17 +80,13 @@ impl Distance {
             return;
         };
         let gradient = constant.gradient(vector);
-        let mut write = |site: u16, value: Vector3<T>| {
-            for (axis, value) in value.iter().enumerate() {
-                let place = (usize::from(self.row), usize::from(site) + axis);
-                if let Some(entry) = matrix.get_mut(place) {
+        for (site, gradient) in [(self.to, gradient), (self.from, -gradient)] {
+            for (axis, value) in gradient.iter().enumerate() {
+                let place = site.column(axis).map(|column| (usize::from(self.row), column));
+                if let Some(entry) = place.and_then(|place| matrix.get_mut(place)) {
                     *entry = *value;
                 }
             }
-        };
-        write(self.to, gradient);
-        if !self.hangs {
-            write(self.from, -gradient);
         }
     }
 }

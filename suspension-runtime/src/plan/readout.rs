@@ -1,115 +1,99 @@
-//! What is read off the points, and how drives enter, as indices.
+//! How drives enter, and what is read off the points, as indices.
 
-use syn::Ident;
+use suspension_core::{DriveKind, MeasureKind};
+use suspension_listing::system::{self, Quantity, System};
 
-use suspension_listing::system::{self, Measured, System, distance_between};
-
-use super::{Sites, index, position};
+use super::{distance, index, point};
 
 /// How a drive enters.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Drive {
-    pub(crate) axis: u16,
-    /// Points.
-    pub(crate) of: u16,
-    pub(crate) minus: Option<u16>,
+    pub(crate) quantity: Measure,
     /// The distance whose angle it is.
     pub(crate) angle_of: Option<u16>,
     /// The chassis point that it moves.
     pub(crate) moves: Option<u16>,
 }
 
-/// What a measure reads, by points.
+/// What is read off the points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Measure {
+    /// A coordinate, or difference of two.
     Coordinate {
         axis: u16,
         of: u16,
         minus: Option<u16>,
     },
-    Angle {
-        axis: u16,
-        line: [u16; 2],
-    },
-    Length {
-        line: [u16; 2],
-    },
+    /// The angle of a line from an axis.
+    Angle { axis: u16, line: [u16; 2] },
+    /// The distance of two points.
+    Length { line: [u16; 2] },
 }
 
-/// Points that links alone make a rigid body, by sites.
-#[derive(Clone, Debug)]
-pub(crate) struct Cluster {
-    pub(crate) frame: [u16; 3],
-    pub(crate) points: Vec<u16>,
-    /// The distances that keep the frame: first-second, first-third, second-third; none where both ends
-    /// are on the chassis.
-    pub(crate) edges: [Option<u16>; 3],
-    /// Those that keep each point to the frame's.
-    pub(crate) reaches: Vec<[Option<u16>; 3]>,
+/// The points of wheel and kingpin, where the listing states them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Roles {
+    pub(crate) wheel_axis: Option<[u16; 2]>,
+    pub(crate) wheel_carrier: Option<[u16; 3]>,
+    pub(crate) kingpin: Option<[u16; 2]>,
 }
 
-/// Where a point is among all: chassis points, free points, markers.
-fn point(system: &System, name: &Ident) -> u16 {
-    let points = system.fixed.iter().chain(&system.free);
-    let markers = system.markers.iter().map(|marker| &marker.named);
-    position(points.chain(markers).map(|point| &point.name), name)
+impl Measure {
+    fn new(system: &System, quantity: &Quantity) -> Self {
+        let point = |name| point(system, name);
+        match quantity {
+            Quantity::Coordinate { axis, of, minus } => Self::Coordinate {
+                axis: index(*axis),
+                of: point(of),
+                minus: minus.as_ref().map(point),
+            },
+            Quantity::Angle { axis, line } => Self::Angle {
+                axis: index(*axis),
+                line: line.each_ref().map(point),
+            },
+            Quantity::Length { line } => Self::Length {
+                line: line.each_ref().map(point),
+            },
+        }
+    }
+
+    pub(crate) fn drive_kind(&self) -> DriveKind {
+        match self {
+            Self::Coordinate { .. } | Self::Length { .. } => DriveKind::Coordinate,
+            Self::Angle { .. } => DriveKind::Angle,
+        }
+    }
+
+    pub(crate) fn measure_kind(&self) -> MeasureKind {
+        match self {
+            Self::Coordinate { .. } | Self::Length { .. } => MeasureKind::Length,
+            Self::Angle { .. } => MeasureKind::Angle,
+        }
+    }
 }
 
-fn distance(system: &System, name: &Ident) -> u16 {
-    let mut names = system.equations.iter().filter_map(|equation| match equation {
-        system::Equation::Distance { named, .. } => Some(&named.name),
-        _ => None,
-    });
-    names.position(|other| other == name).map_or(u16::MAX, index)
+impl Roles {
+    pub(super) fn new(system: &System) -> Self {
+        let wheel = system.wheel.as_ref();
+        let point = |name| point(system, name);
+        Self {
+            wheel_axis: wheel.map(|wheel| wheel.axis.each_ref().map(point)),
+            wheel_carrier: wheel.map(|wheel| wheel.carrier.each_ref().map(point)),
+            kingpin: system.kingpin.as_ref().map(|axis| axis.each_ref().map(point)),
+        }
+    }
 }
 
 pub(super) fn drives(system: &System) -> Vec<Drive> {
     let drive = |drive: &system::Drive| Drive {
-        axis: index(drive.axis),
-        of: point(system, &drive.of.name),
-        minus: drive.minus.as_ref().map(|minus| point(system, minus)),
+        quantity: Measure::new(system, &drive.quantity),
         angle_of: drive.angle_of.as_ref().map(|name| distance(system, name)),
-        moves: (!drive.of.is_free() && drive.minus.is_none())
-            .then(|| position(system.fixed.iter().map(|fixed| &fixed.name), &drive.of.name)),
+        moves: drive.moves.as_ref().map(|site| index(site.index)),
     };
     system.drives.iter().map(drive).collect()
 }
 
 pub(super) fn measures(system: &System) -> Vec<Measure> {
-    let point = |name: &Ident| point(system, name);
-    let measure = |measure: &system::Measure| match &measure.measured {
-        Measured::Coordinate { axis, of, minus } => Measure::Coordinate {
-            axis: index(*axis),
-            of: point(of),
-            minus: minus.as_ref().map(point),
-        },
-        Measured::Angle { axis, line } => Measure::Angle {
-            axis: index(*axis),
-            line: line.each_ref().map(point),
-        },
-        Measured::Length { line } => Measure::Length {
-            line: line.each_ref().map(point),
-        },
-    };
-    system.measures.iter().map(measure).collect()
-}
-
-pub(super) fn markers(system: &System, sites: &Sites<'_>) -> Vec<[u16; 3]> {
-    let markers = system.markers.iter();
-    markers.map(|marker| marker.frame.each_ref().map(|site| sites.index(site))).collect()
-}
-
-pub(super) fn clusters(system: &System, sites: &Sites<'_>) -> Vec<Cluster> {
-    let between = |a: &system::Site, b: &system::Site| {
-        distance_between(&system.equations, &a.name, &b.name).map(|name| distance(system, &name))
-    };
-    let cluster = |cluster: &system::Body| Cluster {
-        frame: cluster.frame.each_ref().map(|site| sites.index(site)),
-        points: cluster.carried.iter().map(|site| sites.index(site)).collect(),
-        edges: cluster.frame_pairs().map(|[a, b]| between(a, b)),
-        reaches: (cluster.carried.iter())
-            .map(|point| cluster.frame.each_ref().map(|corner| between(point, corner)))
-            .collect(),
-    };
-    system.clusters.iter().map(cluster).collect()
+    let measures = system.measures.iter();
+    measures.map(|measure| Measure::new(system, &measure.quantity)).collect()
 }
