@@ -14,7 +14,7 @@ use crate::newton::Newton;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 
-pub use fit::best_rigid_fit;
+pub use fit::{best_rigid_fit, best_rigid_motion};
 use neighbour::beyond_singularity;
 use search::{AROUND, Found, around, nearer};
 

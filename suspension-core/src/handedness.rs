@@ -15,7 +15,7 @@ use crate::vector::{cross, difference, dot};
 
 /// A point that distances alone hold to the three points of a frame, and the side of it on which
 /// it stands.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Linked<T> {
     shape: Carried<T>,
     /// `1 / (2 V0)`, with `V0` the volume of the shape.

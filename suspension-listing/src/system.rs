@@ -1,6 +1,7 @@
 //! What a listing is lowered to: named points and named equations, as plain data. Both back ends, the one that
 //! writes Rust and the one that walks it at run time, see nothing else.
 
+mod lengths;
 mod places;
 
 use crate::form::{Equations, Form};
@@ -8,10 +9,12 @@ use crate::name::{Name, Named};
 use crate::statement::Kind;
 use crate::vector::Vector;
 
+pub use lengths::Length;
 pub use places::{Place, Substituted};
 
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 
+#[derive(Clone, Debug)]
 pub struct System {
     pub docs: Vec<String>,
     pub fixed: Vec<Point>,

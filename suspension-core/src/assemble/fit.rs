@@ -5,25 +5,34 @@ use nalgebra::{Matrix3, Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
 use crate::scalar::Real;
 
 /// The rigid body `shape` moved, never mirrored, to where it fits `guess` best in the
-/// least-squares sense: Horn 1987, Closed-form solution of absolute orientation using unit
-/// quaternions. A guess that is not finite, or whose points coincide, is returned as it is.
+/// least-squares sense. A guess that is not finite, or whose points coincide, is returned as it is.
 pub fn best_rigid_fit<T: Real, const K: usize>(
     shape: &[Vector3<T>; K],
     guess: &[Vector3<T>; K],
 ) -> [Vector3<T>; K] {
+    match best_rigid_motion(shape, guess) {
+        Some(motion) => shape.map(motion),
+        None => *guess,
+    }
+}
+
+/// How the rigid body `shape` is moved there, point by point: Horn 1987, Closed-form solution of absolute
+/// orientation using unit quaternions. `None` where the guess is not finite, or its points coincide.
+pub fn best_rigid_motion<T: Real>(
+    shape: &[Vector3<T>],
+    guess: &[Vector3<T>],
+) -> Option<impl Fn(Vector3<T>) -> Vector3<T> + use<T>> {
     let (shape_centre, guess_centre) = (centroid(shape), centroid(guess));
     let mut covariance = Matrix3::zeros();
     for (from, to) in shape.iter().zip(guess) {
         covariance += (from - shape_centre) * (to - guess_centre).transpose();
     }
-    match best_rotation(&covariance) {
-        Some(rotation) => shape.map(|point| guess_centre + rotation * (point - shape_centre)),
-        None => *guess,
-    }
+    let rotation = best_rotation(&covariance)?;
+    Some(move |point| guess_centre + rotation * (point - shape_centre))
 }
 
-fn centroid<T: Real, const K: usize>(points: &[Vector3<T>; K]) -> Vector3<T> {
-    points.iter().sum::<Vector3<T>>() / T::constant(K as f64)
+fn centroid<T: Real>(points: &[Vector3<T>]) -> Vector3<T> {
+    points.iter().sum::<Vector3<T>>() / T::constant(points.len() as f64)
 }
 
 /// The eigenvector of Horn's matrix that belongs to its largest eigenvalue, as a quaternion:

@@ -12,7 +12,7 @@ use crate::vector::{
 ///
 /// Unlike three distances to the frame's points this admits no mirror image of the point and
 /// stays regular where it lies in the frame's plane (`c = 0`).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Carried<T> {
     a: T,
     b: T,

@@ -7,7 +7,7 @@ use crate::vector::{dot, multiple};
 
 /// A constant length `L` between two points, with `d` the vector from one to the other:
 /// `F = (|d|^2 - L^2) / (2 L)`. Attia 2003, eq. (1.1) to (1.14), divided by `2 L`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Distance<T> {
     length: T,
     inverse: T,

@@ -48,6 +48,13 @@ impl<T: Scalar> Frame<T> {
     }
 }
 
+impl<T: Scalar> Default for Frame<T> {
+    fn default() -> Self {
+        let [origin, u, v] = [(); 3].map(|()| Vector3::default());
+        Self { origin, u, v }
+    }
+}
+
 impl<T: Real> Frame<T> {
     /// A frame at rest with the given distances first-second, first-third and second-third;
     /// `None` where they break the triangle inequality.

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::quantity;
 use suspension_listing::name::{Name, Named};
-use suspension_listing::system::{Body, System, pair_name};
+use suspension_listing::system::System;
 
 /// A field of a generated struct.
 pub(super) struct Field {
@@ -78,42 +78,14 @@ pub(super) fn measure_fields(system: &System) -> Vec<Field> {
         .collect()
 }
 
-fn between(a: &Name, b: &Name) -> String {
-    format!(" From `{a}` to `{b}`.")
-}
-
-/// The lengths of links, of bodies of two points, and of larger bodies: the frame's own, then
-/// from each carried point to the frame.
 pub(super) fn length_fields(system: &System) -> Vec<Field> {
-    let mut fields = Vec::new();
-    for equation in &system.equations {
-        let name = &equation.named.name;
-        let mut bodies = system.bodies.iter();
-        if let Some([from, to]) = equation.form.equations().keeps()
-            && !bodies.any(|body| frame_lengths(body).any(|of_frame| of_frame == *name))
-        {
-            let between = between(&from.name, &to.name);
-            fields.push(Field::new(&equation.named, between));
-        }
-    }
-    for body in &system.bodies {
-        for [a, b] in body
-            .frame_pairs()
-            .into_iter()
-            .filter(|[a, b]| a.is_free() || b.is_free())
-        {
-            let name = pair_name(&body.name, &a.name, &b.name);
-            fields.push(Field::undocumented(name, between(&a.name, &b.name)));
-        }
-        for point in &body.carried {
-            for of_frame in &body.frame {
-                let name = pair_name(&body.name, &point.name, &of_frame.name);
-                let between = between(&point.name, &of_frame.name);
-                fields.push(Field::undocumented(name, between));
-            }
-        }
-    }
-    fields
+    let lengths = system.lengths().into_iter();
+    lengths
+        .map(|length| {
+            let [a, b] = &length.between;
+            Field::new(&length.named, format!(" From `{a}` to `{b}`."))
+        })
+        .collect()
 }
 
 /// The index of a point among all.
@@ -123,16 +95,10 @@ pub(super) fn point_index(system: &System, name: &Name) -> Literal {
 
 /// The index of a length.
 pub(super) fn length_index(system: &System, name: &Name) -> Literal {
-    index(length_fields(system).iter().map(|field| &field.name), name)
+    index(system.lengths().iter().map(|length| &length.named.name), name)
 }
 
 fn index<'a>(mut names: impl Iterator<Item = &'a Name>, name: &Name) -> Literal {
     let index = names.position(|other| other == name);
     Literal::usize_unsuffixed(index.unwrap_or_default())
-}
-
-fn frame_lengths(body: &Body) -> impl Iterator<Item = Name> {
-    body.frame_pairs()
-        .into_iter()
-        .map(|[a, b]| pair_name(&body.name, &a.name, &b.name))
 }

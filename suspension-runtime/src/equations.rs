@@ -1,0 +1,133 @@
+//! The equations and their derivatives, walked.
+
+use nalgebra::{ArrayStorage, SMatrix, SVector, Vector3};
+use suspension_core::Scalar;
+
+use crate::model::Model;
+use crate::site::Sites;
+use crate::size::{Few, Room, Size};
+use crate::table::Table;
+
+impl<T: Scalar, const N: usize> Model<'_, T, N>
+where
+    Room<N>: Size,
+{
+    pub(crate) fn residual_at(
+        &self,
+        q: &SVector<T, N>,
+        fixed: &Few<Vector3<T>, N>,
+        drives: &Few<T, N>,
+    ) -> SVector<T, N> {
+        let plan = self.plan();
+        let sites = Sites::new(q, fixed);
+        // Rows beyond those of the listing hold their unknown at zero.
+        let mut result = *q;
+        let [rows] = &mut result.data.0;
+        for (distance, constant) in plan.distances.iter().zip(&self.distances) {
+            if let Some(vector) = distance.vector(&sites) {
+                put(rows, distance.row, constant.residual(vector));
+            }
+        }
+        let mut constants = self.carried.as_slice().iter();
+        for body in &plan.bodies {
+            let Some(frame) = body.frame(&sites) else {
+                continue;
+            };
+            for (carried, constant) in body.carried.iter().zip(&mut constants) {
+                if let Some(point) = sites.get(carried.point) {
+                    put_three(rows, carried.row, constant.residual(point, &frame));
+                }
+            }
+        }
+        for linear in &plan.linear {
+            if let Some(off) = linear.residual(&sites, drives.get(linear.drive)) {
+                put(rows, linear.row, off);
+            }
+        }
+        result
+    }
+
+    pub(crate) fn jacobian_at(
+        &self,
+        q: &SVector<T, N>,
+        fixed: &Few<Vector3<T>, N>,
+    ) -> SMatrix<T, N, N> {
+        let plan = self.plan();
+        let sites = Sites::new(q, fixed);
+        let mut matrix = SMatrix::from_array_storage(ArrayStorage([[T::zero(); N]; N]));
+        for (distance, constant) in plan.distances.iter().zip(&self.distances) {
+            distance.write_dense(constant, &sites, &mut matrix);
+        }
+        let mut constants = self.carried.as_slice().iter();
+        for body in &plan.bodies {
+            let Some(frame) = body.frame(&sites) else {
+                continue;
+            };
+            for (carried, constant) in body.carried.iter().zip(&mut constants) {
+                carried.write_dense(constant, body.frame, &frame, &mut matrix);
+            }
+        }
+        for linear in &plan.linear {
+            linear.write_dense(&mut matrix);
+        }
+        for beyond in usize::from(plan.unknowns)..N {
+            if let Some(entry) = matrix.get_mut((beyond, beyond)) {
+                *entry = T::one();
+            }
+        }
+        matrix
+    }
+
+    pub(crate) fn curvature_of(
+        &self,
+        v: &SVector<T, N>,
+        v_fixed: &Few<Vector3<T>, N>,
+        w: &SVector<T, N>,
+        w_fixed: &Few<Vector3<T>, N>,
+    ) -> SVector<T, N> {
+        let plan = self.plan();
+        let (v, w) = (Sites::new(v, v_fixed), Sites::new(w, w_fixed));
+        let mut result = zeros();
+        let [rows] = &mut result.data.0;
+        for (distance, constant) in plan.distances.iter().zip(&self.distances) {
+            if let (Some(v), Some(w)) = (distance.vector(&v), distance.vector(&w)) {
+                put(rows, distance.row, constant.curvature(v, w));
+            }
+        }
+        let mut constants = self.carried.as_slice().iter();
+        for body in &plan.bodies {
+            let (Some(v), Some(w)) = (body.frame(&v), body.frame(&w)) else {
+                continue;
+            };
+            for (carried, constant) in body.carried.iter().zip(&mut constants) {
+                put_three(rows, carried.row, constant.curvature(&v, &w));
+            }
+        }
+        result
+    }
+}
+
+/// Rows that nothing contributes to: zeros that an addition leaves no trace of, their sign included.
+#[inline(always)]
+pub(crate) fn zeros<T: Scalar, const N: usize>() -> SVector<T, N> {
+    SVector::from_array_storage(ArrayStorage([[-T::zero(); N]]))
+}
+
+#[inline(always)]
+pub(crate) fn put<T, const N: usize>(rows: &mut [T; N], row: u16, value: T) {
+    if let Some(place) = rows.get_mut(usize::from(row)) {
+        *place = value;
+    }
+}
+
+#[inline(always)]
+pub(crate) fn put_three<T: Scalar, const N: usize>(
+    rows: &mut [T; N],
+    first: u16,
+    value: Vector3<T>,
+) {
+    let first = usize::from(first);
+    if let Some([x, y, z]) = rows.get_mut(first..first + 3) {
+        (*x, *y, *z) = (value.x, value.y, value.z);
+    }
+}

@@ -1,0 +1,114 @@
+//! The factored Jacobian, walked: the arithmetic of what `linkage!` writes, in the same order.
+
+mod elimination;
+mod solution;
+
+use nalgebra::{SVector, Vector3};
+use suspension_core::Scalar;
+use suspension_core::constraint::Carried;
+
+use crate::model::Model;
+use crate::plan::{Plan, ZERO};
+use crate::site::Sites;
+use crate::size::{Few, Room, Size};
+use crate::table::Table;
+
+/// The Jacobian eliminated in the order of the listing, `L D U`.
+#[derive(Clone, Copy, Debug)]
+pub struct Factors<'l, T: Scalar, const N: usize>
+where
+    Room<N>: Size,
+{
+    plan: &'l Plan,
+    /// Multipliers left of each pivot; the pivot's inverse and what is right of it, divided by it; the edges of
+    /// frames.
+    numbers: <Room<N> as Size>::Numbers<T>,
+    carried: Few<Carried<T>, N>,
+    growth_squared: T,
+    determinant_sign: T,
+}
+
+impl<'l, T: Scalar, const N: usize> Model<'l, T, N>
+where
+    Room<N>: Size,
+{
+    #[inline(always)]
+    pub(crate) fn factored(
+        &self,
+        q: &SVector<T, N>,
+        fixed: &Few<Vector3<T>, N>,
+    ) -> Factors<'l, T, N> {
+        let mut factors = Factors {
+            plan: self.plan(),
+            numbers: Default::default(),
+            carried: self.carried,
+            growth_squared: T::zero(),
+            determinant_sign: T::zero(),
+        };
+        factors.assemble(self, q, fixed);
+        factors.reduce(q, fixed);
+        factors.eliminate();
+        factors
+    }
+}
+
+impl<T: Scalar, const N: usize> Factors<'_, T, N>
+where
+    Room<N>: Size,
+{
+    /// Writes the entries of the Jacobian that are not always zero.
+    #[inline(always)]
+    fn assemble(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
+        let (plan, numbers) = (self.plan, &mut self.numbers);
+        let sites = Sites::new(q, fixed);
+        // What fills in starts at a zero that a subtraction leaves no trace of, its sign included.
+        for &number in &plan.elimination.filled {
+            *numbers.place(number) = -T::zero();
+        }
+        for (distance, constant) in plan.distances.iter().zip(&model.distances) {
+            distance.write(constant, &sites, numbers);
+        }
+        let mut constants = model.carried.as_slice().iter();
+        for body in &plan.bodies {
+            let Some(frame) = body.frame(&sites) else {
+                continue;
+            };
+            for (carried, constant) in body.carried.iter().zip(&mut constants) {
+                carried.write(constant, &frame, numbers);
+            }
+        }
+        for linear in &plan.linear {
+            linear.write(numbers);
+        }
+        *numbers.place(ZERO) = T::zero();
+    }
+
+    /// Rows that depend on carried points depend on their frames instead.
+    #[inline(always)]
+    fn reduce(&mut self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
+        let (plan, numbers) = (self.plan, &mut self.numbers);
+        let sites = Sites::new(q, fixed);
+        for carrier in &plan.elimination.carriers {
+            let body = plan.bodies.get(usize::from(carrier.body));
+            let Some(frame) = body.and_then(|body| body.frame(&sites)) else {
+                continue;
+            };
+            let edges = frame.u.iter().chain(&frame.v);
+            for (number, edge) in (carrier.edges..).zip(edges) {
+                *numbers.place(number) = *edge;
+            }
+            for point in &carrier.points {
+                let constant = self.carried.get(point.constant);
+                for reduction in &point.reductions {
+                    let [x, y, z] = reduction.gradient.map(|number| numbers.get(number));
+                    let by_frame = constant.by_frame(Vector3::new(x, y, z), &frame);
+                    let values = by_frame.iter().flat_map(|by_point| by_point.iter());
+                    for (&number, value) in reduction.sums.iter().zip(values) {
+                        let sum = numbers.get(number) + *value;
+                        *numbers.place(number) = sum;
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! A listing with room for a model of it.
+
+use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts};
+
+use crate::listing::Listing;
+use crate::plan::Plan;
+use crate::size::{Room, Size};
+
+/// A listing that fits into models of `N` unknowns: the family of its models over any number.
+#[derive(Clone, Copy, Debug)]
+pub struct Fitted<'l, const N: usize>(&'l Listing);
+
+impl<'l, const N: usize> Fitted<'l, N>
+where
+    Room<N>: Size,
+{
+    /// `None` where the listing is too large.
+    pub(crate) fn new(listing: &'l Listing) -> Option<Self> {
+        let fits = listing.plan().exceeded::<N>().is_none();
+        fits.then_some(Self(listing))
+    }
+}
+
+impl<'l, const N: usize> Fitted<'l, N> {
+    /// The listing.
+    pub fn listing(&self) -> &'l Listing {
+        self.0
+    }
+
+    #[inline(always)]
+    pub(crate) fn plan(&self) -> &'l Plan {
+        self.0.plan()
+    }
+}
+
+impl<const N: usize> Parts for Fitted<'_, N> {
+    fn name(&self, part: Part) -> &str {
+        self.0.name(part)
+    }
+
+    #[inline(always)]
+    fn count(&self, kind: Kind) -> usize {
+        self.0.count(kind)
+    }
+
+    fn drive_kind(&self, drive: usize) -> DriveKind {
+        self.0.drive_kind(drive)
+    }
+
+    fn measure_kind(&self, measure: usize) -> MeasureKind {
+        self.0.measure_kind(measure)
+    }
+}
+
+/// Work on the models of a listing, whatever their size.
+pub trait Work {
+    /// What comes of it.
+    type Answer;
+
+    /// Does the work with the smallest models that have room for the listing.
+    fn on<const N: usize>(self, listing: Fitted<'_, N>) -> Self::Answer
+    where
+        Room<N>: Size;
+}
+
+impl Listing {
+    /// The listing as one that fits into models of `N` unknowns; `None` where it is too large.
+    pub fn fitted<const N: usize>(&self) -> Option<Fitted<'_, N>>
+    where
+        Room<N>: Size,
+    {
+        Fitted::new(self)
+    }
+
+    /// Does some work with the smallest models that have room for the listing.
+    pub fn in_its_size<W: Work>(&self, work: W) -> W::Answer {
+        if let Some(listing) = self.fitted::<15>() {
+            work.on(listing)
+        } else if let Some(listing) = self.fitted::<30>() {
+            work.on(listing)
+        } else {
+            // Larger ones are refused when they are read.
+            work.on(Fitted::<60>(self))
+        }
+    }
+}

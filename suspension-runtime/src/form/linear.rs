@@ -1,0 +1,114 @@
+//! `Linear`: a prescribed sum of coordinates.
+
+use nalgebra::{SMatrix, Vector3};
+use suspension_core::Scalar;
+use suspension_listing::form;
+
+use crate::plan::index;
+use crate::site::{Site, Sites};
+use crate::table::Table;
+
+/// A sum of coordinates that a drive prescribes: one row.
+#[derive(Clone, Debug)]
+pub(crate) struct Linear {
+    pub(crate) row: u16,
+    pub(crate) drive: u16,
+    terms: Vec<Term>,
+    /// Where the factors hold the derivative by each term's coordinate.
+    entries: Vec<u16>,
+}
+
+/// A coordinate of a site, times a factor.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Term {
+    factor: f64,
+    pub(crate) site: Site,
+    axis: usize,
+}
+
+impl From<&form::Term> for Term {
+    fn from(term: &form::Term) -> Self {
+        Self {
+            factor: term.factor,
+            site: Site::from(&term.site),
+            axis: term.axis,
+        }
+    }
+}
+
+impl Term {
+    /// With the opposite sign.
+    pub(crate) fn less(self) -> Self {
+        Self {
+            factor: -self.factor,
+            ..self
+        }
+    }
+
+    pub(crate) fn is_positive(&self) -> bool {
+        self.factor > 0.0
+    }
+
+    /// The coordinate of a vector, times the factor.
+    #[inline(always)]
+    pub(crate) fn value<T: Scalar>(&self, vector: &Vector3<T>) -> T {
+        let coordinate = match self.axis {
+            0 => vector.x,
+            1 => vector.y,
+            _ => vector.z,
+        };
+        T::constant(self.factor) * coordinate
+    }
+}
+
+impl Linear {
+    pub(crate) fn new(
+        form: &form::Linear,
+        row: usize,
+        drive: u16,
+        entry: impl Fn(usize, Option<usize>) -> u16,
+    ) -> Self {
+        let terms: Vec<Term> = form.terms.iter().map(Term::from).collect();
+        let columns = terms.iter().map(|term| term.site.column(term.axis));
+        Self {
+            row: index(row),
+            drive,
+            entries: columns.map(|column| entry(row, column)).collect(),
+            terms,
+        }
+    }
+
+    /// How far the sum is from the drive's value.
+    #[inline(always)]
+    pub(crate) fn residual<T: Scalar>(
+        &self,
+        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
+        drive: T,
+    ) -> Option<T> {
+        let mut sum = None;
+        for term in &self.terms {
+            let value = term.value(&sites.get(term.site)?);
+            sum = Some(sum.map_or(value, |sum| sum + value));
+        }
+        Some(sum? - drive)
+    }
+
+    /// Writes the derivatives into the factors.
+    #[inline(always)]
+    pub(crate) fn write<T: Scalar>(&self, numbers: &mut impl Table<T>) {
+        for (entry, term) in self.entries.iter().zip(&self.terms) {
+            *numbers.place(*entry) = T::constant(term.factor);
+        }
+    }
+
+    /// Writes the derivatives into a dense matrix.
+    pub(crate) fn write_dense<T: Scalar, const N: usize>(&self, matrix: &mut SMatrix<T, N, N>) {
+        for term in &self.terms {
+            let column = term.site.column(term.axis);
+            let place = column.map(|column| (usize::from(self.row), column));
+            if let Some(entry) = place.and_then(|place| matrix.get_mut(place)) {
+                *entry = T::constant(term.factor);
+            }
+        }
+    }
+}

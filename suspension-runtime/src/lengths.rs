@@ -1,0 +1,125 @@
+//! Constant lengths: into the model, and out of it.
+
+use nalgebra::Vector3;
+use suspension_core::constraint::{Carried, Distance, Frame};
+use suspension_core::handedness::Linked;
+use suspension_core::{GeometryError, Real, Values, parts};
+
+use crate::build::fill;
+use crate::model::Model;
+use crate::plan::Length;
+use crate::site::Site;
+use crate::size::{Few, Lengths, Room, Size};
+use crate::table::Table;
+
+impl<T: Real, const N: usize> Model<'_, T, N>
+where
+    Room<N>: Size,
+{
+    pub(crate) fn lengths_now(&self) -> Lengths<T, N> {
+        let of = |lengths: [T; 3], index| lengths.get(usize::from(index)).copied();
+        let value = |length: &Length| match *length {
+            Length::Distance(distance) => {
+                let distance = self.distances.get(usize::from(distance));
+                distance.map(Distance::length)
+            }
+            Length::Edge { body, edge } => of(self.frames.get(body).lengths(), edge),
+            Length::Reach {
+                body,
+                carried,
+                corner,
+            } => {
+                let frame = self.frames.get(body);
+                of(self.carried.get(carried).lengths(&frame), corner)
+            }
+        };
+        let values = self.plan().lengths.iter().map(value);
+        Lengths::<T, N>::from_values(values.map(Option::unwrap_or_default))
+    }
+
+    pub(crate) fn relengthened(self, lengths: &Lengths<T, N>) -> Result<Self, GeometryError> {
+        let plan = self.plan();
+        parts::positive(lengths.values().take(plan.lengths.len()))?;
+        let bodies = plan.bodies.iter().map(|body| (body.frame, body.edges));
+        let clusters = plan.clusters.iter();
+        let clusters = clusters.map(|cluster| (cluster.frame, cluster.edges));
+        let frames = fill(bodies.map(|(frame, edges)| self.frame_with(lengths, frame, edges)))?;
+        let cluster_frames =
+            fill(clusters.map(|(frame, edges)| self.frame_with(lengths, frame, edges)))?;
+        let mut distances = self.distances;
+        for (place, distance) in distances.iter_mut().zip(&plan.distances) {
+            *place = Distance::new(lengths.get(distance.length));
+        }
+        let model = Self {
+            distances,
+            carried: self.carried_with(lengths, &frames)?,
+            linked: self.linked_with(lengths, &cluster_frames)?,
+            frames,
+            cluster_frames,
+            ..self
+        };
+        Ok(model.sized())
+    }
+
+    /// A frame at rest whose edges have lengths as they are given.
+    fn frame_with(
+        &self,
+        lengths: &Lengths<T, N>,
+        [a, b, c]: [Site; 3],
+        [first, second, third]: [Option<u16>; 3],
+    ) -> Result<Frame<T>, GeometryError> {
+        let edges = [(first, [a, b]), (second, [a, c]), (third, [b, c])];
+        let edges = edges.map(|(length, ends)| self.given(lengths, length, ends));
+        parts::frame_of_lengths(self.point(c).into(), edges)
+    }
+
+    fn carried_with(
+        &self,
+        lengths: &Lengths<T, N>,
+        frames: &Few<Frame<T>, N>,
+    ) -> Result<Few<Carried<T>, N>, GeometryError> {
+        let bodies = self.plan().bodies.iter().zip(frames.as_slice());
+        let points = bodies.flat_map(|(body, frame)| {
+            let carried = body.carried.iter();
+            carried.map(move |carried| (carried, frame))
+        });
+        let points = points.zip(self.carried.as_slice());
+        fill(points.map(|((carried, frame), now)| {
+            let reaches = carried.reaches.map(|length| lengths.get(length));
+            parts::carried_at(self.point(carried.point).into(), now, frame, reaches)
+        }))
+    }
+
+    fn linked_with(
+        &self,
+        lengths: &Lengths<T, N>,
+        frames: &Few<Frame<T>, N>,
+    ) -> Result<Few<Linked<T>, N>, GeometryError> {
+        let clusters = self.plan().clusters.iter().zip(frames.as_slice());
+        let points = clusters.flat_map(|(cluster, frame)| {
+            let points = cluster.points.iter();
+            points.map(move |point| (point, cluster.frame, frame))
+        });
+        let points = points.zip(self.linked.as_slice());
+        fill(points.map(|((point, corners, frame), now)| {
+            let [a, b, c] = corners;
+            let [first, second, third] = point.reaches;
+            let reaches = [(first, a), (second, b), (third, c)];
+            let reaches = reaches
+                .map(|(length, corner)| self.given(lengths, length, [point.site, corner]));
+            parts::linked_at(point.point.into(), now, frame, reaches)
+        }))
+    }
+
+    /// The length between two points as it is given, or where both are on the chassis, as it stands.
+    fn given(&self, lengths: &Lengths<T, N>, length: Option<u16>, [a, b]: [Site; 2]) -> T {
+        let at_rest = |site| match site {
+            Site::Chassis(point) => self.fixed.get(point),
+            Site::Free(_) => Vector3::zeros(),
+        };
+        match length {
+            Some(length) => lengths.get(length),
+            None => (at_rest(b) - at_rest(a)).norm(),
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! What the solvers ask of a model.
+
+use nalgebra::{SMatrix, SVector, Vector3};
+use suspension_core::constraint::Frame;
+use suspension_core::{Build, GeometryError, Linkage, Real, Scalar, Signal};
+
+use crate::factors::Factors;
+use crate::fitted::Fitted;
+use crate::model::Model;
+use crate::site::Sites;
+use crate::size::{Few, Lengths, Points, Room, Size};
+use crate::table::Table;
+
+impl<'l, const N: usize> suspension_core::Listing<N> for Fitted<'l, N>
+where
+    Room<N>: Size,
+{
+    type Model<T: Scalar> = Model<'l, T, N>;
+    type Fixed<T: Scalar> = Few<Vector3<T>, N>;
+    type Drives<T: Scalar> = Few<T, N>;
+    type Measures<T: Scalar> = Few<T, N>;
+    type Points<T: Scalar> = Points<Vector3<T>, N>;
+
+    fn gather<S: Scalar, T: Scalar, const K: usize>(
+        models: [&Model<'l, S, N>; K],
+        gather: impl Fn([S; K]) -> T,
+    ) -> Model<'l, T, N> {
+        Model::gather(models, gather)
+    }
+}
+
+impl<'l, T: Scalar, const N: usize> Linkage<N> for Model<'l, T, N>
+where
+    Room<N>: Size,
+{
+    type Scalar = T;
+    type Listing = Fitted<'l, N>;
+    type Fixed = Few<Vector3<T>, N>;
+    type Drives = Few<T, N>;
+    type Measures = Few<T, N>;
+    type Points = Points<Vector3<T>, N>;
+    type Factors = Factors<'l, T, N>;
+
+    fn linked(&self) -> impl Iterator<Item = usize> {
+        let points = self.plan().clusters.iter().flat_map(|cluster| &cluster.points);
+        points.map(|point| point.point.into())
+    }
+
+    fn listing(&self) -> Fitted<'l, N> {
+        self.listing
+    }
+
+    fn fixed(&self) -> &Self::Fixed {
+        &self.fixed
+    }
+
+    fn size(&self) -> T {
+        self.size
+    }
+
+    fn coordinates(&self, drives: &Signal<Self::Drives>) -> Signal<Self::Drives> {
+        self.coordinates_of(drives)
+    }
+
+    fn drive_anchors(&self, fixed: Self::Fixed, drives: &Self::Drives) -> Self::Fixed {
+        self.with_drives(fixed, drives)
+    }
+
+    fn residual(
+        &self,
+        q: &SVector<T, N>,
+        fixed: &Self::Fixed,
+        drives: &Self::Drives,
+    ) -> SVector<T, N> {
+        self.residual_at(q, fixed, drives)
+    }
+
+    fn jacobian(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> SMatrix<T, N, N> {
+        self.jacobian_at(q, fixed)
+    }
+
+    #[inline(always)]
+    fn factor(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> Self::Factors {
+        self.factored(q, fixed)
+    }
+
+    fn curvature(
+        &self,
+        v: &SVector<T, N>,
+        v_fixed: &Self::Fixed,
+        w: &SVector<T, N>,
+        w_fixed: &Self::Fixed,
+    ) -> SVector<T, N> {
+        self.curvature_of(v, v_fixed, w, w_fixed)
+    }
+
+    fn drive_rate(
+        &self,
+        q: &SVector<T, N>,
+        fixed: &Self::Fixed,
+        fixed_rate: &Self::Fixed,
+        drive_rate: &Self::Drives,
+    ) -> SVector<T, N> {
+        let inputs = &self.plan().driven;
+        self.input_rates(inputs, q, fixed, fixed_rate, |drive| drive_rate.get(drive))
+    }
+
+    fn chassis_rate(
+        &self,
+        q: &SVector<T, N>,
+        fixed: &Self::Fixed,
+        fixed_rate: &Self::Fixed,
+    ) -> SVector<T, N> {
+        let inputs = &self.plan().undriven;
+        self.input_rates(inputs, q, fixed, fixed_rate, |_| T::zero())
+    }
+
+    fn points(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> Self::Points {
+        self.all_points(q, fixed, |marker, _, frame| marker.position(frame))
+    }
+
+    fn velocities(
+        &self,
+        at: &Self::Points,
+        velocity: &SVector<T, N>,
+        fixed_rate: &Self::Fixed,
+    ) -> Self::Points {
+        self.all_points(velocity, fixed_rate, |marker, carriers, rate| {
+            marker.velocity(&self.frame_of(carriers, at), rate)
+        })
+    }
+
+    fn accelerations(
+        &self,
+        at: &Self::Points,
+        velocities: &Self::Points,
+        acceleration: &SVector<T, N>,
+        fixed_second_rate: &Self::Fixed,
+    ) -> Self::Points {
+        self.all_points(acceleration, fixed_second_rate, |marker, carriers, second| {
+            let frame = self.frame_of(carriers, at);
+            marker.acceleration(&frame, &self.frame_of(carriers, velocities), second)
+        })
+    }
+
+    fn unknowns(&self, points: &Self::Points) -> SVector<T, N> {
+        self.unknowns_of(points)
+    }
+
+    fn measures(&self, points: &Signal<Self::Points>) -> Signal<Self::Measures>
+    where
+        T: Real,
+    {
+        self.measured(points)
+    }
+
+    fn wheel_axis(&self, points: &Self::Points) -> Option<[Vector3<T>; 2]> {
+        self.role(self.plan().roles.wheel_axis, points)
+    }
+
+    fn wheel_carrier(&self, points: &Self::Points) -> Option<[Vector3<T>; 3]> {
+        self.role(self.plan().roles.wheel_carrier, points)
+    }
+
+    fn kingpin(&self, points: &Self::Points) -> Option<[Vector3<T>; 2]> {
+        self.role(self.plan().roles.kingpin, points)
+    }
+
+    fn mirrored(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> impl Iterator<Item = T> {
+        let points = self.plan().clusters.iter().flat_map(|cluster| {
+            let points = cluster.points.iter();
+            points.map(|point| (cluster.frame, point.site))
+        });
+        let linked = points.zip(self.linked.as_slice());
+        linked.filter_map(move |((frame, site), linked)| {
+            let sites = Sites::new(q, fixed);
+            let [a, b, c] = sites.get_each(frame)?;
+            Some(linked.mirrored(sites.get(site)?, &Frame::new(a, b, c)))
+        })
+    }
+}
+
+impl<'l, T: Real, const N: usize> Build<N> for Model<'l, T, N>
+where
+    Room<N>: Size,
+{
+    type Lengths = Lengths<T, N>;
+
+    fn of(listing: Fitted<'l, N>, design: &Self::Points) -> Result<Self, GeometryError> {
+        Self::from_points(listing, design)
+    }
+
+    fn with_lengths(self, lengths: &Self::Lengths) -> Result<Self, GeometryError> {
+        self.relengthened(lengths)
+    }
+
+    fn with_markers(self, points: &Self::Points) -> Result<Self, GeometryError> {
+        self.marked(points)
+    }
+
+    fn lengths(&self) -> Self::Lengths {
+        self.lengths_now()
+    }
+
+    fn drives_at(&self, points: &Self::Points) -> Self::Drives {
+        self.drives_in(points)
+    }
+
+    fn fit(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> SVector<T, N> {
+        self.fitted(q, fixed)
+    }
+}

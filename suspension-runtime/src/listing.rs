@@ -1,0 +1,222 @@
+//! A listing read from text.
+
+use core::fmt;
+
+use nalgebra::Vector3;
+use suspension_core::{DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
+use suspension_listing::system::{Positions, System};
+use suspension_listing::text::{self, Mistake, Mistakes};
+
+use crate::model::Model;
+use crate::names::Names;
+use crate::plan::Plan;
+use crate::size::{Points, Room, Size};
+
+/// A listing: parsed, checked, and ready to be made into models.
+#[derive(Clone, Debug)]
+pub struct Listing {
+    system: System,
+    names: Names,
+    plan: Plan,
+}
+
+/// Why there is no model of a listing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModelError {
+    /// Models of this size have no room for the listing: it has `count` of something, of which there may be
+    /// `most`.
+    TooSmall {
+        /// How many the listing has.
+        count: usize,
+        /// How many there is room for.
+        most: usize,
+        /// Of what.
+        what: &'static str,
+    },
+    /// The hardpoints make no linkage.
+    Geometry(GeometryError),
+}
+
+impl Listing {
+    /// Reads a listing: its statements, as they stand inside the braces of `linkage!`.
+    ///
+    /// The order of elimination is chosen as `linkage!` chooses it: by the positions `at` which the listing
+    /// states its points, otherwise by structure alone; see [`ordered_at`](Self::ordered_at).
+    ///
+    /// # Errors
+    ///
+    /// All mistakes, those of size included: see [`Size`] for what models of 60 unknowns have room for.
+    pub fn parse(text: &str) -> Result<Self, Mistakes> {
+        Self::parse_file(text, "listing")
+    }
+
+    /// The same of a text from a file, which is named in the mistakes.
+    ///
+    /// # Errors
+    ///
+    /// As [`parse`](Self::parse).
+    pub fn parse_file(text: &str, file: &str) -> Result<Self, Mistakes> {
+        let system = text::parse(text, file)?;
+        let order = suspension_listing::order(&system);
+        let listing = Self {
+            names: Names::new(&system),
+            plan: Plan::new(&system, &order),
+            system,
+        };
+        let Some(exceeded) = listing.plan.exceeded::<60>() else {
+            return Ok(listing);
+        };
+        let (count, most, what) = (exceeded.count, exceeded.most, exceeded.what);
+        let mistake = Mistake {
+            message: format!(
+                "{count} {what}; at most {most} are allowed in a listing read at run time"
+            ),
+            line: 1,
+            column: 1,
+            length: 0,
+        };
+        Err(Mistakes {
+            file: file.to_owned(),
+            mistakes: vec![mistake],
+        })
+    }
+
+    /// The listing with the order of elimination chosen by the positions around these hardpoints, one for each
+    /// point; of a listing that states its design itself, unchanged.
+    #[must_use]
+    pub fn ordered_at(self, hardpoints: &[Vector3<f64>]) -> Self {
+        let (fixed, free) = (self.system.fixed.len(), self.system.free.len());
+        let places: Vec<[f64; 3]> = hardpoints.iter().map(|point| (*point).into()).collect();
+        let (Some(fixed), Some(free)) = (places.get(..fixed), places.get(fixed..fixed + free))
+        else {
+            return self;
+        };
+        if self.system.design().is_some() {
+            return self;
+        }
+        let design = Positions {
+            fixed: fixed.to_vec(),
+            free: free.to_vec(),
+        };
+        let order = suspension_listing::order_at(&self.system, design);
+        let plan = Plan::new(&self.system, &order);
+        if plan.exceeded::<60>().is_some() {
+            return self;
+        }
+        Self { plan, ..self }
+    }
+
+    pub(crate) fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// The number of unknowns.
+    pub fn size(&self) -> usize {
+        self.system.size()
+    }
+
+    /// The design position, where the listing states that of every point.
+    pub fn design(&self) -> Option<Vec<Vector3<f64>>> {
+        let points = self.system.fixed.iter().chain(&self.system.free);
+        let markers = self.system.markers.iter().map(|marker| marker.at);
+        let stated = points.map(|point| point.at).chain(markers);
+        stated.map(|at| at.map(Vector3::from)).collect()
+    }
+
+    /// The design positions that the listing states, of chassis points, free points and markers in order.
+    pub fn stated(&self) -> impl Iterator<Item = (usize, Vector3<f64>)> {
+        let points = self.system.fixed.iter().chain(&self.system.free);
+        let markers = self.system.markers.iter().map(|marker| marker.at);
+        let stated = points.map(|point| point.at).chain(markers).enumerate();
+        stated.filter_map(|(place, at)| Some((place, Vector3::from(at?))))
+    }
+
+    /// A model with these hardpoints: chassis points, free points and markers in the order of the listing.
+    ///
+    /// # Errors
+    ///
+    /// [`ModelError`].
+    pub fn model<const N: usize>(
+        &self,
+        hardpoints: &[Vector3<f64>],
+    ) -> Result<Model<'_, f64, N>, ModelError>
+    where
+        Room<N>: Size,
+    {
+        let Some(listing) = self.fitted() else {
+            let exceeded = self.plan.exceeded::<N>();
+            let (count, most, what) = exceeded.map_or((self.size(), N, "unknowns"), |exceeded| {
+                (exceeded.count, exceeded.most, exceeded.what)
+            });
+            return Err(ModelError::TooSmall { count, most, what });
+        };
+        let points = Points::<Vector3<f64>, N>::from_values(hardpoints.iter().copied());
+        Model::from_points(listing, &points).map_err(ModelError::Geometry)
+    }
+
+    /// The place of a point among all: chassis points, free points, markers.
+    pub fn point(&self, name: &str) -> Option<usize> {
+        place(self.names.points(), name)
+    }
+
+    /// The place of a drive.
+    pub fn drive(&self, name: &str) -> Option<usize> {
+        place(self.names.drives(), name)
+    }
+
+    /// The place of a measure.
+    pub fn measure(&self, name: &str) -> Option<usize> {
+        place(self.names.measures(), name)
+    }
+
+    /// The place of a length.
+    pub fn length(&self, name: &str) -> Option<usize> {
+        place(self.names.lengths(), name)
+    }
+}
+
+fn place(names: &[String], name: &str) -> Option<usize> {
+    names.iter().position(|other| other == name)
+}
+
+impl Parts for Listing {
+    fn name(&self, part: Part) -> &str {
+        self.names.of(part)
+    }
+
+    fn count(&self, kind: Kind) -> usize {
+        match kind {
+            Kind::Unknown => self.system.size(),
+            Kind::ChassisPoint => self.system.fixed.len(),
+            Kind::FreePoint => self.system.free.len(),
+            Kind::Marker => self.system.markers.len(),
+            Kind::Drive => self.plan.drives.len(),
+            Kind::Measure => self.plan.measures.len(),
+            Kind::Length => self.plan.lengths.len(),
+        }
+    }
+
+    fn drive_kind(&self, drive: usize) -> DriveKind {
+        let drive = self.plan.drives.get(drive);
+        drive.map_or(DriveKind::Coordinate, |drive| drive.quantity.drive_kind())
+    }
+
+    fn measure_kind(&self, measure: usize) -> MeasureKind {
+        let quantity = self.plan.measures.get(measure);
+        quantity.map_or(MeasureKind::Length, |quantity| quantity.measure_kind())
+    }
+}
+
+impl fmt::Display for ModelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooSmall { count, most, what } => write!(
+                f,
+                "the listing has {count} {what}, and a model of this size has room for {most}; take a larger size"
+            ),
+            Self::Geometry(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for ModelError {}

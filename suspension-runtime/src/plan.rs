@@ -1,0 +1,134 @@
+//! What the solver walks: a listing as indices. It is made once of a listing; nothing of it is a number of a
+//! geometry.
+
+mod clusters;
+mod elimination;
+mod lengths;
+mod readout;
+mod room;
+mod substitution;
+
+use suspension_listing::eliminate::Order;
+use suspension_listing::form::Form;
+use suspension_listing::name::Name;
+use suspension_listing::system::{SiteMotion, System};
+
+use crate::form::{Body, Distance, InputRates, Linear};
+use crate::site::Site;
+
+pub(crate) use clusters::Cluster;
+pub(crate) use elimination::{Elimination, Step};
+pub(crate) use lengths::{Length, LengthNames};
+pub(crate) use readout::{Drive, Measure, Roles};
+pub(crate) use substitution::{Carrier, Term};
+
+/// The last place of any table: what is not needed goes there.
+pub(crate) const SPARE: u16 = u16::MAX;
+
+/// The last place but one: zero among the numbers of the factors.
+pub(crate) const ZERO: u16 = u16::MAX - 1;
+
+/// The indices of a listing.
+#[derive(Clone, Debug)]
+pub(crate) struct Plan {
+    pub(crate) unknowns: u16,
+    pub(crate) chassis: u16,
+    pub(crate) distances: Vec<Distance>,
+    /// All bodies of three points or more, each with the points that it carries.
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) linear: Vec<Linear>,
+    /// What drives contribute to rates, with the chassis points that they move.
+    pub(crate) driven: InputRates,
+    /// What the other chassis points contribute.
+    pub(crate) undriven: InputRates,
+    pub(crate) elimination: Elimination,
+    pub(crate) drives: Vec<Drive>,
+    pub(crate) measures: Vec<Measure>,
+    /// The sites that carry each marker.
+    pub(crate) markers: Vec<[Site; 3]>,
+    pub(crate) clusters: Vec<Cluster>,
+    pub(crate) lengths: Vec<Length>,
+    pub(crate) roles: Roles,
+}
+
+impl Plan {
+    pub(crate) fn new(system: &System, order: &Order) -> Self {
+        let elimination = Elimination::new(system, order);
+        let entry = |row, column: Option<usize>| elimination.entry(row, column);
+        let lengths = LengthNames::new(system);
+        let (mut distances, mut linear) = (Vec::new(), Vec::new());
+        let mut bodies: Vec<Body> = (system.bodies.iter())
+            .map(|body| Body::new(body, &lengths))
+            .collect();
+        let substituted: Vec<&Name> = (system.substituted().iter())
+            .map(|substituted| substituted.point)
+            .collect();
+        let mut row = 0;
+        for equation in &system.equations {
+            match &equation.form {
+                Form::Distance(form) => {
+                    let length = lengths.place(&equation.named.name);
+                    distances.push(Distance::new(form, row, length, entry));
+                }
+                Form::Linear(form) => {
+                    let drive = position(system.drives.iter().map(|d| &d.named.name), &form.drive);
+                    linear.push(Linear::new(form, row, drive, entry));
+                }
+                Form::Carried(form) => {
+                    let mut named = system.bodies.iter().zip(&mut bodies);
+                    if let Some((_, body)) = named.find(|(body, _)| body.name == form.body) {
+                        let is_stored = !substituted.contains(&&form.point.name);
+                        body.carry(form, row, &lengths, is_stored.then_some(entry));
+                    }
+                }
+            }
+            row += equation.form.equations().rows();
+        }
+        let rates = |motion| InputRates::new(system, motion);
+        Self {
+            unknowns: index(system.size()),
+            chassis: index(system.fixed.len()),
+            driven: rates(SiteMotion::DrivenAnchor),
+            undriven: rates(SiteMotion::Anchor),
+            drives: readout::drives(system),
+            measures: readout::measures(system),
+            markers: (system.markers.iter())
+                .map(|marker| marker.frame.each_ref().map(Site::from))
+                .collect(),
+            clusters: clusters::clusters(system, &lengths),
+            lengths: lengths.lengths(),
+            roles: Roles::new(system),
+            distances,
+            bodies,
+            linear,
+            elimination,
+        }
+    }
+
+    /// How many points bodies carry.
+    pub(crate) fn carried(&self) -> usize {
+        self.bodies.iter().map(|body| body.carried.len()).sum()
+    }
+}
+
+/// Where a name is among others. The front end has checked that it is there.
+fn position<'a>(mut names: impl Iterator<Item = &'a Name>, name: &Name) -> u16 {
+    names.position(|other| other == name).map_or(SPARE, index)
+}
+
+/// The place of a point: chassis points, free points, markers.
+fn point(system: &System, name: &Name) -> u16 {
+    position(system.points().into_iter(), name)
+}
+
+/// The place of the distance that an equation keeps.
+fn distance(system: &System, name: &Name) -> u16 {
+    let equations = system.equations.iter();
+    let kept = equations.filter(|equation| equation.form.equations().keeps().is_some());
+    position(kept.map(|equation| &equation.named.name), name)
+}
+
+/// An index as plans hold it. Listings are held to far fewer of everything.
+pub(crate) fn index(index: usize) -> u16 {
+    u16::try_from(index).unwrap_or(SPARE)
+}

@@ -1,0 +1,83 @@
+//! Where lengths are kept.
+
+use suspension_listing::name::Name;
+use suspension_listing::system::{self, System, distance_between, pair_name};
+
+use super::{distance, index, position};
+
+/// What keeps a length.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Length {
+    Distance(u16),
+    /// An edge of a body's frame: first-second, first-third, second-third.
+    Edge { body: u16, edge: u16 },
+    /// A carried point, of those of all bodies: to the first, second or third point of the frame of its body.
+    Reach { body: u16, carried: u16, corner: u16 },
+}
+
+/// The names of the lengths.
+pub(crate) struct LengthNames<'a> {
+    system: &'a System,
+    names: Vec<Name>,
+}
+
+impl<'a> LengthNames<'a> {
+    pub(super) fn new(system: &'a System) -> Self {
+        let lengths = system.lengths().into_iter();
+        let names = lengths.map(|length| length.named.name).collect();
+        Self { system, names }
+    }
+
+    /// The place of a length.
+    pub(crate) fn place(&self, name: &Name) -> u16 {
+        position(self.names.iter(), name)
+    }
+
+    /// That of the length between two points of a body; `None` where both are on the chassis.
+    pub(crate) fn of_body(&self, body: &Name, ends: [&system::Site; 2]) -> Option<u16> {
+        let [a, b] = ends;
+        let is_kept = a.is_free() || b.is_free();
+        is_kept.then(|| self.place(&pair_name(body, &a.name, &b.name)))
+    }
+
+    /// That of the length that an equation keeps between two points.
+    pub(super) fn between(&self, [a, b]: [&system::Site; 2]) -> Option<u16> {
+        let name = distance_between(&self.system.equations, &a.name, &b.name)?;
+        Some(self.place(name))
+    }
+
+    /// What keeps each.
+    pub(super) fn lengths(&self) -> Vec<Length> {
+        let bodies = (0..).zip(&self.system.bodies);
+        let edges = bodies.clone().flat_map(|(body, of)| {
+            let pairs = (0..).zip(of.frame_pairs());
+            pairs.map(move |(edge, [a, b])| {
+                let name = pair_name(&of.name, &a.name, &b.name);
+                (name, Length::Edge { body, edge })
+            })
+        });
+        let carried = bodies.flat_map(|(body, of)| of.carried.iter().map(move |point| (body, of, point)));
+        let reaches = carried.enumerate().flat_map(|(carried, (body, of, point))| {
+            let corners = (0..).zip(&of.frame);
+            corners.map(move |(corner, site)| {
+                let name = pair_name(&of.name, &point.name, &site.name);
+                let carried = index(carried);
+                (name, Length::Reach { body, carried, corner })
+            })
+        });
+        let of_bodies: Vec<(Name, Length)> = edges.chain(reaches).collect();
+        let kept_by = |name: &Name| {
+            let of_distance = Length::Distance(distance(self.system, name));
+            let keeps = |equation: &system::Equation| {
+                equation.named.name == *name && equation.form.equations().keeps().is_some()
+            };
+            if self.system.equations.iter().any(keeps) {
+                return of_distance;
+            }
+            let mut of_bodies = of_bodies.iter();
+            let of_body = of_bodies.find(|(of_body, _)| of_body == name);
+            of_body.map_or(of_distance, |(_, length)| *length)
+        };
+        self.names.iter().map(kept_by).collect()
+    }
+}

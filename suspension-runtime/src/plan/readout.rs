@@ -1,0 +1,99 @@
+//! How drives enter, and what is read off the points, as indices.
+
+use suspension_core::{DriveKind, MeasureKind};
+use suspension_listing::system::{self, Quantity, System};
+
+use super::{distance, index, point};
+
+/// How a drive enters.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Drive {
+    pub(crate) quantity: Measure,
+    /// The distance whose angle it is.
+    pub(crate) angle_of: Option<u16>,
+    /// The chassis point that it moves.
+    pub(crate) moves: Option<u16>,
+}
+
+/// What is read off the points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Measure {
+    /// A coordinate, or difference of two.
+    Coordinate {
+        axis: u16,
+        of: u16,
+        minus: Option<u16>,
+    },
+    /// The angle of a line from an axis.
+    Angle { axis: u16, line: [u16; 2] },
+    /// The distance of two points.
+    Length { line: [u16; 2] },
+}
+
+/// The points of wheel and kingpin, where the listing states them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Roles {
+    pub(crate) wheel_axis: Option<[u16; 2]>,
+    pub(crate) wheel_carrier: Option<[u16; 3]>,
+    pub(crate) kingpin: Option<[u16; 2]>,
+}
+
+impl Measure {
+    fn new(system: &System, quantity: &Quantity) -> Self {
+        let point = |name| point(system, name);
+        match quantity {
+            Quantity::Coordinate { axis, of, minus } => Self::Coordinate {
+                axis: index(*axis),
+                of: point(of),
+                minus: minus.as_ref().map(point),
+            },
+            Quantity::Angle { axis, line } => Self::Angle {
+                axis: index(*axis),
+                line: line.each_ref().map(point),
+            },
+            Quantity::Length { line } => Self::Length {
+                line: line.each_ref().map(point),
+            },
+        }
+    }
+
+    pub(crate) fn drive_kind(&self) -> DriveKind {
+        match self {
+            Self::Coordinate { .. } | Self::Length { .. } => DriveKind::Coordinate,
+            Self::Angle { .. } => DriveKind::Angle,
+        }
+    }
+
+    pub(crate) fn measure_kind(&self) -> MeasureKind {
+        match self {
+            Self::Coordinate { .. } | Self::Length { .. } => MeasureKind::Length,
+            Self::Angle { .. } => MeasureKind::Angle,
+        }
+    }
+}
+
+impl Roles {
+    pub(super) fn new(system: &System) -> Self {
+        let wheel = system.wheel.as_ref();
+        let point = |name| point(system, name);
+        Self {
+            wheel_axis: wheel.map(|wheel| wheel.axis.each_ref().map(point)),
+            wheel_carrier: wheel.map(|wheel| wheel.carrier.each_ref().map(point)),
+            kingpin: system.kingpin.as_ref().map(|axis| axis.each_ref().map(point)),
+        }
+    }
+}
+
+pub(super) fn drives(system: &System) -> Vec<Drive> {
+    let drive = |drive: &system::Drive| Drive {
+        quantity: Measure::new(system, &drive.quantity),
+        angle_of: drive.angle_of.as_ref().map(|name| distance(system, name)),
+        moves: drive.moves.as_ref().map(|site| index(site.index)),
+    };
+    system.drives.iter().map(drive).collect()
+}
+
+pub(super) fn measures(system: &System) -> Vec<Measure> {
+    let measures = system.measures.iter();
+    measures.map(|measure| Measure::new(system, &measure.quantity)).collect()
+}

@@ -1,0 +1,42 @@
+//! Whether a plan fits into the tables of a size.
+
+use super::Plan;
+use crate::size::{Few, Lengths, Room, Size};
+use crate::table::Table;
+
+/// The first of a listing's counts that exceeds a size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Exceeded {
+    pub(crate) count: usize,
+    pub(crate) most: usize,
+    pub(crate) what: &'static str,
+}
+
+impl Plan {
+    /// `None` where models of `N` unknowns have room for all that the listing has.
+    pub(crate) fn exceeded<const N: usize>(&self) -> Option<Exceeded>
+    where
+        Room<N>: Size,
+    {
+        let few = <Few<u16, N> as Table<u16>>::ROOM;
+        let lengths = <Lengths<u16, N> as Table<u16>>::ROOM;
+        // Two places are put to other use.
+        let numbers = <<Room<N> as Size>::Numbers<u16> as Table<u16>>::ROOM - 2;
+        let linked = self.clusters.iter().map(|cluster| cluster.points.len());
+        let counts = [
+            (self.unknowns.into(), N, "unknowns"),
+            (self.chassis.into(), few, "chassis points"),
+            (self.drives.len(), few, "drives"),
+            (self.measures.len(), few, "measures"),
+            (self.markers.len(), few, "markers"),
+            (self.bodies.len(), few, "bodies"),
+            (self.carried(), few, "points carried by bodies"),
+            (self.clusters.len(), few, "rigid parts that links alone make"),
+            (linked.sum(), few, "points that links alone hold rigidly"),
+            (self.lengths.len(), lengths, "lengths"),
+            (self.elimination.numbers(), numbers, "numbers in the factored Jacobian"),
+        ];
+        let exceeded = counts.into_iter().find(|(count, most, _)| count > most);
+        exceeded.map(|(count, most, what)| Exceeded { count, most, what })
+    }
+}

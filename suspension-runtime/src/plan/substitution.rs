@@ -1,0 +1,266 @@
+//! Solutions with the factors, as indices. A row stands in the place of the unknown that its step finds, so that a
+//! solution is made in place.
+
+use std::collections::BTreeSet;
+
+use suspension_listing::eliminate::{Order, Step};
+use suspension_listing::system::{Site, SiteMotion, Substituted, System};
+
+use super::{SPARE, ZERO, index, position};
+
+/// Rows of a triangular factor and their terms, one row after the other.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Rows {
+    /// The place of each row, and how many terms it has.
+    pub(crate) rows: Vec<[u16; 2]>,
+    /// The place that each term multiplies.
+    pub(crate) terms: Vec<u16>,
+}
+
+/// A multiple of one place that is taken from another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Term {
+    pub(crate) to: u16,
+    pub(crate) from: u16,
+    pub(crate) number: u16,
+}
+
+/// A solution of which not every row is as all others: terms, then pivots, then terms.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Solution {
+    pub(crate) before: Vec<Term>,
+    /// Places that are multiplied by a number.
+    pub(crate) scaled: Vec<[u16; 2]>,
+    /// Places whose rows are zero before the terms behind, and zero to the end.
+    pub(crate) from_nothing: Vec<u16>,
+    pub(crate) still: Vec<u16>,
+    pub(crate) behind: Vec<Term>,
+}
+
+/// A body with points that elimination takes out first.
+#[derive(Clone, Debug)]
+pub(crate) struct Carrier {
+    pub(crate) body: u16,
+    /// Where the factors keep the edges of its frame.
+    pub(crate) edges: u16,
+    /// The first unknowns of the frame's points; beyond all unknowns for a chassis point.
+    pub(crate) frame: [u16; 3],
+    pub(crate) points: Vec<CarriedPoint>,
+}
+
+/// A carried point that elimination takes out first.
+#[derive(Clone, Debug)]
+pub(crate) struct CarriedPoint {
+    /// The first of its unknowns.
+    pub(crate) column: u16,
+    /// Its place among all carried points.
+    pub(crate) constant: u16,
+    /// The rows that depend on it.
+    pub(crate) reductions: Vec<Reduction>,
+}
+
+/// A row that depends on a carried point, and on its frame instead.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reduction {
+    /// The derivatives by the point.
+    pub(crate) gradient: [u16; 3],
+    /// Those by the frame's points.
+    pub(crate) sums: [u16; 9],
+}
+
+impl Rows {
+    /// What the rows before it take of each row.
+    pub(super) fn forward(order: &Order) -> Self {
+        let mut rows = Self::default();
+        for step in stored_steps(order) {
+            let left = left(order, step).map(|from| from.column);
+            rows.push(step.column, left.collect());
+        }
+        rows.rows.retain(|[_, terms]| *terms > 0);
+        rows
+    }
+
+    /// What the unknowns found before take of each row.
+    pub(super) fn backward(order: &Order) -> Self {
+        let mut rows = Self::default();
+        for step in stored_steps(order).rev() {
+            rows.push(step.column, step.right.clone());
+        }
+        rows
+    }
+
+    fn push(&mut self, place: usize, terms: Vec<usize>) {
+        self.rows.push([place, terms.len()].map(index));
+        self.terms.extend(terms.into_iter().map(index));
+    }
+}
+
+impl Solution {
+    /// For a right-hand side that is zero but in the rows that drives change.
+    pub(super) fn of_drives(
+        system: &System,
+        order: &Order,
+        entry: impl Fn(usize, usize) -> u16,
+    ) -> Self {
+        let mut solution = Self::default();
+        let mut live = driven_rows(system);
+        let place = |row| column_of(order, row);
+        for step in &order.steps {
+            if live.contains(&step.row) {
+                for &row in &step.below {
+                    live.insert(row);
+                    let number = entry(row, step.column);
+                    solution.before.push(term(place(row), step.column, number));
+                }
+            }
+        }
+        let mut known = BTreeSet::new();
+        for step in order.steps.iter().rev() {
+            let is_live = live.contains(&step.row);
+            let right = step.right.iter().filter(|_| !step.carried);
+            let right: Vec<usize> = right.copied().filter(|column| known.contains(column)).collect();
+            let is_known = is_live || !right.is_empty() || step.carried;
+            if is_live && !step.carried {
+                let pivot = entry(step.row, step.column);
+                solution.scaled.push([index(step.column), pivot]);
+            } else if is_known && !is_live {
+                solution.from_nothing.push(index(step.column));
+            } else if !is_known {
+                solution.still.push(index(step.column));
+            }
+            if is_known {
+                known.insert(step.column);
+            }
+            for column in right {
+                let number = entry(step.row, column);
+                solution.behind.push(term(step.column, column, number));
+            }
+        }
+        solution
+    }
+
+    /// With the transpose.
+    pub(super) fn transposed(order: &Order, entry: impl Fn(usize, usize) -> u16) -> Self {
+        let mut solution = Self::default();
+        for step in stored_steps(order) {
+            for &right in &step.right {
+                let number = entry(step.row, right);
+                solution.before.push(term(right, step.column, number));
+            }
+            let pivot = entry(step.row, step.column);
+            solution.scaled.push([index(step.column), pivot]);
+        }
+        for step in order.steps.iter().rev() {
+            for &below in &step.below {
+                let (below, number) = (column_of(order, below), entry(below, step.column));
+                solution.behind.push(term(step.column, below, number));
+            }
+        }
+        solution
+    }
+}
+
+fn term(to: usize, from: usize, number: u16) -> Term {
+    Term {
+        to: index(to),
+        from: index(from),
+        number,
+    }
+}
+
+fn stored_steps(order: &Order) -> impl DoubleEndedIterator<Item = &Step> {
+    order.steps.iter().filter(|step| !step.carried)
+}
+
+/// The steps before one that reach its row.
+pub(super) fn left<'a>(order: &'a Order, step: &'a Step) -> impl Iterator<Item = &'a Step> {
+    let steps = order.steps.iter();
+    steps.filter(|from| from.below.contains(&step.row))
+}
+
+/// The unknown that the step of a row finds.
+fn column_of(order: &Order, row: usize) -> usize {
+    let mut steps = order.steps.iter();
+    steps.find(|step| step.row == row).map_or(usize::MAX, |step| step.column)
+}
+
+/// For each unknown, the row of the step that finds it.
+pub(super) fn row_of(order: &Order) -> Vec<u16> {
+    let steps = order.steps.iter();
+    let mut rows: Vec<[usize; 2]> = steps.map(|step| [step.column, step.row]).collect();
+    rows.sort_unstable();
+    rows.into_iter().map(|[_, row]| index(row)).collect()
+}
+
+/// The rows that drives change.
+fn driven_rows(system: &System) -> BTreeSet<usize> {
+    let is_driven = |site: &Site| site.motion == SiteMotion::DrivenAnchor;
+    let rows = system.equations.iter().flat_map(|equation| {
+        let form = equation.form.equations();
+        let driven = form.drive().is_some() || form.sites().into_iter().any(is_driven);
+        vec![driven; form.rows()]
+    });
+    let driven = rows.enumerate().filter(|(_, driven)| *driven);
+    driven.map(|(row, _)| row).collect()
+}
+
+/// The points that elimination takes out first, by body.
+pub(super) fn carriers(
+    system: &System,
+    order: &Order,
+    entry: impl Fn(usize, usize) -> u16,
+    first_edge: usize,
+) -> Vec<Carrier> {
+    let mut carriers: Vec<Carrier> = Vec::new();
+    for substituted in system.substituted() {
+        let body = position(system.bodies.iter().map(|body| &body.name), substituted.body);
+        let point = carried_point(system, order, &substituted, &entry);
+        match carriers.last_mut().filter(|last| last.body == body) {
+            Some(last) => last.points.push(point),
+            None => carriers.push(Carrier {
+                body,
+                edges: index(first_edge + 6 * carriers.len()),
+                frame: substituted.frame.map(|column| column.map_or(SPARE, index)),
+                points: vec![point],
+            }),
+        }
+    }
+    carriers
+}
+
+fn carried_point(
+    system: &System,
+    order: &Order,
+    point: &Substituted<'_>,
+    entry: impl Fn(usize, usize) -> u16,
+) -> CarriedPoint {
+    let carried = system.bodies.iter().flat_map(|body| {
+        let points = body.carried.iter();
+        points.map(move |point| (&body.name, &point.name))
+    });
+    let mut places = carried.enumerate();
+    let place = places.find(|(_, carried)| *carried == (point.body, point.point));
+    let reductions = point.rows(order).into_iter().map(|row| {
+        let gradient = [0, 1, 2].map(|axis| {
+            let mut steps = point.steps(order);
+            let step = steps.find(|step| step.column == point.column + axis);
+            match step.filter(|step| step.below.contains(&row)) {
+                Some(step) => entry(row, step.column),
+                None => ZERO,
+            }
+        });
+        let mut columns = point.frame.iter().flat_map(|first| {
+            [0, 1, 2].map(|axis| first.map(|first| first + axis))
+        });
+        let sums = [(); 9].map(|()| match columns.next().flatten() {
+            Some(column) => entry(row, column),
+            None => SPARE,
+        });
+        Reduction { gradient, sums }
+    });
+    CarriedPoint {
+        column: index(point.column),
+        constant: place.map_or(SPARE, |(place, _)| index(place)),
+        reductions: reductions.collect(),
+    }
+}

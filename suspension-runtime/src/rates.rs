@@ -1,0 +1,70 @@
+//! What the inputs' rates contribute to velocity and acceleration, walked: `-dF/du udot`.
+
+use nalgebra::{SVector, Vector3};
+use suspension_core::Scalar;
+use suspension_core::generated::dot;
+
+use crate::equations::{put, put_three, zeros};
+use crate::form::InputRates;
+use crate::model::Model;
+use crate::site::Sites;
+use crate::size::{Few, Room, Size};
+use crate::table::Table;
+
+impl<T: Scalar, const N: usize> Model<'_, T, N>
+where
+    Room<N>: Size,
+{
+    /// Of some inputs: `drive_rate` is that of a drive, for inputs that have drives.
+    #[inline(always)]
+    pub(crate) fn input_rates(
+        &self,
+        inputs: &InputRates,
+        q: &SVector<T, N>,
+        fixed: &Few<Vector3<T>, N>,
+        fixed_rate: &Few<Vector3<T>, N>,
+        drive_rate: impl Fn(u16) -> T,
+    ) -> SVector<T, N> {
+        let plan = self.plan();
+        let (sites, rates) = (Sites::new(q, fixed), Sites::new(q, fixed_rate));
+        let mut result = zeros();
+        let [rows] = &mut result.data.0;
+        for &index in &inputs.distances {
+            let index = usize::from(index);
+            let form = plan.distances.get(index).zip(self.distances.get(index));
+            if let Some((distance, constant)) = form
+                && let Some(vector) = distance.vector(&sites)
+                && let Some(rate) = rates.get(distance.from)
+            {
+                put(rows, distance.row, dot(constant.gradient(vector), rate));
+            }
+        }
+        for moved in &inputs.carried {
+            let Some(body) = plan.bodies.get(usize::from(moved.body)) else {
+                continue;
+            };
+            let carried = body.carried.get(usize::from(moved.point));
+            if let Some((carried, frame)) = carried.zip(body.frame(&sites)) {
+                let gradient = self.carried.get(moved.constant).gradient(&frame);
+                let blocks = [gradient.origin, gradient.second, gradient.third];
+                let sites = blocks.into_iter().zip(moved.moved);
+                let mut terms = sites.filter_map(|(block, site)| Some((block, rates.get(site?)?)));
+                let first = terms.next().map(|(block, rate)| -block * rate);
+                let less = |sum, (block, rate)| sum - block * rate;
+                if let Some(first) = first {
+                    put_three(rows, carried.row, terms.fold(first, less));
+                }
+            }
+        }
+        for linear in &inputs.linear {
+            let of_drive = linear.drive.map(&drive_rate);
+            let terms = linear.terms.iter();
+            let terms = terms.filter_map(|term| Some(term.value(&rates.get(term.site)?)));
+            let sum = of_drive.into_iter().chain(terms).reduce(|sum, term| sum + term);
+            if let Some(sum) = sum {
+                put(rows, linear.row, sum);
+            }
+        }
+        result
+    }
+}

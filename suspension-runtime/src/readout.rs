@@ -1,0 +1,151 @@
+//! All points and their rates from the unknowns, what the listing measures, and how drives enter.
+
+use nalgebra::{SVector, Vector3};
+use suspension_core::constraint::{Carried, Frame, angle_to_coordinate};
+use suspension_core::{Real, Scalar, Signal, measure};
+
+use crate::model::Model;
+use crate::plan::Measure;
+use crate::site::{Site, Sites};
+use crate::size::{Few, Points, Room, Size};
+use crate::table::Table;
+
+impl<T: Scalar, const N: usize> Model<'_, T, N>
+where
+    Room<N>: Size,
+{
+    /// Chassis points, free points, and what is made of the sites that carry each marker.
+    pub(crate) fn all_points(
+        &self,
+        q: &SVector<T, N>,
+        fixed: &Few<Vector3<T>, N>,
+        marker: impl Fn(&Carried<T>, [Site; 3], &Frame<T>) -> Vector3<T>,
+    ) -> Points<Vector3<T>, N> {
+        let plan = self.plan();
+        let sites = Sites::new(q, fixed);
+        let chassis = fixed.as_slice().iter().take(plan.chassis.into());
+        let free = (0..plan.unknowns).step_by(3);
+        let free = free.filter_map(|first| sites.get(Site::Free(first)));
+        let markers = plan.markers.iter().zip(self.markers.as_slice());
+        let markers = markers.filter_map(|(carriers, constant)| {
+            let [a, b, c] = sites.get_each(*carriers)?;
+            Some(marker(constant, *carriers, &Frame::new(a, b, c)))
+        });
+        let points = chassis.copied().chain(free).chain(markers);
+        suspension_core::Values::from_values(points)
+    }
+
+    /// The frame of three sites among all points.
+    pub(crate) fn frame_of(&self, sites: [Site; 3], points: &Points<Vector3<T>, N>) -> Frame<T> {
+        let [a, b, c] = sites.map(|site| points.get(self.point(site)));
+        Frame::new(a, b, c)
+    }
+
+    /// The place of a site among all points.
+    pub(crate) fn point(&self, site: Site) -> u16 {
+        match site {
+            Site::Free(first) => self.plan().chassis + first / 3,
+            Site::Chassis(point) => point,
+        }
+    }
+
+    pub(crate) fn unknowns_of(&self, points: &Points<Vector3<T>, N>) -> SVector<T, N> {
+        let plan = self.plan();
+        let free = (0..plan.unknowns / 3).map(|free| points.get(plan.chassis + free));
+        let mut q = SVector::from([T::zero(); N]);
+        let [places] = &mut q.data.0;
+        let (places, _) = places.as_chunks_mut();
+        for ([x, y, z], point) in places.iter_mut().zip(free) {
+            (*x, *y, *z) = (point.x, point.y, point.z);
+        }
+        q
+    }
+
+    #[inline(always)]
+    pub(crate) fn coordinates_of(&self, drives: &Signal<Few<T, N>>) -> Signal<Few<T, N>> {
+        let mut coordinates = *drives;
+        for (place, drive) in (0..).zip(&self.plan().drives) {
+            let of = drive.angle_of.map(usize::from);
+            if let Some(distance) = of.and_then(|distance| self.distances.get(distance)) {
+                let angle = drives.map(|each| each.get(place));
+                let coordinate = angle_to_coordinate(distance.length(), angle);
+                *coordinates.value.place(place) = coordinate.value;
+                *coordinates.rate.place(place) = coordinate.rate;
+                *coordinates.second_rate.place(place) = coordinate.second_rate;
+            }
+        }
+        coordinates
+    }
+
+    #[inline(always)]
+    pub(crate) fn with_drives(
+        &self,
+        mut fixed: Few<Vector3<T>, N>,
+        drives: &Few<T, N>,
+    ) -> Few<Vector3<T>, N> {
+        for (place, drive) in (0..).zip(&self.plan().drives) {
+            if let (Some(point), Measure::Coordinate { axis, .. }) = (drive.moves, drive.quantity) {
+                *coordinate_mut(fixed.place(point), axis) = drives.get(place);
+            }
+        }
+        fixed
+    }
+
+    pub(crate) fn role<const K: usize>(
+        &self,
+        role: Option<[u16; K]>,
+        points: &Points<Vector3<T>, N>,
+    ) -> Option<[Vector3<T>; K]> {
+        role.map(|role| role.map(|point| points.get(point)))
+    }
+}
+
+impl<T: Real, const N: usize> Model<'_, T, N>
+where
+    Room<N>: Size,
+{
+    pub(crate) fn measured(&self, points: &Signal<Points<Vector3<T>, N>>) -> Signal<Few<T, N>> {
+        let mut measures: Signal<Few<T, N>> = Signal::default();
+        for (place, quantity) in (0..).zip(&self.plan().measures) {
+            let each = measured(quantity, points);
+            *measures.value.place(place) = each.value;
+            *measures.rate.place(place) = each.rate;
+            *measures.second_rate.place(place) = each.second_rate;
+        }
+        measures
+    }
+}
+
+/// A quantity and its rates.
+fn measured<T: Real, P: Table<Vector3<T>>>(quantity: &Measure, points: &Signal<P>) -> Signal<T> {
+    let line = |[from, to]: [u16; 2]| points.map(|points| points.get(to) - points.get(from));
+    match *quantity {
+        Measure::Coordinate { axis, of, minus } => points.map(|points| {
+            let of = coordinate(&points.get(of), axis);
+            minus.map_or(of, |minus| of - coordinate(&points.get(minus), axis))
+        }),
+        Measure::Angle { axis, line: ends } => {
+            let mut along = Vector3::zeros();
+            *coordinate_mut(&mut along, axis) = T::one();
+            measure::angle(&line(ends), along)
+        }
+        Measure::Length { line: ends } => measure::length(&line(ends)),
+    }
+}
+
+pub(crate) fn coordinate<T: Scalar>(vector: &Vector3<T>, axis: u16) -> T {
+    match axis {
+        0 => vector.x,
+        1 => vector.y,
+        _ => vector.z,
+    }
+}
+
+#[inline(always)]
+fn coordinate_mut<T: Scalar>(vector: &mut Vector3<T>, axis: u16) -> &mut T {
+    match axis {
+        0 => &mut vector.x,
+        1 => &mut vector.y,
+        _ => &mut vector.z,
+    }
+}
