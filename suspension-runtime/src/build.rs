@@ -109,9 +109,8 @@ where
         let clusters = self.plan().clusters.iter().zip(frames.as_slice());
         fill(clusters.flat_map(|(cluster, frame)| {
             let points = cluster.points.iter();
-            points.map(move |point| {
-                parts::linked(point.point.into(), design.get(point.point), frame)
-            })
+            points
+                .map(move |point| parts::linked(point.point.into(), design.get(point.point), frame))
         }))
     }
 
@@ -171,7 +170,13 @@ where
             let points = body.carried.iter().map(|carried| carried.point);
             let shape = points.zip(carried.by_ref());
             let shape = shape.map(|(site, constant)| (site, constant.position(frame)));
-            fit::<T, N>(&mut q, fixed, body.frame, frame, shape.take(body.carried.len()));
+            fit::<T, N>(
+                &mut q,
+                fixed,
+                body.frame,
+                frame,
+                shape.take(body.carried.len()),
+            );
         }
         let mut linked = self.linked.as_slice().iter();
         for (cluster, frame) in plan.clusters.iter().zip(self.cluster_frames.as_slice()) {

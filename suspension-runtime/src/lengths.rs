@@ -105,8 +105,8 @@ where
             let [a, b, c] = corners;
             let [first, second, third] = point.reaches;
             let reaches = [(first, a), (second, b), (third, c)];
-            let reaches = reaches
-                .map(|(length, corner)| self.given(lengths, length, [point.site, corner]));
+            let reaches =
+                reaches.map(|(length, corner)| self.given(lengths, length, [point.site, corner]));
             parts::linked_at(point.point.into(), now, frame, reaches)
         }))
     }

@@ -42,7 +42,11 @@ where
     type Factors = Factors<'l, T, N>;
 
     fn linked(&self) -> impl Iterator<Item = usize> {
-        let points = self.plan().clusters.iter().flat_map(|cluster| &cluster.points);
+        let points = self
+            .plan()
+            .clusters
+            .iter()
+            .flat_map(|cluster| &cluster.points);
         points.map(|point| point.point.into())
     }
 
@@ -137,10 +141,14 @@ where
         acceleration: &SVector<T, N>,
         fixed_second_rate: &Self::Fixed,
     ) -> Self::Points {
-        self.all_points(acceleration, fixed_second_rate, |marker, carriers, second| {
-            let frame = self.frame_of(carriers, at);
-            marker.acceleration(&frame, &self.frame_of(carriers, velocities), second)
-        })
+        self.all_points(
+            acceleration,
+            fixed_second_rate,
+            |marker, carriers, second| {
+                let frame = self.frame_of(carriers, at);
+                marker.acceleration(&frame, &self.frame_of(carriers, velocities), second)
+            },
+        )
     }
 
     fn unknowns(&self, points: &Self::Points) -> SVector<T, N> {

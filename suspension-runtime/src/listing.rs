@@ -4,7 +4,9 @@ use core::fmt;
 
 use nalgebra::Vector3;
 use suspension_core::{DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
-use suspension_listing::system::{Positions, System};
+use suspension_listing::form::Form;
+use suspension_listing::name::Name;
+use suspension_listing::system::System;
 use suspension_listing::text::{self, Mistake, Mistakes};
 
 use crate::model::Model;
@@ -57,6 +59,20 @@ impl Listing {
     /// As [`parse`](Self::parse).
     pub fn parse_file(text: &str, file: &str) -> Result<Self, Mistakes> {
         let system = text::parse(text, file)?;
+        let refuse = |message: String| Mistakes {
+            file: file.to_owned(),
+            mistakes: vec![Mistake {
+                message,
+                line: 1,
+                column: 1,
+                length: 0,
+            }],
+        };
+        if let Some(slide) = slide(&system) {
+            return Err(refuse(format!(
+                "slide `{slide}`: listings that are read at run time cannot slide yet; compile this one with `linkage!`"
+            )));
+        }
         let order = suspension_listing::order(&system);
         let listing = Self {
             names: Names::new(&system),
@@ -67,18 +83,9 @@ impl Listing {
             return Ok(listing);
         };
         let (count, most, what) = (exceeded.count, exceeded.most, exceeded.what);
-        let mistake = Mistake {
-            message: format!(
-                "{count} {what}; at most {most} are allowed in a listing read at run time"
-            ),
-            line: 1,
-            column: 1,
-            length: 0,
-        };
-        Err(Mistakes {
-            file: file.to_owned(),
-            mistakes: vec![mistake],
-        })
+        Err(refuse(format!(
+            "{count} {what}; at most {most} are allowed in a listing read at run time"
+        )))
     }
 
     /// The listing with the order of elimination chosen by the positions around these hardpoints, one for each
@@ -94,10 +101,7 @@ impl Listing {
         if self.system.design().is_some() {
             return self;
         }
-        let design = Positions {
-            fixed: fixed.to_vec(),
-            free: free.to_vec(),
-        };
+        let design = self.system.positions(fixed.to_vec(), free.to_vec());
         let order = suspension_listing::order_at(&self.system, design);
         let plan = Plan::new(&self.system, &order);
         if plan.exceeded::<60>().is_some() {
@@ -173,6 +177,13 @@ impl Listing {
     pub fn length(&self, name: &str) -> Option<usize> {
         place(self.names.lengths(), name)
     }
+}
+
+/// The name of a slide, where there is one.
+fn slide(system: &System) -> Option<&Name> {
+    let mut equations = system.equations.iter();
+    let slide = equations.find(|equation| matches!(equation.form, Form::Along(_)))?;
+    Some(&slide.origin.statement)
 }
 
 fn place(names: &[String], name: &str) -> Option<usize> {

@@ -81,6 +81,8 @@ impl Plan {
                         body.carry(form, row, &lengths, is_stored.then_some(entry));
                     }
                 }
+                // Refused where listings are read.
+                Form::Along(_) => {}
             }
             row += equation.form.equations().rows();
         }

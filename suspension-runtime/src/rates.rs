@@ -60,7 +60,10 @@ where
             let of_drive = linear.drive.map(&drive_rate);
             let terms = linear.terms.iter();
             let terms = terms.filter_map(|term| Some(term.value(&rates.get(term.site)?)));
-            let sum = of_drive.into_iter().chain(terms).reduce(|sum, term| sum + term);
+            let sum = of_drive
+                .into_iter()
+                .chain(terms)
+                .reduce(|sum, term| sum + term);
             if let Some(sum) = sum {
                 put(rows, linear.row, sum);
             }

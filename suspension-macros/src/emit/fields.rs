@@ -95,7 +95,10 @@ pub(super) fn point_index(system: &System, name: &Name) -> Literal {
 
 /// The index of a length.
 pub(super) fn length_index(system: &System, name: &Name) -> Literal {
-    index(system.lengths().iter().map(|length| &length.named.name), name)
+    index(
+        system.lengths().iter().map(|length| &length.named.name),
+        name,
+    )
 }
 
 fn index<'a>(mut names: impl Iterator<Item = &'a Name>, name: &Name) -> Literal {

@@ -47,7 +47,11 @@ where
         self.growth_squared = (a + b) + (c + d);
         let [a, b, c, d] = products;
         let product = (a * b) * (c * d);
-        self.determinant_sign = if elimination.is_odd { -product } else { product };
+        self.determinant_sign = if elimination.is_odd {
+            -product
+        } else {
+            product
+        };
     }
 }
 

@@ -99,7 +99,11 @@ where
     fn rows_in_place(&self, right: &SVector<T, N>) -> Places<T, N> {
         let [right] = &right.data.0;
         let mut x = places::<T, N>(right);
-        for (place, &row) in x.as_mut_slice().iter_mut().zip(&self.plan.elimination.row_of) {
+        for (place, &row) in x
+            .as_mut_slice()
+            .iter_mut()
+            .zip(&self.plan.elimination.row_of)
+        {
             if let Some(value) = right.get(usize::from(row)) {
                 *place = *value;
             }
@@ -109,7 +113,9 @@ where
 
     fn subtract(&self, x: &mut Places<T, N>, terms: &[Term]) {
         for &Term { to, from, number } in terms {
-            let left = x.get(to).minus_product(self.numbers.get(number), x.get(from));
+            let left = x
+                .get(to)
+                .minus_product(self.numbers.get(number), x.get(from));
             *x.place(to) = left;
         }
     }

@@ -62,8 +62,9 @@ impl Body {
         self.carried.push(Carried {
             row: index(row),
             point,
-            reaches: (form.frame.each_ref())
-                .map(|corner| lengths.place(&pair_name(&form.body, &form.point.name, &corner.name))),
+            reaches: (form.frame.each_ref()).map(|corner| {
+                lengths.place(&pair_name(&form.body, &form.point.name, &corner.name))
+            }),
             entries,
         });
     }
@@ -95,9 +96,15 @@ impl Carried {
         let (a, b, c) = (gradient.origin, gradient.second, gradient.third);
         let one = T::one();
         let rows = [
-            [a.m11, a.m12, a.m13, b.m11, b.m12, b.m13, c.m11, c.m12, c.m13, one],
-            [a.m21, a.m22, a.m23, b.m21, b.m22, b.m23, c.m21, c.m22, c.m23, one],
-            [a.m31, a.m32, a.m33, b.m31, b.m32, b.m33, c.m31, c.m32, c.m33, one],
+            [
+                a.m11, a.m12, a.m13, b.m11, b.m12, b.m13, c.m11, c.m12, c.m13, one,
+            ],
+            [
+                a.m21, a.m22, a.m23, b.m21, b.m22, b.m23, c.m21, c.m22, c.m23, one,
+            ],
+            [
+                a.m31, a.m32, a.m33, b.m31, b.m32, b.m33, c.m31, c.m32, c.m33, one,
+            ],
         ];
         for (entries, values) in [x, y, z].into_iter().zip(rows) {
             for (entry, value) in entries.iter().zip(values) {

@@ -82,7 +82,9 @@ impl Distance {
         let gradient = constant.gradient(vector);
         for (site, gradient) in [(self.to, gradient), (self.from, -gradient)] {
             for (axis, value) in gradient.iter().enumerate() {
-                let place = site.column(axis).map(|column| (usize::from(self.row), column));
+                let place = site
+                    .column(axis)
+                    .map(|column| (usize::from(self.row), column));
                 if let Some(entry) = place.and_then(|place| matrix.get_mut(place)) {
                     *entry = *value;
                 }

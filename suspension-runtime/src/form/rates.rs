@@ -54,12 +54,16 @@ impl InputRates {
                     distance += 1;
                 }
                 Form::Carried(form) => {
-                    rates.carried.extend(moved(system, form, motion, &mut carried));
+                    rates
+                        .carried
+                        .extend(moved(system, form, motion, &mut carried));
                 }
                 Form::Linear(form) => {
                     let rate = linear(system, form, row, motion);
                     rates.linear.extend(rate);
                 }
+                // Refused where listings are read.
+                Form::Along(_) => {}
             }
             row += equation.form.equations().rows();
         }
@@ -76,8 +80,13 @@ fn linear(
 ) -> Option<LinearRate> {
     let drives = system.drives.iter();
     let drive = drives.map(|drive| &drive.named.name);
-    let drive = drive.collect::<Vec<&Name>>().iter().position(|name| **name == form.drive);
-    let drive = drive.filter(|_| motion == SiteMotion::DrivenAnchor).map(index);
+    let drive = drive
+        .collect::<Vec<&Name>>()
+        .iter()
+        .position(|name| **name == form.drive);
+    let drive = drive
+        .filter(|_| motion == SiteMotion::DrivenAnchor)
+        .map(index);
     let moved = form.terms.iter().filter(|term| term.site.motion == motion);
     let rates = moved.map(|term| Term::from(term).less());
     let (mut terms, less): (Vec<Term>, Vec<Term>) = rates.partition(Term::is_positive);

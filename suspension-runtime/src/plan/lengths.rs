@@ -10,9 +10,16 @@ use super::{distance, index, position};
 pub(crate) enum Length {
     Distance(u16),
     /// An edge of a body's frame: first-second, first-third, second-third.
-    Edge { body: u16, edge: u16 },
+    Edge {
+        body: u16,
+        edge: u16,
+    },
     /// A carried point, of those of all bodies: to the first, second or third point of the frame of its body.
-    Reach { body: u16, carried: u16, corner: u16 },
+    Reach {
+        body: u16,
+        carried: u16,
+        corner: u16,
+    },
 }
 
 /// The names of the lengths.
@@ -56,15 +63,25 @@ impl<'a> LengthNames<'a> {
                 (name, Length::Edge { body, edge })
             })
         });
-        let carried = bodies.flat_map(|(body, of)| of.carried.iter().map(move |point| (body, of, point)));
-        let reaches = carried.enumerate().flat_map(|(carried, (body, of, point))| {
-            let corners = (0..).zip(&of.frame);
-            corners.map(move |(corner, site)| {
-                let name = pair_name(&of.name, &point.name, &site.name);
-                let carried = index(carried);
-                (name, Length::Reach { body, carried, corner })
-            })
-        });
+        let carried =
+            bodies.flat_map(|(body, of)| of.carried.iter().map(move |point| (body, of, point)));
+        let reaches = carried
+            .enumerate()
+            .flat_map(|(carried, (body, of, point))| {
+                let corners = (0..).zip(&of.frame);
+                corners.map(move |(corner, site)| {
+                    let name = pair_name(&of.name, &point.name, &site.name);
+                    let carried = index(carried);
+                    (
+                        name,
+                        Length::Reach {
+                            body,
+                            carried,
+                            corner,
+                        },
+                    )
+                })
+            });
         let of_bodies: Vec<(Name, Length)> = edges.chain(reaches).collect();
         let kept_by = |name: &Name| {
             let of_distance = Length::Distance(distance(self.system, name));

@@ -79,7 +79,10 @@ impl Roles {
         Self {
             wheel_axis: wheel.map(|wheel| wheel.axis.each_ref().map(point)),
             wheel_carrier: wheel.map(|wheel| wheel.carrier.each_ref().map(point)),
-            kingpin: system.kingpin.as_ref().map(|axis| axis.each_ref().map(point)),
+            kingpin: system
+                .kingpin
+                .as_ref()
+                .map(|axis| axis.each_ref().map(point)),
         }
     }
 }
@@ -95,5 +98,7 @@ pub(super) fn drives(system: &System) -> Vec<Drive> {
 
 pub(super) fn measures(system: &System) -> Vec<Measure> {
     let measures = system.measures.iter();
-    measures.map(|measure| Measure::new(system, &measure.quantity)).collect()
+    measures
+        .map(|measure| Measure::new(system, &measure.quantity))
+        .collect()
 }

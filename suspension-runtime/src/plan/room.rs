@@ -31,10 +31,18 @@ impl Plan {
             (self.markers.len(), few, "markers"),
             (self.bodies.len(), few, "bodies"),
             (self.carried(), few, "points carried by bodies"),
-            (self.clusters.len(), few, "rigid parts that links alone make"),
+            (
+                self.clusters.len(),
+                few,
+                "rigid parts that links alone make",
+            ),
             (linked.sum(), few, "points that links alone hold rigidly"),
             (self.lengths.len(), lengths, "lengths"),
-            (self.elimination.numbers(), numbers, "numbers in the factored Jacobian"),
+            (
+                self.elimination.numbers(),
+                numbers,
+                "numbers in the factored Jacobian",
+            ),
         ];
         let exceeded = counts.into_iter().find(|(count, most, _)| count > most);
         exceeded.map(|(count, most, what)| Exceeded { count, most, what })

@@ -118,7 +118,10 @@ impl Solution {
         for step in order.steps.iter().rev() {
             let is_live = live.contains(&step.row);
             let right = step.right.iter().filter(|_| !step.carried);
-            let right: Vec<usize> = right.copied().filter(|column| known.contains(column)).collect();
+            let right: Vec<usize> = right
+                .copied()
+                .filter(|column| known.contains(column))
+                .collect();
             let is_known = is_live || !right.is_empty() || step.carried;
             if is_live && !step.carried {
                 let pivot = entry(step.row, step.column);
@@ -181,7 +184,9 @@ pub(super) fn left<'a>(order: &'a Order, step: &'a Step) -> impl Iterator<Item =
 /// The unknown that the step of a row finds.
 fn column_of(order: &Order, row: usize) -> usize {
     let mut steps = order.steps.iter();
-    steps.find(|step| step.row == row).map_or(usize::MAX, |step| step.column)
+    steps
+        .find(|step| step.row == row)
+        .map_or(usize::MAX, |step| step.column)
 }
 
 /// For each unknown, the row of the step that finds it.
@@ -213,7 +218,10 @@ pub(super) fn carriers(
 ) -> Vec<Carrier> {
     let mut carriers: Vec<Carrier> = Vec::new();
     for substituted in system.substituted() {
-        let body = position(system.bodies.iter().map(|body| &body.name), substituted.body);
+        let body = position(
+            system.bodies.iter().map(|body| &body.name),
+            substituted.body,
+        );
         let point = carried_point(system, order, &substituted, &entry);
         match carriers.last_mut().filter(|last| last.body == body) {
             Some(last) => last.points.push(point),
@@ -249,9 +257,10 @@ fn carried_point(
                 None => ZERO,
             }
         });
-        let mut columns = point.frame.iter().flat_map(|first| {
-            [0, 1, 2].map(|axis| first.map(|first| first + axis))
-        });
+        let mut columns = point
+            .frame
+            .iter()
+            .flat_map(|first| [0, 1, 2].map(|axis| first.map(|first| first + axis)));
         let sums = [(); 9].map(|()| match columns.next().flatten() {
             Some(column) => entry(row, column),
             None => SPARE,
