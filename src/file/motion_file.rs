@@ -19,10 +19,16 @@ pub type Table<V> = Spanned<BTreeMap<Spanned<String>, Spanned<V>>>;
 #[serde(deny_unknown_fields)]
 pub struct MotionFile {
     /// The linkage's name: one of the catalogue's, or that of one's own.
-    pub linkage: Spanned<String>,
+    pub linkage: Option<Spanned<String>>,
+    /// In place of a name, the file that has the listing, beside this one.
+    pub listing: Option<Spanned<String>>,
+    /// In place of a name, the statements of the listing.
+    pub statements: Option<Spanned<String>>,
     /// The unit of all lengths and coordinates, in the file and in the results.
     pub unit: Unit,
-    /// Every point of the linkage: chassis points, free points, markers.
+    /// Every point of the linkage: chassis points, free points, markers. Those that the listing states may be
+    /// left out.
+    #[serde(default = "no_points")]
     pub points: Table<Position>,
     /// The lengths of links and bodies; with them the points are a rough guess.
     pub lengths: Option<Table<f64>>,
@@ -74,6 +80,10 @@ impl MotionFile {
         }
         self
     }
+}
+
+fn no_points() -> Table<Position> {
+    Spanned::new(0..0, BTreeMap::new())
 }
 
 /// Where a point is.

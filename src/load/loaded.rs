@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, check};
-use crate::load::listing;
+use crate::load::listing::{Chosen, compiled};
 use crate::mechanism::{Instants, Mechanism, Suspension, Work};
 
 /// A motion file that was read. Its mechanism is brought to the first instant when there is work on it.
@@ -10,16 +10,17 @@ use crate::mechanism::{Instants, Mechanism, Suspension, Work};
 pub struct Loaded<'a> {
     source: &'a Source,
     file: MotionFile,
+    listing: Chosen,
     instants: Instants,
 }
 
-/// Reads a motion file of a linkage of the catalogue.
+/// Reads a motion file and its listing: of the catalogue, of a file beside it, or stated in it.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] with a place where the file is wrong.
+/// [`Failure::Input`] with a place where the file or the listing is wrong.
 pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
-    Loaded::of_one(listing::NAMES, source)
+    Loaded::of(source, Chosen::of)
 }
 
 /// Reads a motion file for a linkage of one's own, under the name that the file must give, and brings its
@@ -75,26 +76,29 @@ pub fn load_own<L, const N: usize>(
 where
     L: Suspension<N, Listing: Default>,
 {
-    Loaded::of_one(&[linkage], source)?.mechanism()
+    let own = |source: &Source, file: &mut MotionFile| Chosen::own(source, file, linkage);
+    Loaded::of(source, own)?.mechanism()
 }
 
 impl<'a> Loaded<'a> {
-    fn of_one(known: &[&str], source: &'a Source) -> Result<Self, Failure> {
-        let file = MotionFile::parse(source)?;
-        if !known.contains(&file.linkage.get_ref().as_str()) {
-            return Err(listing::unknown(source, &file, known));
-        }
+    fn of(
+        source: &'a Source,
+        choose: impl Fn(&Source, &mut MotionFile) -> Result<Chosen, Failure>,
+    ) -> Result<Self, Failure> {
+        let mut file = MotionFile::parse(source)?;
+        let listing = choose(source, &mut file)?;
         let instants = check::instants(source, &file.time)?;
         Ok(Self {
             source,
             file,
+            listing,
             instants,
         })
     }
 
     /// The linkage's name.
     pub fn linkage(&self) -> &str {
-        self.file.linkage.get_ref()
+        &self.listing.name
     }
 
     /// The instants.
@@ -112,7 +116,7 @@ impl<'a> Loaded<'a> {
     where
         L: Suspension<N, Listing: Default>,
     {
-        listing::compiled(self.source, &self.file, &self.instants)
+        compiled(self.source, &self.file, &self.instants, &self.listing.name)
     }
 
     /// Brings the mechanism to the first instant and does the work on it.
@@ -121,7 +125,8 @@ impl<'a> Loaded<'a> {
     ///
     /// Those of [`mechanism`](Self::mechanism) and of the work.
     pub fn run<W: Work>(&self, work: W) -> Result<W::Answer, Failure> {
-        listing::run(self.source, &self.file, &self.instants, work)
+        let Self { file, instants, .. } = self;
+        self.listing.run(self.source, file, instants, work)
     }
 
     /// The same for a command whose motion drives must lead.

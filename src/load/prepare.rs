@@ -15,6 +15,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     source: &Source,
     file: &MotionFile,
     instants: &Instants,
+    linkage: &str,
     listing: L::Listing,
 ) -> Result<Mechanism<L, N>, Failure> {
     let names = Names::of(&listing);
@@ -67,7 +68,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         }
     };
     Ok(Mechanism {
-        linkage: file.linkage.get_ref().clone(),
+        linkage: linkage.to_owned(),
         unit: file.unit,
         origin,
         model: design.model,
