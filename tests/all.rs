@@ -28,6 +28,7 @@ mod rigid_fit;
 mod rotation;
 mod series;
 mod support;
+mod without_a_wheel;
 
 /// Or its tests would not run, and nobody would know.
 #[test]

@@ -1,0 +1,134 @@
+//! A linkage that states neither wheel nor kingpin: all work is done on it, and what it lacks has no columns.
+
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use suspension::bake::{Continuity, Wish};
+use suspension::commands::assemblies::listed::{self, list};
+use suspension::commands::bake::order::{Order, Ordered};
+use suspension::commands::range::course::range;
+use suspension::file::Source;
+use suspension::load::load_own;
+use suspension::mechanism::Mechanism;
+use suspension::output::csv_file::Target;
+use suspension::output::figures::{draw, height_and_angles};
+use suspension::output::record::record;
+use suspension::output::summary;
+use suspension_core::linkage;
+
+linkage! {
+    /// A point on two links, its height driven.
+    mod two_links {
+        fixed: left, right;
+        free:  top;
+        link one: left -> top;
+        link two: right -> top;
+        drive height: top.z;
+    }
+}
+
+const FILE: &str = "\
+linkage = \"two_links\"
+unit = \"m\"
+[points]
+left = [-3.0, 0.0, 0.0]
+right = [3.0, 0.0, 0.0]
+top = [0.0, 4.0, 0.0]
+[time]
+start = 0.0
+stop = 1.0
+step = 0.25
+[drives]
+height = [0.0, 2.0]
+";
+
+fn mechanism() -> Mechanism<two_links::Model<f64>, 3> {
+    load_own("two_links", &Source::new("a.toml", FILE)).expect("a mechanism")
+}
+
+fn order(wish: Wish) -> Order {
+    Order {
+        drive: None,
+        range: [None, None],
+        tolerance: 1e-6,
+        continuity: Continuity::Velocity,
+        wish,
+    }
+}
+
+#[test]
+fn its_motion_has_columns_of_points_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mechanism = mechanism();
+    let path = folder.path().join("a.csv");
+    let target = Target::File(path.clone());
+    let never = AtomicBool::new(false);
+    let outcome = record(&mechanism, &mechanism.instants, Some(&target), 12, &never);
+    let outcome = outcome.expect("a table");
+    let table = std::fs::read_to_string(path).expect("a table");
+    assert_eq!(
+        table.lines().next(),
+        Some(
+            "t_s,height_m,top_x,top_y,top_z,top_vx,top_vy,top_vz,top_ax,top_ay,top_az,iterations,\
+             residual_m"
+        )
+    );
+    assert_eq!(table.lines().count(), 6);
+    assert!(!table.contains("NaN"), "{table}");
+    let Mechanism {
+        linkage,
+        names,
+        unit,
+        ..
+    } = &mechanism;
+    let text = summary::text(linkage, names, *unit, &outcome);
+    assert!(
+        text.contains("height (m)") && !text.contains("camber"),
+        "{text}"
+    );
+    let files = (folder.path(), "a");
+    let written = draw(&mechanism, &outcome, files, height_and_angles).expect("no plots");
+    assert_eq!(written, [] as [&Path; 0], "there is nothing to draw");
+}
+
+#[test]
+fn other_work_is_done_on_it_too() {
+    let mechanism = mechanism();
+    let found = range(&mechanism, 0, &false.into()).expect("a curve");
+    for (end, expected) in found.ends.iter().zip([-4.0, 4.0]) {
+        assert!((end.value - expected).abs() < 1e-9, "{end:?}");
+    }
+    let mut assemblies = 0;
+    let listed = list(
+        &mechanism,
+        "a.toml",
+        &listed::Wish::default(),
+        &false.into(),
+        &mut |listed| {
+            assemblies = listed.assemblies.len();
+            Ok(())
+        },
+    );
+    listed.expect("assemblies");
+    assert_eq!(assemblies, 2);
+}
+
+#[test]
+fn its_points_are_baked_and_its_wheel_is_refused() {
+    let mechanism = mechanism();
+    let baked = |wish| {
+        Ordered {
+            file: "a.toml",
+            mechanism: &mechanism,
+            order: &order(wish),
+        }
+        .sheet()
+    };
+    let points = baked(Wish::AllPoints).expect("a curve");
+    assert_eq!(points.subject(), "points_by_height");
+    let refused = baked(Wish::Wheel).expect_err("no wheel").to_string();
+    assert_eq!(
+        refused,
+        "a.toml: the linkage has no wheel to bake; --points all bakes its points"
+    );
+}
