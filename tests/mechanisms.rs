@@ -3,6 +3,7 @@
 
 mod checks;
 mod double_wishbone;
+mod drives;
 mod four_bar;
 mod hinge;
 mod rocker;

@@ -14,6 +14,7 @@ mod along;
 mod carried;
 mod distance;
 mod frame;
+mod stretch;
 
 use crate::scalar::Scalar;
 use crate::signal::Signal;
@@ -23,6 +24,7 @@ pub use along::{Along, AlongGradient};
 pub use carried::{Carried, CarriedGradient};
 pub use distance::Distance;
 pub use frame::Frame;
+pub use stretch::Stretch;
 
 /// The coordinate that a driving angle prescribes: `h = L cos(theta)` and its rates by the
 /// chain rule. The angle stays outside the algebra (Attia 2003, eq. 1.15).

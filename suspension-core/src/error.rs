@@ -258,7 +258,8 @@ pub enum GeometryError {
         /// The point.
         point: usize,
     },
-    /// The ends of a line on which a point slides coincide, or are too far apart to compute with.
+    /// The ends of a line on which a point slides, or of a length that is driven, coincide, or are too far
+    /// apart to compute with.
     NoLine {
         /// The end of the line.
         point: usize,
@@ -318,7 +319,7 @@ impl Failure for GeometryError {
             Self::NoLine { .. } => {
                 write!(
                     f,
-                    "the line that ends at {name} has no length to slide along; put its ends apart"
+                    "the line that ends at {name} has no length; put its ends apart"
                 )
             }
             Self::NotClosed { .. } => {

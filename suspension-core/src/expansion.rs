@@ -15,10 +15,13 @@
 ///     drive lift: e.z;             prescribes a coordinate: of a free point, an equation;
 ///                                  of a fixed point, it moves the anchor
 ///     drive gap:  c.z - a.z;       prescribes a difference of coordinates
+///     drive rack: b along [0, 1, 0.1];  prescribes the coordinate of a point along a direction
+///     drive ram:  length(b -> d);  prescribes the length between two points that nothing else keeps;
+///                                    adds an unknown, the length
 ///     drive turn: angle(a -> c, z);  prescribes the angle from an axis to the line between two
 ///                                    points whose distance a link or a body's frame keeps
-///     measure gauge: length(a -> hub);  reads a length, a coordinate, a difference or an angle
-///                                    (as drives write them) off any points; adds no equation
+///     measure gauge: length(a -> hub);  reads what a drive could prescribe off any points;
+///                                    adds no equation
 ///     point hub:  plate;           a marker carried by a body, or by three points; with or without
 ///                                    a design position
 ///     wheel:   d -> hub;           the spin axis, outboard; its second point is the centre

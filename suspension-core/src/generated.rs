@@ -4,7 +4,7 @@ pub use nalgebra::{SMatrix, SVector, Vector3};
 pub use suspension_macros::linkage as expand;
 
 pub use crate::assemble::best_rigid_fit;
-pub use crate::constraint::{Along, Carried, Distance, Frame, angle_to_coordinate};
+pub use crate::constraint::{Along, Carried, Distance, Frame, Stretch, angle_to_coordinate};
 pub use crate::error::GeometryError;
 pub use crate::handedness::Linked;
 pub use crate::linkage::{
@@ -17,7 +17,7 @@ pub use crate::measure;
 pub use crate::parts;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
-pub use crate::vector::{difference, dot, gather_vectors};
+pub use crate::vector::{difference, dot, gather_vectors, moved_along};
 
 /// A matrix from its columns.
 #[inline(always)]

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::constraint::{Along, Carried, Distance, Frame};
+use crate::constraint::{Along, Carried, Distance, Frame, Stretch};
 use crate::error::GeometryError;
 use crate::factored::growth_limit;
 use crate::handedness::Linked;
@@ -86,6 +86,19 @@ pub fn distance<T: Real>(
 pub fn line<T: Real>(end: usize, length: T) -> Result<Along<T>, GeometryError> {
     if is_usable(length) {
         Ok(Along::new(length))
+    } else {
+        Err(GeometryError::NoLine { point: end })
+    }
+}
+
+/// Two points whose length is driven, as far apart as in the design, `end` being the index of the last.
+///
+/// # Errors
+///
+/// [`GeometryError::NoLine`] where they coincide, or are too far apart to square.
+pub fn stretch<T: Real>(end: usize, length: T) -> Result<Stretch<T>, GeometryError> {
+    if is_usable(length) {
+        Ok(Stretch::new(length))
     } else {
         Err(GeometryError::NoLine { point: end })
     }

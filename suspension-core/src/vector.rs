@@ -69,6 +69,16 @@ pub(crate) fn minus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) ->
     )
 }
 
+/// A point moved along a unit vector until its coordinate along that is the given one.
+#[inline(always)]
+pub fn moved_along<T: Scalar>(
+    point: Vector3<T>,
+    direction: Vector3<T>,
+    coordinate: T,
+) -> Vector3<T> {
+    plus_multiple(point, direction, coordinate - dot(point, direction))
+}
+
 /// Vectors of one number type gathered into another's.
 #[inline(always)]
 pub fn gather_vectors<S: Scalar, T: Scalar, const K: usize>(

@@ -7,6 +7,7 @@ mod along;
 mod carried;
 mod distance;
 mod linear;
+mod stretch;
 
 use crate::name::Name;
 use crate::system::Site;
@@ -16,6 +17,7 @@ pub use along::Along;
 pub use carried::Carried;
 pub use distance::Distance;
 pub use linear::{Linear, Term};
+pub use stretch::Stretch;
 
 /// One of the forms.
 #[derive(Clone, Debug)]
@@ -24,6 +26,7 @@ pub enum Form {
     Carried(Carried),
     Linear(Linear),
     Along(Along),
+    Stretch(Stretch),
 }
 
 impl Form {
@@ -34,6 +37,7 @@ impl Form {
             Self::Carried(form) => form,
             Self::Linear(form) => form,
             Self::Along(form) => form,
+            Self::Stretch(form) => form,
         }
     }
 }
@@ -43,14 +47,14 @@ pub trait Equations {
     /// The points that it joins.
     fn sites(&self) -> Vec<&Site>;
 
-    /// The unknown that it has beside the coordinates of points.
-    fn scalar(&self) -> Option<&Name> {
+    /// The unknown that it has beside the coordinates of points, and how all rows depend on it.
+    fn scalar(&self) -> Option<(&Name, Dependence)> {
         None
     }
 
-    /// That unknown's value where the sites are.
-    fn scalar_at(&self, _at: &[Vector]) -> f64 {
-        0.0
+    /// That unknown's value where the sites are; `None` where others tell it.
+    fn scalar_at(&self, _at: &[Vector]) -> Option<f64> {
+        None
     }
 
     /// 1, or 3: one an axis.
@@ -58,7 +62,7 @@ pub trait Equations {
         1
     }
 
-    /// How a row depends on a coordinate of one of the sites. All rows depend on the scalar in some way.
+    /// How a row depends on a coordinate of one of the sites.
     fn dependence(&self, row: usize, site: usize, axis: usize) -> Dependence;
 
     /// The constants with which the equations hold where the sites are; `None` where there are

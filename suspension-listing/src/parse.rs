@@ -1,7 +1,7 @@
 //! From tokens to the listing, and what statements have in common. A statement that cannot be read is
 //! reported and skipped.
 
-use proc_macro2::{Span, TokenTree};
+use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
@@ -73,6 +73,23 @@ fn skip_statement(input: ParseStream<'_>) -> syn::Result<()> {
         }
     }
     Ok(())
+}
+
+/// Reads what stands in brackets, to its end. What is left of what cannot be read is taken too: the parser
+/// would report it in place of all other mistakes.
+pub(crate) fn in_brackets<T>(
+    content: ParseStream<'_>,
+    read: impl FnOnce(ParseStream<'_>) -> syn::Result<T>,
+) -> syn::Result<T> {
+    let read = read(content).and_then(|read| {
+        if content.is_empty() {
+            Ok(read)
+        } else {
+            Err(content.error("nothing may follow in these brackets; remove it"))
+        }
+    });
+    content.parse::<TokenStream>()?;
+    read
 }
 
 /// The lines of the doc comments that come next.

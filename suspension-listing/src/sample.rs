@@ -27,7 +27,7 @@ fn gradient(system: &System, form: &Form, positions: &Positions) -> Option<Gradi
     let sites = positions.of_sites(form);
     let constants = form.constants(&sites)?;
     let step = extent(&sites);
-    let scalar = form.scalar().and_then(|name| system.scalar(name));
+    let scalar = form.scalar().and_then(|(name, _)| system.scalar(name));
     let mut arguments: Vec<f64> = sites.iter().flatten().copied().collect();
     arguments.extend(scalar.map(|index| positions.scalars[index]));
     let mut sites = sites;
@@ -60,7 +60,8 @@ fn gradient(system: &System, form: &Form, positions: &Positions) -> Option<Gradi
 
 /// How far the sites are apart, along an axis: a step of their own size.
 fn extent(at: &[Vector]) -> f64 {
-    let from_first = at.iter().flat_map(|site| minus(*site, at[0]));
+    let first = at.first().copied().unwrap_or_default();
+    let from_first = at.iter().flat_map(|site| minus(*site, first));
     let extent = from_first.fold(0.0, |extent: f64, x| extent.max(x.abs()));
     if extent > 0.0 { extent } else { 1.0 }
 }

@@ -126,6 +126,11 @@ pub(crate) trait Statement {
         None
     }
 
+    /// Whether it moves its point along a direction that is no axis.
+    fn is_skew(&self) -> bool {
+        false
+    }
+
     /// What no other statement may state too.
     fn claim(&self) -> Option<String> {
         None

@@ -115,6 +115,8 @@ pub enum Quantity {
     Angle { axis: usize, line: [Name; 2] },
     /// The distance of two points.
     Length { line: [Name; 2] },
+    /// The coordinate of a point along a unit vector.
+    Along { point: Name, direction: Vector },
 }
 
 #[derive(Clone, Debug)]
@@ -144,6 +146,11 @@ pub fn carried_name(body: &Name, point: &Name) -> Name {
 /// The length between two points of a body under its name in the generated code.
 pub fn pair_name(body: &Name, a: &Name, b: &Name) -> Name {
     Name::made(format!("{body}_{a}_{b}"))
+}
+
+/// The length that a drive prescribes under its name in the generated code.
+pub fn length_name(drive: &Name) -> Name {
+    Name::made(format!("{drive}_length"))
 }
 
 /// A coordinate of a vector under its name in the generated code.
@@ -240,8 +247,9 @@ impl System {
         };
         for equation in &self.equations {
             let form = equation.form.equations();
-            if let Some(index) = form.scalar().and_then(|name| self.scalar(name)) {
-                positions.scalars[index] = form.scalar_at(&positions.of_sites(form));
+            let index = form.scalar().and_then(|(name, _)| self.scalar(name));
+            if let (Some(index), Some(value)) = (index, form.scalar_at(&positions.of_sites(form))) {
+                positions.scalars[index] = value;
             }
         }
         positions

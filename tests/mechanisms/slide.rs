@@ -167,7 +167,7 @@ mod strut {
         assert_eq!(refused, GeometryError::NoLine { point: 7 });
         assert_eq!(
             refused.named(&macpherson::Listing).to_string(),
-            "the line that ends at `strut_high` has no length to slide along; put its ends apart"
+            "the line that ends at `strut_high` has no length; put its ends apart"
         );
     }
 }

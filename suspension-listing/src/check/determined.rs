@@ -42,7 +42,8 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     let (by_kind, points) = (by_kind(listing, system), system.free.len());
     let scalars = match system.scalars.len() {
         0 => String::new(),
-        count => format!(" + {count} of slides"),
+        1 => " + 1 length".to_owned(),
+        count => format!(" + {count} lengths"),
     };
     Error::new(
         listing.free_span,

@@ -24,13 +24,13 @@ impl Equations for Along {
         self.line.iter().chain([&self.point]).collect()
     }
 
-    fn scalar(&self) -> Option<&Name> {
-        Some(&self.distance)
+    fn scalar(&self) -> Option<(&Name, Dependence)> {
+        Some((&self.distance, Dependence::Any))
     }
 
-    fn scalar_at(&self, at: &[Vector]) -> f64 {
+    fn scalar_at(&self, at: &[Vector]) -> Option<f64> {
         let [e, d] = edges(at);
-        dot(d, e) / dot(e, e).sqrt()
+        Some(dot(d, e) / dot(e, e).sqrt())
     }
 
     fn rows(&self) -> usize {

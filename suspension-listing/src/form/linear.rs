@@ -1,4 +1,4 @@
-//! A prescribed sum of coordinates: `sum k x - drive`.
+//! A prescribed sum of coordinates, or a prescribed scalar: `sum k x + s - drive`.
 
 use super::{Dependence, Equations};
 use crate::name::Name;
@@ -8,6 +8,7 @@ use crate::vector::Vector;
 #[derive(Clone, Debug)]
 pub struct Linear {
     pub terms: Vec<Term>,
+    pub scalar: Option<Name>,
     pub drive: Name,
 }
 
@@ -22,6 +23,10 @@ pub struct Term {
 impl Equations for Linear {
     fn sites(&self) -> Vec<&Site> {
         self.terms.iter().map(|term| &term.site).collect()
+    }
+
+    fn scalar(&self) -> Option<(&Name, Dependence)> {
+        self.scalar.as_ref().map(|name| (name, Dependence::Unit))
     }
 
     fn dependence(&self, _row: usize, site: usize, axis: usize) -> Dependence {
@@ -39,10 +44,10 @@ impl Equations for Linear {
         Some([0.0; 3])
     }
 
-    fn residual(&self, _constants: &Vector, at: &[Vector], _scalar: f64) -> Vector {
+    fn residual(&self, _constants: &Vector, at: &[Vector], scalar: f64) -> Vector {
         let terms = self.terms.iter().zip(at);
-        let sum = terms.map(|(term, at)| term.factor * at[term.axis]).sum();
-        [sum, 0.0, 0.0]
+        let sum: f64 = terms.map(|(term, at)| term.factor * at[term.axis]).sum();
+        [sum + scalar, 0.0, 0.0]
     }
 
     fn drive(&self) -> Option<&Name> {

@@ -1,17 +1,19 @@
 //! `drive lift: e.z;`: a quantity that is prescribed. Of free points it is an equation; a coordinate of
 //! a chassis point moves the point.
 
+mod kept;
+
 use syn::{Error, Ident};
 
 use super::quantity::Quantity;
 use super::{Head, Kind, Rank, Statement, Word};
 use crate::check::Check;
 use crate::errors::{self, Errors};
-use crate::form::{Form, Linear};
+use crate::form::{Form, Linear, Stretch};
 use crate::listing::{Listing, Named};
 use crate::lower::{Lowering, origin};
-use crate::name::Name;
-use crate::system::{self, Body, System, distance_between};
+use crate::name::{self, Name};
+use crate::system::{self, System, distance_between, length_name};
 
 const KIND: Kind = Kind("drive");
 
@@ -20,10 +22,7 @@ pub(crate) const DRIVE: Word = Word {
     syntax: "drive lift: e.z;",
     read: |head: Head, input, listing| {
         let named = head.named(input)?;
-        let quantity = Quantity::parse(input, unknown_quantity)?;
-        if let Quantity::Length { line: [from, _] } = &quantity {
-            return Err(unknown_quantity(&Ident::new("length", from.span())));
-        }
+        let quantity = Quantity::parse(input)?;
         listing.statements.push(Box::new(Drive { named, quantity }));
         Ok(())
     },
@@ -48,7 +47,10 @@ impl Statement for Drive {
         self.quantity.check(check);
         check.sites(points.iter().copied());
         match self.moves() {
-            Some(point) => self.bends_no_body(check, point),
+            Some(point) => {
+                self.bends_no_body(check, point);
+                self.moves_alone(check, point, earlier);
+            }
             None => check.not_all_fixed(name, KIND, points),
         }
         let same = earlier.iter().find(|other| other.claim() == self.claim());
@@ -65,10 +67,15 @@ impl Statement for Drive {
         let (name, quantity) = (Name::from(&self.named.name), self.quantity.plain());
         let moves = self.moves().map(|point| lowering.site(point));
         let moves = moves.filter(|site| !site.is_free());
+        if let Quantity::Length { line } = &self.quantity {
+            self.stretch(lowering, line);
+        }
         if moves.is_none() {
             let site = |point: &Ident| lowering.site(point);
+            let is_length = matches!(self.quantity, Quantity::Length { .. });
             let form = Form::Linear(Linear {
                 terms: self.quantity.terms(site),
+                scalar: is_length.then(|| name.clone()),
                 drive: name.clone(),
             });
             let origin = origin(KIND, &name, None);
@@ -88,40 +95,27 @@ impl Statement for Drive {
         });
     }
 
-    /// Checks that an equation keeps the distance of the two points of an angle.
     fn check_lowered(&self, listing: &Listing, system: &System, errors: &mut Errors) {
-        let Quantity::Angle {
-            line: [from, to], ..
-        } = &self.quantity
-        else {
-            return;
+        let found = match &self.quantity {
+            Quantity::Angle { line, .. } => kept::angle(line, listing, system),
+            Quantity::Length { line } => kept::length(line, system),
+            _ => None,
         };
-        // Anything else is reported as an operand.
-        let is = |name: &Ident, kind| listing.declared().any(|other| other == (name, kind));
-        let ends = [from, to].map(|end| (is(end, Kind::FREE_POINT), is(end, Kind::CHASSIS_POINT)));
-        let [(free, _), (other_free, _)] = ends;
-        let all_known = ends.iter().all(|(free, fixed)| *free || *fixed);
-        if from == to || !all_known || !(free || other_free) {
-            return;
+        if let Some(error) = found {
+            errors.push(error);
         }
-        let [a, b] = [from, to].map(Name::from);
-        if distance_between(&system.equations, &a, &b).is_some() {
-            return;
-        }
-        let lists = |body: &Body, name: &Name| body.points().any(|site| site.name == *name);
-        let mut bodies = system.bodies.iter();
-        let body = bodies.find(|body| lists(body, &a) && lists(body, &b));
-        errors.push(match body {
-            Some(body) => angle_beside_frame([from, to], body),
-            None => no_such_link(from, to),
-        });
     }
 
     fn moves(&self) -> Option<&Ident> {
         match &self.quantity {
             Quantity::Coordinate { of, minus: None } => Some(&of.point),
+            Quantity::Along { point, .. } => Some(point),
             _ => None,
         }
+    }
+
+    fn is_skew(&self) -> bool {
+        matches!(self.quantity, Quantity::Along { .. })
     }
 
     fn claim(&self) -> Option<String> {
@@ -130,6 +124,34 @@ impl Statement for Drive {
 }
 
 impl Drive {
+    /// Makes the length between two points an unknown of the drive's name.
+    fn stretch(&self, lowering: &mut Lowering<'_>, line: &[Ident; 2]) {
+        let name = Name::from(&self.named.name);
+        let [a, b] = line.each_ref().map(|end| lowering.site(end));
+        let (from, to) = if b.is_free() { (a, b) } else { (b, a) };
+        let form = Form::Stretch(Stretch {
+            from,
+            to,
+            length: name.clone(),
+        });
+        let named = name::Named {
+            name: length_name(&name),
+            docs: Vec::new(),
+        };
+        let origin = origin(KIND, &name, None);
+        lowering.system.scalars.push(name);
+        lowering.equation(named, origin, form);
+    }
+
+    /// Checks that a point that one drive moves along a direction is moved by no other.
+    fn moves_alone(&self, check: &mut Check<'_>, point: &Ident, earlier: &[Box<dyn Statement>]) {
+        for other in earlier.iter().filter(|other| other.moves() == Some(point)) {
+            if let (Some((named, _)), true) = (other.named(), self.is_skew() || other.is_skew()) {
+                check.report(moved_twice(&self.named.name, point, &named.name));
+            }
+        }
+    }
+
     /// Checks that a driven chassis point is not one of two in a body, whose size it would change.
     fn bends_no_body(&self, check: &mut Check<'_>, point: &Ident) {
         let listing = check.listing;
@@ -142,19 +164,20 @@ impl Drive {
     }
 }
 
-fn unknown_quantity(function: &Ident) -> Error {
-    errors::at(
-        function,
-        format!(
-            "a drive cannot prescribe `{function}(..)`; write `p.z`, `p.z - q.z` or `angle(p -> q, z)`"
-        ),
-    )
-}
-
 fn driven_twice(name: &Ident, other: &Ident) -> Error {
     errors::at(
         name,
-        format!("drive `{other}` prescribes this coordinate already; remove one of them"),
+        format!("drive `{other}` prescribes the same already; remove one of them"),
+    )
+}
+
+fn moved_twice(name: &Ident, point: &Ident, other: &Ident) -> Error {
+    errors::at(
+        name,
+        format!(
+            "drive `{other}` moves `{point}` already, and a point driven along a direction takes one \
+             drive alone; remove one of them, or write both as coordinates"
+        ),
     )
 }
 
@@ -164,40 +187,6 @@ fn body_bent(drive: &Ident, point: &Ident, body: &Ident) -> Error {
         format!(
             "`{point}` is one of two chassis points of body `{body}`: to move it alone would bend \
              the body; drive a free point of the body instead"
-        ),
-    )
-}
-
-fn no_such_link(from: &Ident, to: &Ident) -> Error {
-    errors::at(
-        from,
-        format!(
-            "an angle needs the length of a link, and no link joins `{from}` and `{to}`; declare \
-             `link name: {from} -> {to};`"
-        ),
-    )
-}
-
-/// The distance of two points of a body is none of its frame's.
-fn angle_beside_frame(ends: [&Ident; 2], body: &Body) -> Error {
-    let [from, to] = ends;
-    let Body { name, frame, .. } = body;
-    let [a, b, c] = frame.each_ref().map(|site| &site.name);
-    // A frame takes chassis points first, wherever they are listed.
-    let anchors = frame.iter().filter(|site| !site.is_free());
-    let anchors: Vec<&Name> = anchors.map(|site| &site.name).collect();
-    let is_other = |end: &&&Ident| !anchors.contains(&&Name::from(**end));
-    let others = ends.iter().filter(is_other).count();
-    let remedy = if anchors.len() + others > 3 {
-        String::new()
-    } else {
-        format!(", or list `{from}` and `{to}` among the first three points of the body")
-    };
-    errors::at(
-        from,
-        format!(
-            "an angle needs a length that an equation keeps, and body `{name}` keeps those between \
-             `{a}`, `{b}` and `{c}`; drive the angle between two of these{remedy}"
         ),
     )
 }

@@ -1,11 +1,10 @@
 //! `measure gauge: length(a -> hub);`: a quantity that is read off the points.
 
-use syn::{Error, Ident};
+use syn::Ident;
 
 use super::quantity::Quantity;
 use super::{Head, Kind, Rank, Statement, Word};
 use crate::check::Check;
-use crate::errors;
 use crate::listing::Named;
 use crate::lower::Lowering;
 use crate::system;
@@ -18,7 +17,7 @@ pub(crate) const MEASURE: Word = Word {
     read: |head: Head, input, listing| {
         let measure = Measure {
             named: head.named(input)?,
-            quantity: Quantity::parse(input, unknown_measure)?,
+            quantity: Quantity::parse(input)?,
         };
         listing.statements.push(Box::new(measure));
         Ok(())
@@ -54,14 +53,4 @@ impl Statement for Measure {
             quantity: self.quantity.plain(),
         });
     }
-}
-
-fn unknown_measure(function: &Ident) -> Error {
-    errors::at(
-        function,
-        format!(
-            "`{function}(..)` cannot be measured; write `p.z`, `p.z - q.z`, `angle(p -> q, z)` or \
-             `length(p -> q)`"
-        ),
-    )
 }

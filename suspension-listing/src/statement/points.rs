@@ -9,7 +9,7 @@ use syn::{Error, Ident, Lit, Token, bracketed};
 use super::Word;
 use crate::errors;
 use crate::listing::{Named, Point};
-use crate::parse::{docs, name};
+use crate::parse::{docs, in_brackets, name};
 use crate::vector::Vector;
 
 pub(crate) const FIXED: Word = Word {
@@ -66,7 +66,7 @@ pub(super) fn position(input: ParseStream<'_>) -> syn::Result<Option<Vector>> {
 pub(super) fn vector(input: ParseStream<'_>, what: &str) -> syn::Result<Vector> {
     let content;
     let bracket = bracketed!(content in input);
-    let numbers = Punctuated::<Number, Token![,]>::parse_terminated(&content)?;
+    let numbers = in_brackets(&content, Punctuated::<Number, Token![,]>::parse_terminated)?;
     let numbers: Vec<f64> = numbers.into_iter().map(|Number(value)| value).collect();
     Vector::try_from(numbers)
         .map_err(|numbers| not_three_coordinates(bracket.span.join(), what, numbers.len()))
@@ -88,7 +88,12 @@ impl Parse for Number {
             Lit::Float(digits) => digits.base10_parse::<f64>(),
             other => Err(not_a_number(other)),
         };
-        Ok(Self(sign * value?))
+        let value: f64 = value?;
+        if value.is_finite() {
+            Ok(Self(sign * value))
+        } else {
+            Err(not_a_number(&number))
+        }
     }
 }
 
@@ -116,6 +121,6 @@ fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
 fn not_a_number(literal: &Lit) -> Error {
     Error::new(
         literal.span(),
-        "a coordinate is a number, for example `-1.25`",
+        "a coordinate is a finite number, for example `-1.25`",
     )
 }

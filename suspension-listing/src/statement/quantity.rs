@@ -1,15 +1,17 @@
-//! Quantities, which drives prescribe and measures read: `p.z`, `p.z - q.z`, `angle(p -> q, z)`,
-//! `length(p -> q)`.
+//! Quantities, which drives prescribe and measures read: `p.z`, `p.z - q.z`, `p along [0.1, 1.0, 0.0]`,
+//! `angle(p -> q, z)`, `length(p -> q)`.
 
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Token, parenthesized};
 
+use super::points::vector;
 use crate::check::Check;
 use crate::errors;
 use crate::form::Term;
 use crate::name::Name;
-use crate::parse::{arrow, name};
+use crate::parse::{arrow, in_brackets, name};
 use crate::system::{self, AXES, Site};
+use crate::vector::{Vector, dot};
 
 pub(super) enum Quantity {
     /// `of.axis` or `of.axis - minus.axis`.
@@ -21,6 +23,8 @@ pub(super) enum Quantity {
     Angle { line: [Ident; 2], axis: Ident },
     /// `length(from -> to)`.
     Length { line: [Ident; 2] },
+    /// `point along [x, y, z]`, with a unit vector.
+    Along { point: Ident, direction: Vector },
 }
 
 pub(super) struct Coordinate {
@@ -29,9 +33,9 @@ pub(super) struct Coordinate {
 }
 
 impl Quantity {
-    /// Reads a quantity; of another function than these `unknown` tells what can be written.
-    pub(super) fn parse(input: ParseStream<'_>, unknown: fn(&Ident) -> Error) -> syn::Result<Self> {
+    pub(super) fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         match function(input)? {
+            None if input.peek2(Ident) => along(input),
             None => coordinate(input),
             Some(function) if function == "angle" => operands(input, |content| {
                 let line = arrow(content)?;
@@ -43,7 +47,7 @@ impl Quantity {
                 let line = operands(input, arrow)?;
                 Ok(Self::Length { line })
             }
-            Some(function) => Err(unknown(&function)),
+            Some(function) => Err(unknown_quantity(&function)),
         }
     }
 
@@ -55,6 +59,7 @@ impl Quantity {
                 .map(|coordinate| &coordinate.point)
                 .collect(),
             Self::Angle { line, .. } | Self::Length { line } => line.iter().collect(),
+            Self::Along { point, .. } => vec![point],
         }
     }
 
@@ -63,7 +68,7 @@ impl Quantity {
         let axis = match self {
             Self::Coordinate { of, .. } => &of.axis,
             Self::Angle { axis, .. } => axis,
-            Self::Length { .. } => return,
+            Self::Length { .. } | Self::Along { .. } => return,
         };
         if !AXES.iter().any(|name| axis == name) {
             check.report(unknown_axis(axis));
@@ -85,6 +90,7 @@ impl Quantity {
             Self::Coordinate { of, .. } => of.axis.to_string(),
             Self::Angle { axis, .. } => axis.to_string(),
             Self::Length { .. } => String::new(),
+            Self::Along { direction, .. } => format!("{direction:?}"),
         };
         format!("{} {axis}", points.join(" "))
     }
@@ -100,6 +106,18 @@ impl Quantity {
                 line: [from, to],
                 axis,
             } => (axis, to, Some(from)),
+            Self::Along { point, direction } => {
+                let axes = direction
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, factor)| **factor != 0.0);
+                let term = |(axis, factor): (usize, &f64)| Term {
+                    factor: *factor,
+                    site: site(point),
+                    axis,
+                };
+                return axes.map(term).collect();
+            }
             Self::Length { .. } => return Vec::new(),
         };
         let axis = axis_index(axis);
@@ -127,6 +145,10 @@ impl Quantity {
             Self::Length { line } => system::Quantity::Length {
                 line: line.each_ref().map(Name::from),
             },
+            Self::Along { point, direction } => system::Quantity::Along {
+                point: Name::from(point),
+                direction: *direction,
+            },
         }
     }
 }
@@ -139,6 +161,29 @@ fn coordinate(input: ParseStream<'_>) -> syn::Result<Quantity> {
         None => None,
     };
     Ok(Quantity::Coordinate { of, minus })
+}
+
+/// `point along [x, y, z]`.
+fn along(input: ParseStream<'_>) -> syn::Result<Quantity> {
+    let (point, word) = (name(input)?, input.parse::<Ident>()?);
+    if word != "along" {
+        return Err(not_along(&word));
+    }
+    let span = input.span();
+    let stated = vector(input, "a direction")?;
+    let largest = stated
+        .iter()
+        .fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    if largest == 0.0 {
+        return Err(Error::new(
+            span,
+            "`[0, 0, 0]` is no direction; write where it points",
+        ));
+    }
+    let scaled = stated.map(|x| x / largest);
+    let length = dot(scaled, scaled).sqrt();
+    let direction = scaled.map(|x| x / length);
+    Ok(Quantity::Along { point, direction })
 }
 
 impl Parse for Coordinate {
@@ -163,17 +208,29 @@ fn operands<T>(
 ) -> syn::Result<T> {
     let content;
     parenthesized!(content in input);
-    let operands = read(&content)?;
-    if content.is_empty() {
-        Ok(operands)
-    } else {
-        Err(content.error("expected `)`"))
-    }
+    in_brackets(&content, read)
 }
 
 fn axis_index(axis: &Ident) -> usize {
     let mut axes = AXES.iter();
     axes.position(|name| axis == name).unwrap_or_default()
+}
+
+fn unknown_quantity(function: &Ident) -> Error {
+    errors::at(
+        function,
+        format!(
+            "there is no quantity `{function}(..)`; write `p.z`, `p.z - q.z`, `p along [0, 1, 0]`, \
+             `angle(p -> q, z)` or `length(p -> q)`"
+        ),
+    )
+}
+
+fn not_along(word: &Ident) -> Error {
+    errors::at(
+        word,
+        format!("unexpected `{word}`; write `;`, or a direction: `along [x, y, z]`"),
+    )
 }
 
 fn unknown_axis(axis: &Ident) -> Error {

@@ -148,10 +148,10 @@ impl System {
             carried: point.is_some() && carried == point,
         };
         let sites = form.sites();
-        let scalar = form.scalar().and_then(|name| self.scalar(name));
-        let scalar = scalar.map(|index| {
-            let column = 3 * self.free.len() + index;
-            place(3 * sites.len(), column, None, false)
+        let scalar = form.scalar().and_then(|(name, dependence)| {
+            let column = 3 * self.free.len() + self.scalar(name)?;
+            let unit = dependence == Dependence::Unit;
+            Some(place(3 * sites.len(), column, None, unit))
         });
         let sites = sites.into_iter().enumerate();
         let axes = sites.flat_map(|(site, point)| (0..3).map(move |axis| (site, point, axis)));

@@ -5,16 +5,21 @@ mod along;
 mod carried;
 mod distance;
 mod linear;
+mod stretch;
 
 use proc_macro2::TokenStream;
+use quote::quote;
 
 use suspension_listing::form::Form;
 use suspension_listing::name::Name;
-use suspension_listing::system::{Equation, Site, SiteMotion, System};
+use suspension_listing::system::{AXES, Equation, Site, SiteMotion, System};
 
 use super::docs::Operations;
+use super::indices;
 use super::jacobian::Write;
-use super::terms::Binding;
+use super::terms::{Binding, ident};
+
+pub(super) use linear::constant;
 
 /// What is written of the equations of a form, by the name of the first.
 pub(super) trait Emit {
@@ -84,7 +89,19 @@ pub(super) fn of(equation: &Equation) -> &dyn Emit {
         Form::Carried(form) => form,
         Form::Linear(form) => form,
         Form::Along(form) => form,
+        Form::Stretch(form) => form,
     }
+}
+
+/// The entries `gradient` of a row by a point, with a sign.
+fn gradient_entries(site: &Site, row: &Name, sign: &TokenStream, write: &Write<'_>) -> TokenStream {
+    let columns = indices::unknown_names(&site.name);
+    let free = columns.iter().zip(AXES).filter(|_| site.is_free());
+    let entries = free.map(|(column, axis)| {
+        let axis = ident(axis);
+        write(row, column, quote!(#sign gradient.#axis))
+    });
+    quote!(#(#entries)*)
 }
 
 /// The values of the scalar unknowns, with each site where `place` says.

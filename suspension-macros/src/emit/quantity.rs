@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::form::constant;
 use super::terms::ident;
 use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, Drive, Quantity};
@@ -24,22 +25,26 @@ pub(super) fn in_words(quantity: &Quantity) -> String {
             format!(" Angle of `{from} -> {to}` from the {axis} axis, radians.")
         }
         Quantity::Length { line: [from, to] } => format!(" From `{from}` to `{to}`."),
+        Quantity::Along { point, direction } => {
+            let [x, y, z] = direction.map(|x| (x * 1e4).round() / 1e4);
+            format!(" `{point}` along [{x}, {y}, {z}].")
+        }
     }
 }
 
 /// `MeasureKind`.
 pub(super) fn measure_kind(quantity: &Quantity) -> TokenStream {
     match quantity {
-        Quantity::Coordinate { .. } | Quantity::Length { .. } => quote!(MeasureKind::Length),
         Quantity::Angle { .. } => quote!(MeasureKind::Angle),
+        _ => quote!(MeasureKind::Length),
     }
 }
 
 /// `DriveKind`.
 pub(super) fn drive_kind(quantity: &Quantity) -> TokenStream {
     match quantity {
-        Quantity::Coordinate { .. } | Quantity::Length { .. } => quote!(DriveKind::Coordinate),
         Quantity::Angle { .. } => quote!(DriveKind::Angle),
+        _ => quote!(DriveKind::Coordinate),
     }
 }
 
@@ -60,6 +65,10 @@ pub(super) fn measured(quantity: &Quantity) -> TokenStream {
             let line = line(ends);
             quote!(measure::length(&#line))
         }
+        Quantity::Along { point, direction } => {
+            let direction = vector(direction);
+            quote!(points.map(|points| dot(points.#point, #direction)))
+        }
     }
 }
 
@@ -79,6 +88,10 @@ pub(super) fn driven(drive: &Drive) -> TokenStream {
             quote!(parts::angle(points.#to.#axis - points.#from.#axis, self.#distance.length()))
         }
         Quantity::Length { line: [from, to] } => quote!((points.#to - points.#from).norm()),
+        Quantity::Along { point, direction } => {
+            let direction = vector(direction);
+            quote!(dot(points.#point, #direction))
+        }
     }
 }
 
@@ -103,9 +116,20 @@ pub(super) fn coordinate(drive: &Drive) -> Option<TokenStream> {
 /// Puts a drive's value into the chassis point that it moves.
 pub(super) fn moves(drive: &Drive) -> Option<TokenStream> {
     let (name, point) = (&drive.named.name, &drive.moves.as_ref()?.name);
-    let Quantity::Coordinate { axis, .. } = &drive.quantity else {
-        return None;
-    };
-    let axis = ident(AXES[*axis]);
-    Some(quote!(fixed.#point.#axis = drives.#name;))
+    match &drive.quantity {
+        Quantity::Coordinate { axis, .. } => {
+            let axis = ident(AXES[*axis]);
+            Some(quote!(fixed.#point.#axis = drives.#name;))
+        }
+        Quantity::Along { direction, .. } => {
+            let direction = vector(direction);
+            Some(quote!(fixed.#point = moved_along(fixed.#point, #direction, drives.#name);))
+        }
+        Quantity::Angle { .. } | Quantity::Length { .. } => None,
+    }
+}
+
+fn vector(direction: &[f64; 3]) -> TokenStream {
+    let [x, y, z] = direction.map(constant);
+    quote!(Vector3::new(#x, #y, #z))
 }

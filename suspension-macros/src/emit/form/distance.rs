@@ -5,11 +5,10 @@ use quote::quote;
 
 use suspension_listing::form::Distance;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, Equation, Site, SiteMotion, System};
+use suspension_listing::system::{Equation, SiteMotion, System};
 
-use super::{Emit, Operations, Rows, Write};
+use super::{Emit, Operations, Rows, Write, gradient_entries};
 use crate::emit::fields::length_index;
-use crate::emit::indices;
 use crate::emit::terms::{assign, ident, value_of};
 
 impl Emit for Distance {
@@ -38,8 +37,8 @@ impl Emit for Distance {
 
     fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream {
         let (name, vector) = (&equation.named.name, vector(self, "free", "fixed"));
-        let to = entries(&self.to, name, &quote!(), write);
-        let from = entries(&self.from, name, &quote!(-), write);
+        let to = gradient_entries(&self.to, name, &quote!(), write);
+        let from = gradient_entries(&self.from, name, &quote!(-), write);
         quote! {
             let gradient = self.#name.gradient(#vector);
             #to
@@ -68,14 +67,4 @@ fn vector(Distance { from, to }: &Distance, free: &str, fixed: &str) -> TokenStr
     let (free, fixed) = (ident(free), ident(fixed));
     let (from, to) = (value_of(from, &free, &fixed), value_of(to, &free, &fixed));
     quote!(difference(#to, #from))
-}
-
-fn entries(site: &Site, row: &Name, sign: &TokenStream, write: &Write<'_>) -> TokenStream {
-    let columns = indices::unknown_names(&site.name);
-    let free = columns.iter().zip(AXES).filter(|_| site.is_free());
-    let entries = free.map(|(column, axis)| {
-        let axis = ident(axis);
-        write(row, column, quote!(#sign gradient.#axis))
-    });
-    quote!(#(#entries)*)
 }

@@ -1,4 +1,4 @@
-//! `Linear`: a prescribed sum of coordinates.
+//! `Linear`: a prescribed sum of coordinates, or a prescribed scalar.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -28,11 +28,15 @@ impl Emit for Linear {
             );
             (term.factor, quote!(#site.#axis))
         });
+        let scalar = self.scalar.iter().map(|scalar| (1.0, quote!(free.#scalar)));
+        let terms = terms.chain(scalar);
         let (sum, drive) = (sum(terms), &self.drive);
         assign(name, &quote!(#sum - drives.#drive)).into()
     }
 
     fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream {
+        let scalar = self.scalar.iter();
+        let scalar = scalar.map(|scalar| write(&equation.named.name, scalar, quote!(T::one())));
         let free = self.terms.iter().filter(|term| term.site.is_free());
         let entries = free.map(|Term { factor, site, axis }| {
             let column = &indices::unknown_names(&site.name)[*axis];
@@ -43,7 +47,7 @@ impl Emit for Linear {
             };
             write(&equation.named.name, column, value)
         });
-        quote!(#(#entries)*)
+        quote!(#(#entries)* #(#scalar)*)
     }
 
     fn curvature(&self, _name: &Name) -> Option<Rows> {
@@ -66,8 +70,9 @@ impl Emit for Linear {
     }
 
     fn cost(&self) -> [Operations; 3] {
+        let terms = self.terms.len() + usize::from(self.scalar.is_some());
         let scaled = self.terms.iter().filter(|term| term.factor.abs() != 1.0);
-        [(scaled.count(), self.terms.len()), (0, 0), (0, 0)].map(Operations::from)
+        [(scaled.count(), terms), (0, 0), (0, 0)].map(Operations::from)
     }
 }
 
@@ -91,7 +96,7 @@ fn sum(terms: impl Iterator<Item = (f64, TokenStream)>) -> TokenStream {
     sum
 }
 
-fn constant(number: f64) -> TokenStream {
+pub(in crate::emit) fn constant(number: f64) -> TokenStream {
     let number = Literal::f64_unsuffixed(number);
     quote!(T::constant(#number))
 }
