@@ -21,7 +21,7 @@ impl Names {
         let measures = system.measures.iter().map(|measure| &measure.named.name);
         let lengths = system.lengths();
         Self {
-            equations: texts(&system.rows()),
+            equations: texts(system.rows()),
             unknowns: system.free.iter().flat_map(coordinates).collect(),
             points: texts(system.points()),
             drives: texts(drives),

@@ -1,0 +1,4 @@
+//! One test program: the files beside this one are its modules.
+
+mod back_ends;
+mod twins;
