@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use suspension_core::{DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
 use suspension_listing::form::Form;
 use suspension_listing::name::Name;
-use suspension_listing::system::System;
+use suspension_listing::system::{Quantity, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 
 use crate::model::Model;
@@ -68,9 +68,9 @@ impl Listing {
                 length: 0,
             }],
         };
-        if let Some(slide) = slide(&system) {
+        if let Some(statement) = compiled_alone(&system) {
             return Err(refuse(format!(
-                "slide `{slide}`: listings that are read at run time cannot slide yet; compile this one with `linkage!`"
+                "`{statement}`: slides, drives of a length and quantities along a direction are not solved at run time yet; compile this listing with `linkage!`"
             )));
         }
         let order = suspension_listing::order(&system);
@@ -179,11 +179,21 @@ impl Listing {
     }
 }
 
-/// The name of a slide, where there is one.
-fn slide(system: &System) -> Option<&Name> {
-    let mut equations = system.equations.iter();
-    let slide = equations.find(|equation| matches!(equation.form, Form::Along(_)))?;
-    Some(&slide.origin.statement)
+/// The first statement that the macro alone can solve.
+fn compiled_alone(system: &System) -> Option<&Name> {
+    let equations = system.equations.iter();
+    let of_macro = |form: &Form| matches!(form, Form::Along(_) | Form::Stretch(_));
+    let statements = equations.filter(|equation| of_macro(&equation.form));
+    let along = |quantity: &Quantity| matches!(quantity, Quantity::Along { .. });
+    let drives = system.drives.iter().filter(|drive| along(&drive.quantity));
+    let measures = system
+        .measures
+        .iter()
+        .filter(|measure| along(&measure.quantity));
+    (statements.map(|equation| &equation.origin.statement))
+        .chain(drives.map(|drive| &drive.named.name))
+        .chain(measures.map(|measure| &measure.named.name))
+        .next()
 }
 
 fn place(names: &[String], name: &str) -> Option<usize> {

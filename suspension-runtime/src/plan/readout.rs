@@ -54,6 +54,12 @@ impl Measure {
             Quantity::Length { line } => Self::Length {
                 line: line.each_ref().map(point),
             },
+            // Refused where listings are read.
+            Quantity::Along { point: along, .. } => Self::Coordinate {
+                axis: 0,
+                of: point(along),
+                minus: None,
+            },
         }
     }
 
