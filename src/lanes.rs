@@ -14,7 +14,7 @@ use fearless_simd::{Avx2, Avx512, Level};
 pub use lane::Lane;
 use plain::Plain;
 use suspension_core::{
-    Bounded, Inputs, Linkage, Listing, Motion, Outputs, Settled, Signal, SolveError,
+    Bounded, Inputs, Linkage, Listing, Motion, Outputs, Report, Signal, SolveError,
 };
 
 /// Which instructions run the lanes.
@@ -145,7 +145,7 @@ where
             engine.set_motion(lane, motion);
         }
         Self {
-            settings: Bounded::default(),
+            settings: Bounded::new(),
             models,
             signs: motions.map(|motion| motion.positive_determinant),
             engine,
@@ -174,7 +174,7 @@ where
         outputs: Outputs,
         drives: &[Signal<G::Drives<T>>; LANES],
         dt: T,
-    ) -> [Result<Settled<T>, SolveError<T>>; LANES] {
+    ) -> [Result<Report<T>, SolveError<T>>; LANES] {
         let measures = self.engine.attempt(outputs, drives, dt);
         let judged: [_; LANES] = std::array::from_fn(|lane| {
             let (measures, before) = (&measures[lane], self.signs[lane]);
@@ -206,7 +206,7 @@ where
         outputs: Outputs,
         drives: &Signal<G::Drives<T>>,
         dt: T,
-    ) -> Result<Settled<T>, SolveError<T>> {
+    ) -> Result<Report<T>, SolveError<T>> {
         let mut motion = self.motion(lane);
         let inputs = Inputs::still(*drives);
         let model = &self.models[lane];

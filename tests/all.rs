@@ -18,6 +18,7 @@ mod hostile;
 mod instructions;
 mod lanes;
 mod mechanisms;
+mod messages;
 mod own_motion_file;
 mod path;
 mod properties;
@@ -27,6 +28,7 @@ mod renamed;
 mod rigid_fit;
 mod rotation;
 mod series;
+mod stepper;
 mod support;
 mod without_a_wheel;
 

@@ -178,7 +178,7 @@ fn assert_steps_invariant<L>(
     L: Linkage<15, Scalar = f64>,
 {
     const STEP: f64 = 1e-3;
-    let bounded = Bounded::<f64, 2>::default();
+    let bounded = Bounded::<f64, 2>::new();
     let mut at_home = start;
     let [position, velocity, acceleration] = carry(&flying(0.0), &start);
     let mut abroad = Motion {

@@ -47,7 +47,7 @@ fn check<T: Real, L: Build<15, Scalar = T, Listing: Default>>(
     let newton = Newton::from_afar();
     match assemble(&newton, &model, &inputs(T::zero()), &mut q) {
         Ok(converged) => {
-            prop_assert!(converged.residual <= converged.tolerance);
+            prop_assert!(converged.report.residual() <= converged.report.tolerance());
             is_root(&model, &inputs(T::zero()), &q)?;
             let stretched = q * T::constant(1.001);
             prop_assert!(!newton.is_root(&model, &inputs(T::zero()), &stretched));
@@ -76,7 +76,9 @@ fn is_root<T: Real, L: Linkage<15, Scalar = T>>(
     prop_assert!(Newton::near_by().is_root(model, inputs, q));
     let drives = model.coordinates(&inputs.drives).value;
     let residual = model.residual(q, model.fixed(), &drives);
-    let bound = T::EPSILON * Newton::<T>::near_by().tolerance * model.size().max(q.amax());
+    let bound = Newton::<T>::near_by()
+        .tolerance
+        .length(T::EPSILON * model.size().max(q.amax()));
     prop_assert!(
         residual.iter().all(|r| r.abs() <= bound),
         "{residual} > {bound}"

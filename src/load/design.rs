@@ -47,7 +47,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
             let drives = given(&origin, &model, &drives);
             let at = names.drives_in_words(&drives, file.unit, None);
-            unassembled(task, &at, &names.cause(&error, file.unit))
+            unassembled(task, &at, &names.cause(&error))
         })?;
     }
     let fixed = model.drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);

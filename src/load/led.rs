@@ -66,7 +66,7 @@ fn at_rest<L: Suspension<N>, const N: usize>(
     let curve = Curve::new(&design.model, &inputs, drive)
         .ok_or_else(|| Failure::Solver(format!("{name}: there is no such drive")))?;
     Led::at_rest(&curve, &design.q).map_err(|error| {
-        let cause = task.names.cause(&error, task.file.unit);
+        let cause = task.names.cause(&error);
         Failure::Solver(format!(
             "{name}: no measure leads from the design position: {cause}"
         ))

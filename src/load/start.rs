@@ -37,7 +37,7 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
                 let drives = way.inputs::<L::Drives>(t).drives.value;
                 names.drives_in_words(&design.given(&drives), unit, None)
             });
-            let cause = stopped.refused.map(|(_, error)| names.cause(&error, unit));
+            let cause = stopped.refused.map(|(_, error)| names.cause(&error));
             Err(out_of_reach(task, [&first, &reached], cause))
         }
     }

@@ -2,7 +2,7 @@
 
 use suspension_core::listing::Kind;
 use suspension_core::{
-    Advanced, Build, Inputs, Linkage, LocalOrigin, Motion, Signal, Still, Stopped, Tracker, Values,
+    Build, Inputs, Linkage, LocalOrigin, Motion, Report, Signal, Still, Stopped, Tracker, Values,
 };
 
 use crate::mechanism::polynomial::Polynomial;
@@ -84,7 +84,7 @@ pub fn follow<L: Linkage<N, Scalar = f64>, const N: usize>(
     drives: &DriveLaws,
     [from, to]: [f64; 2],
     motion: &mut Motion<f64, N>,
-) -> Result<Advanced<f64>, Stopped<f64>> {
+) -> Result<Report<f64>, Stopped<f64>> {
     let tracker = Tracker {
         max_steps: MAX_STEPS,
         ..Tracker::default()

@@ -1,7 +1,7 @@
 //! A motion that a measure of the linkage leads in place of one of the drives.
 
 use suspension_core::path::{Leader, Led, measured};
-use suspension_core::{Advanced, Inputs, Linkage, Signal, SolveError, Still, Stopped, Values};
+use suspension_core::{Inputs, Linkage, Report, Signal, SolveError, Still, Stopped, Values};
 
 use crate::mechanism::drives::{DriveLaws, Law, MAX_STEPS};
 use crate::mechanism::names::Names;
@@ -35,7 +35,7 @@ impl<const N: usize> Lead<N> {
         drives: &DriveLaws,
         times: [f64; 2],
         led: &mut Led<f64, N>,
-    ) -> Result<Advanced<f64>, Stopped<f64>> {
+    ) -> Result<Report<f64>, Stopped<f64>> {
         let leader = Leader {
             max_steps: MAX_STEPS,
             ..Leader::default()
@@ -87,7 +87,7 @@ impl<const N: usize> Lead<N> {
                 names.measures[self.measure].name,
                 self.value_in_words(names, *extreme, unit)
             ),
-            _ => names.cause(error, unit),
+            _ => names.cause(error),
         }
     }
 

@@ -1,7 +1,7 @@
 //! A mechanism on its way, by its drives or by a measure in place of one.
 
 use suspension_core::path::Led;
-use suspension_core::{Advanced, Inputs, Motion, Still, Stopped};
+use suspension_core::{Inputs, Motion, Report, Still, Stopped};
 
 use crate::mechanism::drives::follow;
 use crate::mechanism::end::Stop;
@@ -42,7 +42,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         &self,
         times: [f64; 2],
         moving: &mut Moving<'_, N>,
-    ) -> Result<Advanced<f64>, Stopped<f64>> {
+    ) -> Result<Report<f64>, Stopped<f64>> {
         match moving {
             Moving::Driven(motion) => follow(&self.model, &self.drives, times, motion),
             Moving::Led(lead, led) => lead.follow(&self.model, &self.drives, times, led),
@@ -66,7 +66,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             Moving::Led(lead, _) => lead.in_words(names, &at(t), t, unit),
         };
         let cause = |(_, error)| match moving {
-            Moving::Driven(_) => names.cause(&error, unit),
+            Moving::Driven(_) => names.cause(&error),
             Moving::Led(lead, _) => lead.cause(names, &error, unit),
         };
         let turns = match moving {

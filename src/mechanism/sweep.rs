@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use suspension_core::{Advanced, Inputs, Motion, Still};
+use suspension_core::{Inputs, Motion, Report, Still};
 
 use crate::failure::Failure;
 use crate::mechanism::end::End;
@@ -48,11 +48,11 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         t: f64,
         inputs: &Inputs<Still, L::Drives>,
         motion: &Motion<f64, N>,
-        advanced: &Advanced<f64>,
+        advanced: &Report<f64>,
     ) -> State {
         State {
             iterations: advanced.iterations,
-            residual: advanced.last.residual,
+            residual: advanced.residual(),
             ..self.state(t, &inputs.drives.value, &motion.points(&self.model, inputs))
         }
     }

@@ -4,7 +4,7 @@ use suspension_core::SolveError;
 
 use crate::mechanism::names::Names;
 use crate::mechanism::unit::Unit;
-use crate::number::{number, rounded};
+use crate::number::number;
 
 impl Names {
     /// A drive's value in words, as `theta = 0.7 rad`.
@@ -32,45 +32,7 @@ impl Names {
     }
 
     /// Why a step was refused.
-    pub fn cause(&self, error: &SolveError<f64>, unit: Unit) -> String {
-        let name = error.culprit(self);
-        let unit = unit.symbol();
-        match error {
-            SolveError::NotFinite { .. } => {
-                format!("the residual of equation `{name}` is not a finite number")
-            }
-            SolveError::Overflow { .. } => {
-                format!("the change of unknown `{name}` is not a finite number")
-            }
-            SolveError::CrossedSingularity { .. } => {
-                format!("a step of unknown `{name}` ended in another assembly")
-            }
-            SolveError::Mirrored { .. } => format!(
-                "point `{name}` would stand on the wrong side of the points that links join it to"
-            ),
-            SolveError::TooFar { .. } => {
-                format!("the step of unknown `{name}` is too long to tell assemblies apart")
-            }
-            SolveError::Singular { .. } => format!("unknown `{name}` is no longer determined"),
-            SolveError::Diverging { .. } => {
-                format!("no root near by, the corrections of unknown `{name}` do not shrink")
-            }
-            SolveError::StepTooLong { .. } => {
-                format!("the series of unknown `{name}` is not good for so long a step")
-            }
-            SolveError::TurningPoint { asked, extreme, .. } => format!(
-                "the leading quantity turns at {}, on the way to {}",
-                number(*extreme),
-                number(*asked)
-            ),
-            SolveError::NotConverged {
-                residual,
-                iterations,
-                ..
-            } => format!(
-                "equation `{name}` is still off by {} {unit} after {iterations} iterations",
-                rounded(*residual, 2)
-            ),
-        }
+    pub fn cause(&self, error: &SolveError<f64>) -> String {
+        format!("{:#}", error.named(self))
     }
 }

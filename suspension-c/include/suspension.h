@@ -48,45 +48,47 @@ enum {
     SUSP_ERROR_OUTSIDE = 6,
     /** the points that give a direction coincide, lie in line or are not finite */
     SUSP_ERROR_NO_DIRECTION = 7,
-    /** a coordinate of the point is not finite, or too large to compute with */
+    /** a coordinate of a point is not a finite number, or too large to compute with; give hardpoints in one unit and near the vehicle */
     SUSP_ERROR_POINT_NOT_FINITE = 20,
-    /** the length is not positive, or too large or too small to compute with */
+    /** a length is not positive, or too large or too small to compute with; keep points apart that a link or a body joins */
     SUSP_ERROR_BAD_LENGTH = 21,
-    /** the points that carry the point lie in line */
+    /** the three points that carry a point lie in line; name three that form a triangle */
     SUSP_ERROR_COLLINEAR = 22,
-    /** the point lies in the plane of the points that links join it to */
+    /** a point lies in the plane of the points that links join it to, where their lengths do not hold it; state these points as a `body` */
     SUSP_ERROR_FLAT = 23,
-    /** the lengths to the point do not fit together in any rigid body */
+    /** no rigid body has these lengths: they do not close at a point; measure its lengths again */
     SUSP_ERROR_NOT_CLOSED = 24,
-    /** the ends of the line that ends at the point coincide */
+    /** the line that a point slides along has no length; put its ends apart */
     SUSP_ERROR_NO_LINE = 25,
-    /** the residual of the equation is not a finite number */
+    /** the fixed order of elimination has too small a pivot at these hardpoints; state hardpoints near these in the listing, or step with partial pivoting */
+    SUSP_ERROR_SMALL_PIVOT = 26,
+    /** a residual is not a finite number; look at inputs, start and time step */
     SUSP_ERROR_NOT_FINITE = 40,
-    /** the change of the unknown is not a finite number */
+    /** a correction, velocity or acceleration is not a finite number; look at the rates of the inputs */
     SUSP_ERROR_OVERFLOW = 41,
-    /** a singularity was crossed: the unknown moved to another assembly */
+    /** the step ends in another assembly, beyond a singularity; take shorter steps */
     SUSP_ERROR_CROSSED_SINGULARITY = 42,
-    /** the equations do not determine the unknown */
+    /** the equations do not determine the motion here: the mechanism locks, or a drive has no effect; stay away from the lock, or lead the motion by a measure */
     SUSP_ERROR_SINGULAR = 43,
-    /** the point stands on the wrong side of the points that links join it to */
+    /** a point stands on the wrong side of the points that links join it to; start from the assembly that is meant */
     SUSP_ERROR_MIRRORED = 44,
-    /** no root near by: the correction of the unknown grew */
+    /** there is no configuration near by: the correction is too large; take shorter steps, or assemble */
     SUSP_ERROR_DIVERGING = 45,
-    /** the step is too long to tell assemblies apart */
+    /** the step is too long to tell assemblies apart; take shorter steps */
     SUSP_ERROR_TOO_FAR = 46,
-    /** the step is longer than the series of the unknown is good for */
+    /** the step is longer than the series is good for; take shorter steps */
     SUSP_ERROR_STEP_TOO_LONG = 47,
-    /** the leading quantity turns before it meets its target */
+    /** the quantity that leads turns before it meets its target; lead by another one, or not so far */
     SUSP_ERROR_TURNING_POINT = 48,
-    /** the equation is off by more than the tolerance after all iterations */
+    /** the residual is above the tolerance after all corrections that are allowed; take shorter steps, or allow more corrections */
     SUSP_ERROR_NOT_CONVERGED = 49,
-    /** all sub-steps that are allowed are used up */
+    /** all steps that are allowed are used up; allow more of them */
     SUSP_ERROR_STEPS_USED_UP = 50,
-    /** the pivots of the fixed order are too small: a bounded step tries others */
+    /** the pivots of the fixed order of elimination are too small here; make the step with partial pivoting */
     SUSP_ERROR_UNHEALTHY_PIVOTS = 51,
-    /** nothing is proved: the Jacobian is singular to rounding */
+    /** nothing is proved: the Jacobian is singular to rounding; prove roots away from singularities */
     SUSP_ERROR_UNPROVED_NEAR_SINGULAR = 60,
-    /** nothing is proved: the root is too far, or a singularity too near */
+    /** nothing is proved: the root is too far away, or a singularity too near; correct the position first */
     SUSP_ERROR_UNPROVED_TOO_FAR = 61,
 };
 
@@ -122,30 +124,23 @@ typedef struct {
     float reached;
 } susp_f32_failure;
 
-/** What a step to tolerance did. */
+/** What a step did. */
 typedef struct {
-    /** Factorisations. */
+    /** Factorisations for the position. */
     uint32_t iterations;
     /** Sub-steps. */
     uint32_t steps;
-    /** The largest residual that is left, in the unit of the points. */
+    /** The residual that is left, in the unit of the points: the largest, of a bounded step the
+     * norm of all; without sweeps a bound, the error. */
     float residual;
     /** What it was compared with. */
     float tolerance;
-} susp_f32_converged;
-
-/** What a bounded step did. */
-typedef struct {
-    /** The norm of the residual that is left, in the unit of the points; without sweeps a
-     * bound, the error. */
-    float residual;
-    /** What it was compared with. */
-    float tolerance;
-    /** The norm of the error of the predicted position, in the unit of the points. */
+    /** The first correction of the last step, in the unit of the points: the error of the
+     * predicted position. The largest entry, of a bounded step the norm. */
     float error;
-    /** The health of the pivots, the norm of their inverses: rounding grows with it. */
+    /** Pivot growth, the norm of the pivots' inverses: rounding grows with it, at most. */
     float growth;
-} susp_f32_settled;
+} susp_f32_report;
 
 /** How a configuration was found. */
 typedef struct {
@@ -277,30 +272,23 @@ typedef struct {
     double reached;
 } susp_f64_failure;
 
-/** What a step to tolerance did. */
+/** What a step did. */
 typedef struct {
-    /** Factorisations. */
+    /** Factorisations for the position. */
     uint32_t iterations;
     /** Sub-steps. */
     uint32_t steps;
-    /** The largest residual that is left, in the unit of the points. */
+    /** The residual that is left, in the unit of the points: the largest, of a bounded step the
+     * norm of all; without sweeps a bound, the error. */
     double residual;
     /** What it was compared with. */
     double tolerance;
-} susp_f64_converged;
-
-/** What a bounded step did. */
-typedef struct {
-    /** The norm of the residual that is left, in the unit of the points; without sweeps a
-     * bound, the error. */
-    double residual;
-    /** What it was compared with. */
-    double tolerance;
-    /** The norm of the error of the predicted position, in the unit of the points. */
+    /** The first correction of the last step, in the unit of the points: the error of the
+     * predicted position. The largest entry, of a bounded step the norm. */
     double error;
-    /** The health of the pivots, the norm of their inverses: rounding grows with it. */
+    /** Pivot growth, the norm of the pivots' inverses: rounding grows with it, at most. */
     double growth;
-} susp_f64_settled;
+} susp_f64_report;
 
 /** How a configuration was found. */
 typedef struct {

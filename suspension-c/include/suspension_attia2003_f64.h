@@ -173,18 +173,18 @@ susp_status susp_attia2003_f64_assemble(
         susp_f64_failure *failure);
 
 /** One step to tolerance, of `dt` seconds, to the configuration of `inputs`: position, velocity
- * and acceleration. `converged` may be NULL. */
+ * and acceleration. `report` may be NULL. */
 susp_status susp_attia2003_f64_step(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
         double dt,
         susp_attia2003_f64_motion *motion,
-        susp_f64_converged *converged,
+        susp_f64_report *report,
         susp_f64_failure *failure);
 
 /** A step of `dt` seconds, not zero, between two inputs that may lie far apart: to tolerance, in
  * as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
- * drives follow the cubics that have their values and rates at the ends. `converged` may be
+ * drives follow the cubics that have their values and rates at the ends. `report` may be
  * NULL. */
 susp_status susp_attia2003_f64_step_between(
         const susp_attia2003_f64_model *model,
@@ -192,12 +192,12 @@ susp_status susp_attia2003_f64_step_between(
         const susp_attia2003_f64_inputs *to,
         double dt,
         susp_attia2003_f64_motion *motion,
-        susp_f64_converged *converged,
+        susp_f64_report *report,
         susp_f64_failure *failure);
 
 /** One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. Solved for:
  * SUSP_POSITION, SUSP_VELOCITY (position too) or SUSP_ACCELERATION (all three). Rates that are
- * not solved for are estimates, good for the next step. `settled` may be NULL. A first step from
+ * not solved for are estimates, good for the next step. `report` may be NULL. A first step from
  * rest is one with `dt` = 0. */
 susp_status susp_attia2003_f64_bounded_step(
         const susp_attia2003_f64_model *model,
@@ -205,7 +205,7 @@ susp_status susp_attia2003_f64_bounded_step(
         susp_outputs outputs,
         double dt,
         susp_attia2003_f64_motion *motion,
-        susp_f64_settled *settled,
+        susp_f64_report *report,
         susp_f64_failure *failure);
 
 /** The same with two sweeps in place of one, for longer steps, and for steps of a millisecond
@@ -216,19 +216,19 @@ susp_status susp_attia2003_f64_bounded_step_twice(
         susp_outputs outputs,
         double dt,
         susp_attia2003_f64_motion *motion,
-        susp_f64_settled *settled,
+        susp_f64_report *report,
         susp_f64_failure *failure);
 
 /** `bounded_step` in one fixed order of pivots or not at all: the call for a hard real-time loop. A
  * refusal takes no longer than a step and leaves the motion; `bounded_step` with the same
- * arguments finds the reason, or another order. `settled` may be NULL. */
+ * arguments finds the reason, or another order. `report` may be NULL. */
 susp_status susp_attia2003_f64_attempt(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
         susp_outputs outputs,
         double dt,
         susp_attia2003_f64_motion *motion,
-        susp_f64_settled *settled);
+        susp_f64_report *report);
 
 /** `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
  * that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms. */
@@ -238,7 +238,7 @@ susp_status susp_attia2003_f64_attempt_without_sweeps(
         susp_outputs outputs,
         double dt,
         susp_attia2003_f64_motion *motion,
-        susp_f64_settled *settled);
+        susp_f64_report *report);
 
 /** Positions, velocities and accelerations of all points of a motion, which must be the one that
  * a step with these inputs left. */
@@ -285,7 +285,7 @@ susp_status susp_attia2003_f64_moving_step(
         const susp_attia2003_f64_inputs *inputs,
         double dt,
         susp_attia2003_f64_motion *motion,
-        susp_f64_converged *converged,
+        susp_f64_report *report,
         susp_f64_failure *failure);
 
 /** `bounded_step` with chassis points that move. */
@@ -296,7 +296,7 @@ susp_status susp_attia2003_f64_moving_bounded_step(
         susp_outputs outputs,
         double dt,
         susp_attia2003_f64_motion *motion,
-        susp_f64_settled *settled,
+        susp_f64_report *report,
         susp_f64_failure *failure);
 
 /** `read_points` with chassis points that move. */

@@ -2,11 +2,10 @@
 
 use core::mem::MaybeUninit;
 
-use suspension_core::Advanced;
 use suspension_core::nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
-use suspension_core::{Real, Signal, assemble, bounded, newton, wheel};
+use suspension_core::{Real, Signal, assemble, wheel};
 
-use crate::shared::{Assembly, CarrierRotation, Converged, Kingpin, RigidMotion, Settled, Wheel};
+use crate::shared::{Assembly, CarrierRotation, Kingpin, Report, RigidMotion, Wheel};
 use crate::status::Status;
 use crate::values::{Rates, Values};
 
@@ -18,31 +17,11 @@ pub fn fill<A, B: From<A>>(place: Option<&mut MaybeUninit<B>>, found: A) {
     }
 }
 
-impl<T> From<newton::Converged<T>> for Converged<T> {
-    fn from(found: newton::Converged<T>) -> Self {
-        Self {
-            iterations: found.iterations as u32,
-            steps: 1,
-            residual: found.residual,
-            tolerance: found.tolerance,
-        }
-    }
-}
-
-impl<T> From<Advanced<T>> for Converged<T> {
-    fn from(found: Advanced<T>) -> Self {
+impl<T: Real> From<suspension_core::Report<T>> for Report<T> {
+    fn from(found: suspension_core::Report<T>) -> Self {
         Self {
             iterations: found.iterations as u32,
             steps: found.steps as u32,
-            residual: found.last.residual,
-            tolerance: found.last.tolerance,
-        }
-    }
-}
-
-impl<T: Real> From<bounded::Settled<T>> for Settled<T> {
-    fn from(found: bounded::Settled<T>) -> Self {
-        Self {
             residual: found.residual(),
             tolerance: found.tolerance(),
             error: found.error(),
@@ -56,8 +35,8 @@ impl<T: Real> From<assemble::Assembly<T>> for Assembly<T> {
         Self {
             distance: found.distance,
             next: found.next.unwrap_or(T::one() / T::zero()),
-            residual: found.residual,
-            tolerance: found.tolerance,
+            residual: found.report.residual(),
+            tolerance: found.report.tolerance(),
         }
     }
 }

@@ -80,8 +80,8 @@ macro_rules! export {
             $crate::structures_of_a_linkage!($prefix);
 
             use shared::of::$number::{
-                Assembly, CarrierRotation, Certificate, Converged, Failure, Kingpin, Outputs, RigidMotion,
-                Settled, Wheel,
+                Assembly, CarrierRotation, Certificate, Failure, Kingpin, Outputs, Report, RigidMotion,
+                Wheel,
             };
 
             $crate::helpers_of_a_linkage!();

@@ -80,55 +80,55 @@ macro_rules! functions_of_a_linkage {
         }
 
         /// One step to tolerance, of `dt` seconds, to the configuration of `inputs`: position, velocity
-        /// and acceleration. `converged` may be NULL.
-        fn step(model: In<Model>, inputs: In<Inputs>, dt: Number, motion: InOut<Motion>, converged: Out<Converged>, failure: Out<Failure>) -> Status {
-            respond(failure, &NAMES, || tracked(model, still(inputs.get()?), dt, motion, converged))
+        /// and acceleration. `report` may be NULL.
+        fn step(model: In<Model>, inputs: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || tracked(model, still(inputs.get()?), dt, motion, report))
         }
 
         /// A step of `dt` seconds, not zero, between two inputs that may lie far apart: to tolerance, in
         /// as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
-        /// drives follow the cubics that have their values and rates at the ends. `converged` may be
+        /// drives follow the cubics that have their values and rates at the ends. `report` may be
         /// NULL.
-        fn step_between(model: In<Model>, from: In<Inputs>, to: In<Inputs>, dt: Number, motion: InOut<Motion>, converged: Out<Converged>, failure: Out<Failure>) -> Status {
+        fn step_between(model: In<Model>, from: In<Inputs>, to: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, from, to) = (model.object()?, from.get()?, to.get()?);
-                let (motion, converged) = (motion.object()?, converged.optional()?);
+                let (motion, report) = (motion.object()?, report.optional()?);
                 let [from, to] = [from, to].map(|at| still(at));
                 let tracker = solver::Tracker::default();
-                fill(converged, tracker.step_between(model, [&from, &to], dt, motion)?);
+                fill(report, tracker.step_between(model, [&from, &to], dt, motion)?);
                 Ok(())
             })
         }
 
         /// One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. Solved for:
         /// SUSP_POSITION, SUSP_VELOCITY (position too) or SUSP_ACCELERATION (all three). Rates that are
-        /// not solved for are estimates, good for the next step. `settled` may be NULL. A first step from
+        /// not solved for are estimates, good for the next step. `report` may be NULL. A first step from
         /// rest is one with `dt` = 0.
-        fn bounded_step(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>, failure: Out<Failure>) -> Status {
+        fn bounded_step(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
-                bounded::<_, 1>(model, still(inputs.get()?), outputs, dt, motion, settled)
+                bounded::<_, 1>(model, still(inputs.get()?), outputs, dt, motion, report)
             })
         }
 
         /// The same with two sweeps in place of one, for longer steps, and for steps of a millisecond
         /// that do not solve for the acceleration.
-        fn bounded_step_twice(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>, failure: Out<Failure>) -> Status {
+        fn bounded_step_twice(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
-                bounded::<_, 2>(model, still(inputs.get()?), outputs, dt, motion, settled)
+                bounded::<_, 2>(model, still(inputs.get()?), outputs, dt, motion, report)
             })
         }
 
         /// `bounded_step` in one fixed order of pivots or not at all: the call for a hard real-time loop. A
         /// refusal takes no longer than a step and leaves the motion; `bounded_step` with the same
-        /// arguments finds the reason, or another order. `settled` may be NULL.
-        fn attempt(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>) -> Status {
-            answer(|| attempted::<1>(model, inputs, outputs, dt, motion, settled))
+        /// arguments finds the reason, or another order. `report` may be NULL.
+        fn attempt(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
+            answer(|| attempted::<1>(model, inputs, outputs, dt, motion, report))
         }
 
         /// `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
         /// that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms.
-        fn attempt_without_sweeps(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>) -> Status {
-            answer(|| attempted::<0>(model, inputs, outputs, dt, motion, settled))
+        fn attempt_without_sweeps(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
+            answer(|| attempted::<0>(model, inputs, outputs, dt, motion, report))
         }
 
         /// Positions, velocities and accelerations of all points of a motion, which must be the one that
@@ -189,18 +189,18 @@ macro_rules! functions_of_a_linkage {
         }
 
         /// `step` with chassis points that move. Drives prescribe coordinates in the axes of these.
-        fn moving_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, dt: Number, motion: InOut<Motion>, converged: Out<Converged>, failure: Out<Failure>) -> Status {
+        fn moving_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let inputs = moving(chassis.get()?, inputs.get()?);
-                tracked(model, inputs, dt, motion, converged)
+                tracked(model, inputs, dt, motion, report)
             })
         }
 
         /// `bounded_step` with chassis points that move.
-        fn moving_bounded_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, settled: Out<Settled>, failure: Out<Failure>) -> Status {
+        fn moving_bounded_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let inputs = moving(chassis.get()?, inputs.get()?);
-                bounded::<_, 1>(model, inputs, outputs, dt, motion, settled)
+                bounded::<_, 1>(model, inputs, outputs, dt, motion, report)
             })
         }
 

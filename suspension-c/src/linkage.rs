@@ -113,12 +113,12 @@ macro_rules! helpers_of_a_linkage {
             inputs: solver::Inputs<C, listing::Drives<Number>>,
             dt: Number,
             motion: InOut<'_, Motion>,
-            converged: Out<'_, Converged>,
-        ) -> Result<(), Trouble<Number>> {
+            report: Out<'_, Report>,
+        ) -> Result<(), Trouble> {
             let (model, motion) = (model.object()?, motion.object()?);
-            let converged = converged.optional()?;
+            let report = report.optional()?;
             fill(
-                converged,
+                report,
                 solver::Tracker::default().step(model, &inputs, dt, motion)?,
             );
             Ok(())
@@ -131,13 +131,13 @@ macro_rules! helpers_of_a_linkage {
             outputs: Outputs,
             dt: Number,
             motion: InOut<'_, Motion>,
-            settled: Out<'_, Settled>,
-        ) -> Result<(), Trouble<Number>> {
+            report: Out<'_, Report>,
+        ) -> Result<(), Trouble> {
             let (model, motion) = (model.object()?, motion.object()?);
-            let (outputs, settled) = (outputs_of(outputs)?, settled.optional()?);
-            let bounded = solver::Bounded::<Number, SWEEPS>::default();
+            let (outputs, report) = (outputs_of(outputs)?, report.optional()?);
+            let bounded = solver::Bounded::<Number, SWEEPS>::new();
             fill(
-                settled,
+                report,
                 bounded.step_to(outputs, model, &inputs, dt, motion)?,
             );
             Ok(())
@@ -150,16 +150,16 @@ macro_rules! helpers_of_a_linkage {
             outputs: Outputs,
             dt: Number,
             motion: InOut<'_, Motion>,
-            settled: Out<'_, Settled>,
+            report: Out<'_, Report>,
         ) -> Result<(), Status> {
             let (model, motion) = (model.object()?, motion.object()?);
-            let (outputs, settled) = (outputs_of(outputs)?, settled.optional()?);
+            let (outputs, report) = (outputs_of(outputs)?, report.optional()?);
             let (bounded, inputs) = (
-                solver::Bounded::<Number, SWEEPS>::default(),
+                solver::Bounded::<Number, SWEEPS>::new(),
                 still(inputs.get()?),
             );
             fill(
-                settled,
+                report,
                 bounded.attempt(outputs, model, &inputs, dt, motion)?,
             );
             Ok(())

@@ -49,28 +49,21 @@ structures! {
         reached: T,
     }
 
-    /// What a step to tolerance did.
-    Converged {
-        /// Factorisations.
+    /// What a step did.
+    Report {
+        /// Factorisations for the position.
         iterations: u32,
         /// Sub-steps.
         steps: u32,
-        /// The largest residual that is left, in the unit of the points.
+        /// The residual that is left, in the unit of the points: the largest, of a bounded step the
+        /// norm of all; without sweeps a bound, the error.
         residual: T,
         /// What it was compared with.
         tolerance: T,
-    }
-
-    /// What a bounded step did.
-    Settled {
-        /// The norm of the residual that is left, in the unit of the points; without sweeps a
-        /// bound, the error.
-        residual: T,
-        /// What it was compared with.
-        tolerance: T,
-        /// The norm of the error of the predicted position, in the unit of the points.
+        /// The first correction of the last step, in the unit of the points: the error of the
+        /// predicted position. The largest entry, of a bounded step the norm.
         error: T,
-        /// The health of the pivots, the norm of their inverses: rounding grows with it.
+        /// Pivot growth, the norm of the pivots' inverses: rounding grows with it, at most.
         growth: T,
     }
 
@@ -184,15 +177,11 @@ const NUMBERS: Structure = Structure {
 
 impl<T: Real> Failure<T> {
     pub(crate) fn of(status: Status) -> Self {
-        Self::compared(status, Text::NONE, T::zero(), T::zero())
-    }
-
-    pub(crate) fn compared(status: Status, culprit: Text, value: T, bound: T) -> Self {
         Self {
             status,
-            culprit,
-            value,
-            bound,
+            culprit: Text::NONE,
+            value: T::zero(),
+            bound: T::zero(),
             reached: T::zero(),
         }
     }
@@ -214,7 +203,7 @@ macro_rules! over {
             /// Which rates are solved for: see `SUSP_POSITION`.
             pub type Outputs = i32;
             over!(@types $number: Assembly, BakedWheel, BakedWheelRates, CarrierRotation, Certificate,
-                Converged, Curve, Failure, Kingpin, Numbers, RigidMotion, Settled, Wheel);
+                Curve, Failure, Kingpin, Numbers, Report, RigidMotion, Wheel);
 
             crate::functions! { $prefix:
                 /// Looks a wheel up where the drive has a value and moves at a rate, per second, and a

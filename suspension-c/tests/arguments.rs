@@ -75,7 +75,7 @@ const DESIGN: &str = "{-1.396, -0.025, -0.082}, {-1.301, 0.1168, 0.106}, {-1.094
         {-1.188, 0.418, 0.167}, {-1.27, 0.415, 0.218}";
 
 /// What may be NULL.
-const OPTIONAL: [&str; 4] = ["failure", "assembly", "converged", "settled"];
+const OPTIONAL: [&str; 3] = ["failure", "assembly", "report"];
 
 #[test]
 fn wrong_ones_are_told_and_leave_all_as_it_was() {

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::{
-    Bounded, Build, Inputs, Linkage, Motion, Real, Scalar, Settled, Signal, SolveError, Still,
+    Bounded, Build, Inputs, Linkage, Motion, Real, Report, Scalar, Signal, SolveError, Still,
     Values,
 };
 
@@ -95,6 +95,6 @@ fn counted_step<T: Real, L: Linkage<15, Scalar = T>>(
     model: &L,
     inputs: &Inputs<Still, L::Drives>,
     motion: &mut Motion<T, 15>,
-) -> Result<Settled<T>, SolveError<T>> {
+) -> Result<Report<T>, SolveError<T>> {
     Bounded::<T>::default().step(model, inputs, T::constant(STEP), motion)
 }

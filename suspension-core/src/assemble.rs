@@ -11,6 +11,7 @@ use crate::handedness;
 use crate::linkage::Build;
 use crate::motion::Prescribed;
 use crate::newton::Newton;
+use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 
@@ -23,14 +24,8 @@ use search::{AROUND, Found, around, nearer};
 /// Distances are the norm over all coordinates of free points, in units of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assembly<T> {
-    /// Factorisations made on the way to it, from the start that found it.
-    pub iterations: usize,
-    /// The largest residual, in units of length.
-    pub residual: T,
-    /// What it was compared with.
-    pub tolerance: T,
-    /// The health of the last pivots: the norm of their inverses.
-    pub growth: T,
+    /// How it was found, from the start that led to it.
+    pub report: Report<T>,
     /// How far it lies from the guess.
     pub distance: T,
     /// How far the next nearest root that was met lies from the guess; `None` where all that was met

@@ -24,15 +24,17 @@ use crate::factored::smallest_pivot;
 use crate::linkage::Linkage;
 use crate::lu::Lu;
 use crate::motion::{Motion, Prescribed};
+use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
+use crate::tolerance::Tolerance;
 use crate::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
 
 mod judge;
 mod predict;
 mod step;
 
-pub use judge::{Measures, Refusal, Settled};
+pub use judge::{Measures, Refusal};
 pub use step::Step;
 
 /// See [`Bounded::tolerance`]: the norm of fifteen residuals that [`Newton`](crate::Newton) would
@@ -68,26 +70,34 @@ pub enum Outputs {
 /// [`correction_of_size`](Self::correction_of_size) and the step is accepted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounded<T, const SWEEPS: usize = 1, const ORDER: usize = 2> {
-    /// The largest norm of the residual that is accepted, as a multiple of rounding: it is compared
-    /// with `tolerance * EPSILON * size of the linkage`.
-    pub tolerance: T,
+    /// The largest norm of the residual that is accepted. Rounding is `EPSILON` times the size of the
+    /// linkage: coordinates are taken to be local ones ([`local`](crate::local)).
+    pub tolerance: Tolerance<T>,
     /// See [`Tracker::correction_of_move`](crate::Tracker::correction_of_move).
     pub correction_of_move: T,
     /// See [`Tracker::correction_of_size`](crate::Tracker::correction_of_size).
     pub correction_of_size: T,
 }
 
-impl<T: Real, const SWEEPS: usize, const ORDER: usize> Default for Bounded<T, SWEEPS, ORDER> {
+/// One sweep from a prediction of second order: for others see [`Bounded::new`].
+impl<T: Real> Default for Bounded<T> {
+    #[inline(always)]
     fn default() -> Self {
-        Self {
-            tolerance: T::constant(DEFAULT_TOLERANCE),
-            correction_of_move: T::constant(CORRECTION_OF_MOVE),
-            correction_of_size: T::constant(CORRECTION_OF_SIZE),
-        }
+        Self::new()
     }
 }
 
 impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER> {
+    /// With as many sweeps, and a prediction of the order, as the type says: `Bounded::<f32, 0>::new()`.
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self {
+            tolerance: Tolerance::Roundings(T::constant(DEFAULT_TOLERANCE)),
+            correction_of_move: T::constant(CORRECTION_OF_MOVE),
+            correction_of_size: T::constant(CORRECTION_OF_SIZE),
+        }
+    }
+
     /// One step of length `dt` to the configuration of `inputs`, with velocity and acceleration.
     ///
     /// Where the pivots of the macro's order are unhealthy the step is made again with partial
@@ -103,7 +113,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         inputs: &Inputs<C, L::Drives>,
         dt: T,
         motion: &mut Motion<T, N>,
-    ) -> Result<Settled<T>, SolveError<T>>
+    ) -> Result<Report<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
@@ -124,7 +134,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         inputs: &Inputs<C, L::Drives>,
         dt: T,
         motion: &mut Motion<T, N>,
-    ) -> Result<Settled<T>, SolveError<T>>
+    ) -> Result<Report<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
@@ -151,7 +161,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         inputs: &Inputs<C, L::Drives>,
         dt: T,
         motion: &mut Motion<T, N>,
-    ) -> Result<Settled<T>, Refusal>
+    ) -> Result<Report<T>, Refusal>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
@@ -180,7 +190,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         inputs: &Inputs<C, L::Drives>,
         dt: T,
         motion: &mut Motion<T, N>,
-    ) -> Result<Settled<T>, SolveError<T>>
+    ) -> Result<Report<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
@@ -188,10 +198,10 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         let prescribed = Prescribed::new(linkage, inputs);
         let step = Step::<L, C, N, SWEEPS, ORDER>::new(linkage, &prescribed, motion, dt);
         let (at, fixed) = (&step.prediction.position, &prescribed.fixed.value);
-        // A number that is none is the reason even where the pivots are too small as well.
+        // NaN is the reason even where the pivots are too small as well.
         let start = step.residual_called(at);
         if let Some(equation) = start.iter().position(|x| !x.is_finite()) {
-            return Err(SolveError::NotFinite { equation });
+            return Err(SolveError::not_finite(equation));
         }
         let mut lu = Lu::of(linkage.jacobian(at, fixed));
         lu.eliminate_jacobian(smallest_pivot())?;

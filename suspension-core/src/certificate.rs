@@ -147,7 +147,7 @@ where
         let residual = self.enclosing.residual(&position, &fixed, &drives);
         let [enclosed] = residual.data.0;
         magnitude(&SVector::from(enclosed.map(Enclosed::magnitude)))
-            .map_err(|equation| SolveError::NotFinite { equation })?;
+            .map_err(SolveError::not_finite)?;
         let jacobian = self.enclosing.jacobian(&position, &fixed);
         let at = Prescribed::new(&self.linkage, inputs).fixed.value;
         with_factors(&self.linkage, q, &at, T::zero(), |factors| {

@@ -1,72 +1,48 @@
 //! What can go wrong, as `Copy` values.
 //!
-//! They hold numbers of equations, unknowns, points and lengths, which the model turns into the
-//! user's names: [`Parts::name`].
+//! They hold numbers of equations, unknowns, points and lengths. With a listing or a model of it beside
+//! them ([`SolveError::named`]) they print names. [`Cause`] has a row for each kind of failure.
 
 use core::fmt;
 
-use crate::listing::{Kind, Part, Parts};
+use crate::listing::Part;
+use crate::scalar::Real;
 
-/// An error that concerns a part of a listing.
-trait Failure {
-    /// The message, with the name or the number of the part.
-    fn write(&self, f: &mut fmt::Formatter<'_>, name: &dyn fmt::Display) -> fmt::Result;
+mod cause;
+mod message;
 
-    /// The message with the names of a listing, or with numbers.
-    fn of(&self, parts: Option<&dyn Parts>, f: &mut fmt::Formatter<'_>) -> fmt::Result;
-}
-
-/// An error with the names of a listing, to be printed.
-#[derive(Clone, Copy)]
-pub struct WithNames<'a, E> {
-    error: &'a E,
-    parts: &'a dyn Parts,
-}
-
-#[allow(private_bounds, reason = "the two errors of this module")]
-impl<E: Failure> fmt::Display for WithNames<'_, E> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.error.of(Some(self.parts), f)
-    }
-}
-
-/// A name in a message.
-struct Quoted<'a>(&'a str);
-
-impl fmt::Display for Quoted<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}`", self.0)
-    }
-}
+pub use cause::Cause;
+pub(crate) use message::messages;
+pub use message::{Compared, Explain, Facts, Failure};
 
 /// Why no configuration was found. The state that was passed in is unchanged.
 ///
-/// On a [`Curve`](crate::path::Curve) of `N` unknowns, unknown `N` is the coordinate of the free
-/// drive, and equation `N` that of the quantity that leads.
+/// The part is an equation or an unknown; on a [`Curve`](crate::path::Curve) it may be the free drive, for
+/// its coordinate and for the quantity that leads in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SolveError<T> {
     /// A residual, or a derivative of it, is NaN or infinite: so is an input, the start or the time
     /// step, or it is too large for the number type.
     NotFinite {
         /// The equation whose residual it is.
-        equation: usize,
+        part: Part,
     },
     /// A correction, velocity or acceleration is NaN or infinite: so is a rate of an input, or it
     /// is too large for the number type.
     Overflow {
         /// The unknown whose change it is.
-        unknown: usize,
+        part: Part,
     },
     /// The determinant of the Jacobian has another sign than at the last good motion: a
     /// singularity lies between, and the root belongs to another assembly.
     CrossedSingularity {
         /// The unknown that moved farthest.
-        unknown: usize,
+        part: Part,
     },
     /// `pivot <= threshold`: to rounding, the equations do not determine this unknown.
     Singular {
         /// The unknown whose column has no usable pivot.
-        unknown: usize,
+        part: Part,
         /// The largest candidate for a pivot.
         pivot: T,
         /// What it had to exceed.
@@ -75,14 +51,14 @@ pub enum SolveError<T> {
     /// The point stands on the wrong side of the three that links join it to: the lengths are kept,
     /// and the part that they make is the mirror image of the model's.
     Mirrored {
-        /// The point, one of [`Linkage::linked`](crate::Linkage::linked).
-        point: usize,
+        /// The point, one of [`Linkage::linked`](crate::linkage::Linkage::linked).
+        part: Part,
     },
     /// `step > bound`: the correction of this unknown did not shrink as it does near a root, so
     /// the root, if any, might belong to another assembly.
     Diverging {
         /// The unknown with the largest correction.
-        unknown: usize,
+        part: Part,
         /// Its size, in units of length; of a bounded step the norm of all.
         step: T,
         /// What it had to stay within.
@@ -92,7 +68,7 @@ pub enum SolveError<T> {
     /// between, an even number of them too.
     TooFar {
         /// The unknown with the largest change.
-        unknown: usize,
+        part: Part,
         /// Its size, in units of length.
         change: T,
         /// What it had to stay within: the size of the step.
@@ -102,7 +78,7 @@ pub enum SolveError<T> {
     /// the largest last term, is not good for so long a step.
     StepTooLong {
         /// The unknown.
-        unknown: usize,
+        part: Part,
         /// The length of the step.
         step: T,
         /// What it had to stay within.
@@ -112,7 +88,7 @@ pub enum SolveError<T> {
     /// value there is no configuration on this branch.
     TurningPoint {
         /// The unknown that moves most there.
-        unknown: usize,
+        part: Part,
         /// The target, in the quantity's unit.
         asked: T,
         /// The quantity's extreme value.
@@ -121,7 +97,7 @@ pub enum SolveError<T> {
     /// `residual > tolerance` after all iterations that were allowed.
     NotConverged {
         /// The equation with the largest residual.
-        equation: usize,
+        part: Part,
         /// Its size, in units of length; of a bounded step the norm of all.
         residual: T,
         /// What it had to reach.
@@ -132,107 +108,82 @@ pub enum SolveError<T> {
 }
 
 impl<T> SolveError<T> {
-    /// The equation, unknown or point concerned.
-    pub fn part(&self) -> Part {
-        match *self {
-            Self::NotFinite { equation } | Self::NotConverged { equation, .. } => {
-                Part::Equation(equation)
-            }
-            Self::Overflow { unknown }
-            | Self::CrossedSingularity { unknown }
-            | Self::Singular { unknown, .. }
-            | Self::Diverging { unknown, .. }
-            | Self::TooFar { unknown, .. }
-            | Self::StepTooLong { unknown, .. }
-            | Self::TurningPoint { unknown, .. } => Part::Unknown(unknown),
-            Self::Mirrored { point } => Part::Point(point),
-        }
+    /// [`NotFinite`](Self::NotFinite) of an equation.
+    pub(crate) fn not_finite(equation: usize) -> Self {
+        let part = Part::Equation(equation);
+        Self::NotFinite { part }
     }
 
-    /// The name of the equation, unknown or point concerned.
-    pub fn culprit<'a>(&self, parts: &'a dyn Parts) -> &'a str {
-        let unknowns = parts.count(Kind::Unknown);
-        match self.part() {
-            Part::Equation(index) if index >= unknowns => "the leading quantity",
-            Part::Unknown(index) if index >= unknowns => "the free drive",
-            part => parts.name(part),
+    /// [`Overflow`](Self::Overflow) of an unknown.
+    pub(crate) fn overflow(unknown: usize) -> Self {
+        let part = Part::Unknown(unknown);
+        Self::Overflow { part }
+    }
+
+    /// The equation, unknown, point or drive concerned.
+    pub fn part(&self) -> Part {
+        match *self {
+            Self::NotFinite { part }
+            | Self::Overflow { part }
+            | Self::CrossedSingularity { part }
+            | Self::Singular { part, .. }
+            | Self::Mirrored { part }
+            | Self::Diverging { part, .. }
+            | Self::TooFar { part, .. }
+            | Self::StepTooLong { part, .. }
+            | Self::TurningPoint { part, .. }
+            | Self::NotConverged { part, .. } => part,
         }
     }
 }
 
-impl<T: fmt::LowerExp> Failure for SolveError<T> {
-    fn write(&self, f: &mut fmt::Formatter<'_>, name: &dyn fmt::Display) -> fmt::Result {
-        match self {
-            Self::NotFinite { .. } => {
-                write!(f, "the residual of equation {name} is not a finite number")
-            }
-            Self::Overflow { .. } => {
-                write!(f, "the change of unknown {name} is not a finite number")
-            }
-            Self::CrossedSingularity { .. } => write!(
-                f,
-                "a singularity was crossed: unknown {name} moved to another assembly"
-            ),
-            Self::Mirrored { .. } => write!(
-                f,
-                "point {name} is mirrored: it stands on the wrong side of the points that links join it to"
-            ),
+impl<T: Real> Explain for SolveError<T> {
+    fn facts(&self) -> Facts {
+        let (cause, compared) = match *self {
+            Self::NotFinite { .. } => (Cause::NotFinite, None),
+            Self::Overflow { .. } => (Cause::Overflow, None),
+            Self::CrossedSingularity { .. } => (Cause::CrossedSingularity, None),
+            Self::Mirrored { .. } => (Cause::Mirrored, None),
             Self::Singular {
                 pivot, threshold, ..
-            } => write!(
-                f,
-                "unknown {name} is not determined: pivot {pivot:.1e}, needed more than {threshold:.1e}"
+            } => (
+                Cause::Singular,
+                Some(("pivot", pivot, "needed more than", threshold)),
             ),
-            Self::Diverging { step, bound, .. } => write!(
-                f,
-                "no root near by: the correction of unknown {name} grew to {step:.1e}, allowed {bound:.1e}"
+            Self::Diverging { step, bound, .. } => (
+                Cause::Diverging,
+                Some(("correction", step, "allowed", bound)),
             ),
-            Self::TooFar { change, bound, .. } => write!(
-                f,
-                "the step is too long to tell assemblies apart: the Jacobian changes it by {change:.1e} at unknown {name}, allowed {bound:.1e}"
-            ),
-            Self::StepTooLong { step, bound, .. } => write!(
-                f,
-                "the series of unknown {name} is good for a step of {bound:.1e}, not of {step:.1e}"
-            ),
-            Self::TurningPoint { asked, extreme, .. } => write!(
-                f,
-                "the leading quantity turns at {extreme:.15e}, on the way to {asked:.15e}"
+            Self::TooFar { change, bound, .. } => {
+                (Cause::TooFar, Some(("change", change, "allowed", bound)))
+            }
+            Self::StepTooLong { step, bound, .. } => {
+                (Cause::StepTooLong, Some(("step", step, "allowed", bound)))
+            }
+            Self::TurningPoint { asked, extreme, .. } => (
+                Cause::TurningPoint,
+                Some(("target", asked, "extreme value", extreme)),
             ),
             Self::NotConverged {
                 residual,
                 tolerance,
-                iterations,
                 ..
-            } => write!(
-                f,
-                "equation {name} is off by {residual:.1e} after {iterations} iterations, allowed {tolerance:.1e}"
+            } => (
+                Cause::NotConverged,
+                Some(("residual", residual, "tolerance", tolerance)),
             ),
+        };
+        Facts {
+            compared: compared.map(|(what, value, relation, bound)| Compared {
+                what,
+                value: value.to_subset_unchecked(),
+                relation,
+                bound: bound.to_subset_unchecked(),
+            }),
+            ..Facts::of(cause, Some(self.part()))
         }
     }
-
-    fn of(&self, parts: Option<&dyn Parts>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match parts {
-            Some(parts) => self.write(f, &Quoted(self.culprit(parts))),
-            None => self.write(f, &self.part().index()),
-        }
-    }
 }
-
-impl<T: fmt::LowerExp> SolveError<T> {
-    /// The error with the names of a listing, to be printed.
-    pub fn named<'a>(&'a self, parts: &'a dyn Parts) -> WithNames<'a, Self> {
-        WithNames { error: self, parts }
-    }
-}
-
-impl<T: fmt::LowerExp> fmt::Display for SolveError<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.of(None, f)
-    }
-}
-
-impl<T: fmt::Debug + fmt::LowerExp> core::error::Error for SolveError<T> {}
 
 /// Why a linkage cannot be built. Numbers are those of the listing's points and lengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -273,11 +224,6 @@ pub enum GeometryError {
 }
 
 impl GeometryError {
-    /// The error with the names of a listing, to be printed.
-    pub fn named<'a>(&'a self, parts: &'a dyn Parts) -> WithNames<'a, Self> {
-        WithNames { error: self, parts }
-    }
-
     /// The point or length concerned.
     pub fn part(&self) -> Part {
         match *self {
@@ -291,62 +237,24 @@ impl GeometryError {
     }
 }
 
-impl Failure for GeometryError {
-    fn write(&self, f: &mut fmt::Formatter<'_>, name: &dyn fmt::Display) -> fmt::Result {
-        match self {
-            Self::NotFinite { .. } => write!(
-                f,
-                "point {name} has a coordinate that is not a finite number, or too large to compute with"
-            ),
-            Self::BadLength { .. } => {
-                write!(
-                    f,
-                    "length {name} is not positive, or too large or too small to compute with"
-                )
-            }
-            Self::Collinear { .. } => {
-                write!(
-                    f,
-                    "the points that carry {name} lie in line; three that form a triangle are needed"
-                )
-            }
-            Self::Flat { .. } => {
-                write!(
-                    f,
-                    "point {name} lies in the plane of the points that links join it to, where their lengths do not hold it; state these points as a `body`"
-                )
-            }
-            Self::NoLine { .. } => {
-                write!(
-                    f,
-                    "the line that ends at {name} has no length; put its ends apart"
-                )
-            }
-            Self::NotClosed { .. } => {
-                write!(
-                    f,
-                    "the lengths to point {name} do not fit together in any rigid body"
-                )
-            }
-        }
-    }
-
-    fn of(&self, parts: Option<&dyn Parts>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let part = self.part();
-        match parts {
-            Some(parts) => self.write(f, &Quoted(parts.name(part))),
-            None => self.write(f, &part.index()),
-        }
+impl Explain for GeometryError {
+    fn facts(&self) -> Facts {
+        let cause = match self {
+            Self::NotFinite { .. } => Cause::PointNotFinite,
+            Self::BadLength { .. } => Cause::BadLength,
+            Self::Collinear { .. } => Cause::Collinear,
+            Self::Flat { .. } => Cause::Flat,
+            Self::NotClosed { .. } => Cause::NotClosed,
+            Self::NoLine { .. } => Cause::NoLine,
+        };
+        Facts::of(cause, Some(self.part()))
     }
 }
 
-impl fmt::Display for GeometryError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.of(None, f)
-    }
+messages! {
+    [T: Real] SolveError<T>;
+    [] GeometryError;
 }
-
-impl core::error::Error for GeometryError {}
 
 /// `|denominator| <= threshold`: a formula of the paper is 0/0 here.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,6 +10,7 @@ use nalgebra::{SVector, Vector3};
 use crate::constraint::{Carried, Frame};
 use crate::error::SolveError;
 use crate::linkage::Linkage;
+use crate::listing::Part;
 use crate::scalar::{Real, Scalar};
 use crate::vector::{cross, difference, dot};
 
@@ -92,13 +93,13 @@ pub fn is_right<T: Real>(count: T) -> bool {
     count < T::constant(0.5)
 }
 
-/// The point of a position that is mirrored most, by index.
+/// The point of a position that is mirrored most.
 #[cold]
 pub(crate) fn most_mirrored<T, L, const N: usize>(
     linkage: &L,
     q: &SVector<T, N>,
     fixed: &L::Fixed,
-) -> usize
+) -> Part
 where
     T: Real,
     L: Linkage<N, Scalar = T>,
@@ -111,7 +112,7 @@ where
             most
         }
     });
-    most.0
+    Part::Point(most.0)
 }
 
 /// Checks that no point of a position that solves the linkage is mirrored.
@@ -131,7 +132,7 @@ where
     if is_right(count_mirrored(linkage, q, fixed)) {
         Ok(())
     } else {
-        let point = most_mirrored(linkage, q, fixed);
-        Err(SolveError::Mirrored { point })
+        let part = most_mirrored(linkage, q, fixed);
+        Err(SolveError::Mirrored { part })
     }
 }

@@ -16,6 +16,24 @@ pub trait Parts {
     fn measure_kind(&self, measure: usize) -> MeasureKind;
 }
 
+impl<P: Parts + ?Sized> Parts for &P {
+    fn name(&self, part: Part) -> &str {
+        (**self).name(part)
+    }
+
+    fn count(&self, kind: Kind) -> usize {
+        (**self).count(kind)
+    }
+
+    fn drive_kind(&self, drive: usize) -> DriveKind {
+        (**self).drive_kind(drive)
+    }
+
+    fn measure_kind(&self, measure: usize) -> MeasureKind {
+        (**self).measure_kind(measure)
+    }
+}
+
 /// A part of a linkage by its number, which [`Parts::name`] turns into the name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Part {
@@ -34,6 +52,18 @@ pub enum Part {
 }
 
 impl Part {
+    /// What it is.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::Equation(_) => "equation",
+            Self::Unknown(_) => "unknown",
+            Self::Point(_) => "point",
+            Self::Drive(_) => "drive",
+            Self::Measure(_) => "measure",
+            Self::Length(_) => "length",
+        }
+    }
+
     /// Its number among the parts of its kind.
     pub fn index(self) -> usize {
         match self {

@@ -6,6 +6,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::error::SolveError;
 use crate::linkage::Factors;
+use crate::listing::Part;
 use crate::scalar::Real;
 
 /// The factors of an `N x N` matrix.
@@ -56,7 +57,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
             let (row, pivot) = self.largest_candidate(k);
             if pivot <= threshold {
                 return Err(SolveError::Singular {
-                    unknown: k,
+                    part: Part::Unknown(k),
                     pivot,
                     threshold,
                 });
@@ -78,7 +79,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
     pub(crate) fn eliminate_jacobian(&mut self, threshold: T) -> Result<(), SolveError<T>> {
         for column in &self.columns {
             if let Some(equation) = column.iter().position(|entry| !entry.is_finite()) {
-                return Err(SolveError::NotFinite { equation });
+                return Err(SolveError::not_finite(equation));
             }
         }
         self.eliminate()?;
@@ -87,7 +88,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
             Ok(())
         } else {
             Err(SolveError::Singular {
-                unknown,
+                part: Part::Unknown(unknown),
                 pivot,
                 threshold,
             })

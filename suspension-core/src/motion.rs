@@ -204,7 +204,7 @@ where
         let velocity = self.velocity();
         let acceleration = self.acceleration(&velocity);
         for rates in [&velocity, &acceleration] {
-            magnitude(rates).map_err(|unknown| SolveError::Overflow { unknown })?;
+            magnitude(rates).map_err(SolveError::overflow)?;
         }
         Ok(Motion {
             position: *self.position,

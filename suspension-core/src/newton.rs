@@ -5,10 +5,13 @@ use nalgebra::SVector;
 use crate::error::SolveError;
 use crate::factored::with_factors;
 use crate::linkage::Linkage;
+use crate::listing::Part;
 use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::Prescribed;
+use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
+use crate::tolerance::Tolerance;
 
 /// See [`Newton::tolerance`]: of 12,000 random geometries none was left by rounding with more
 /// than 4.2.
@@ -17,9 +20,9 @@ const DEFAULT_TOLERANCE: f64 = 16.0;
 /// How to iterate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Newton<T> {
-    /// The largest residual that counts as a root, as a multiple of rounding: it is compared
-    /// with `tolerance * EPSILON * max(size of the linkage, largest coordinate)`.
-    pub tolerance: T,
+    /// The largest residual that counts as a root. Rounding is `EPSILON` times the size of the linkage
+    /// or its largest coordinate, whichever is larger.
+    pub tolerance: Tolerance<T>,
     /// Iterations allowed, 1 or more.
     pub max_iterations: usize,
     /// The largest ratio of a correction to the one before it; `None` accepts any.
@@ -33,23 +36,10 @@ pub struct Newton<T> {
     pub max_halvings: usize,
 }
 
-/// What a successful iteration did.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Converged<T> {
-    /// Factorisations made for the position.
-    pub iterations: usize,
-    /// The largest residual of the result, in units of length.
-    pub residual: T,
-    /// What it was compared with.
-    pub tolerance: T,
-    /// The health of the last pivots: the norm of their inverses.
-    pub growth: T,
-}
-
 impl<T: Real> Newton<T> {
     /// From a rough guess: many iterations, damped, any path.
     pub fn from_afar() -> Self {
-        let tolerance = T::constant(DEFAULT_TOLERANCE);
+        let tolerance = Tolerance::Roundings(T::constant(DEFAULT_TOLERANCE));
         Self {
             tolerance,
             max_iterations: 60,
@@ -60,7 +50,7 @@ impl<T: Real> Newton<T> {
 
     /// From a start near the root: few iterations, each correction at most half of the last.
     pub fn near_by() -> Self {
-        let tolerance = T::constant(DEFAULT_TOLERANCE);
+        let tolerance = Tolerance::Roundings(T::constant(DEFAULT_TOLERANCE));
         let contraction = Some(T::constant(0.5));
         Self {
             tolerance,
@@ -80,7 +70,7 @@ impl<T: Real> Newton<T> {
         linkage: &L,
         inputs: &Inputs<C, L::Drives>,
         q: &mut SVector<T, N>,
-    ) -> Result<Converged<T>, SolveError<T>>
+    ) -> Result<Report<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
@@ -112,7 +102,7 @@ impl<T: Real> Newton<T> {
         prescribed: &Prescribed<L::Fixed, L::Drives>,
         q: &mut SVector<T, N>,
         first_bound: Option<T>,
-    ) -> Result<Converged<T>, SolveError<T>>
+    ) -> Result<Report<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
     {
@@ -121,17 +111,18 @@ impl<T: Real> Newton<T> {
         };
         let mut at = Iterate::new(*q, residual_at(q))?;
         let mut bound = first_bound;
+        let mut error = T::zero();
         for iterations in 1..=self.max_iterations {
-            let (size, growth, next) = with_factors(
+            let (size, growth_squared, next) = with_factors(
                 linkage,
                 &at.q,
                 &prescribed.fixed.value,
                 T::zero(),
                 |factors| {
                     let step = factors.solve(&at.residual);
-                    let size = within(&step, bound, self.rounding_at(linkage, &at.q))?;
+                    let size = within(&step, bound, rounding_at(linkage, &at.q))?;
                     let next = self.damped(&at, &step, residual_at)?;
-                    let growth = factors.growth_squared().sqrt();
+                    let growth = factors.growth_squared();
                     if next.worst > self.tolerance_at(linkage, &next.q) {
                         return Ok((size, growth, next));
                     }
@@ -144,21 +135,26 @@ impl<T: Real> Newton<T> {
                     ))
                 },
             )??;
+            if iterations == 1 {
+                error = size;
+            }
             bound = self.contraction.map(|contraction| contraction * size);
             at = next;
             let tolerance = self.tolerance_at(linkage, &at.q);
             if at.worst <= tolerance {
                 *q = at.q;
-                return Ok(Converged {
-                    iterations,
-                    residual: at.worst,
+                return Ok(Report {
                     tolerance,
-                    growth,
+                    residual_squared: at.worst * at.worst,
+                    error_squared: error * error,
+                    growth_squared,
+                    steps: 1,
+                    iterations,
                 });
             }
         }
         Err(SolveError::NotConverged {
-            equation: index_of_largest(&at.residual),
+            part: Part::Equation(index_of_largest(&at.residual)),
             residual: at.worst,
             tolerance: self.tolerance_at(linkage, &at.q),
             iterations: self.max_iterations,
@@ -171,17 +167,7 @@ impl<T: Real> Newton<T> {
     where
         L: Linkage<N, Scalar = T>,
     {
-        self.tolerance * self.rounding_at(linkage, q)
-    }
-
-    /// What rounding leaves of a length at a position.
-    #[inline(always)]
-    pub(crate) fn rounding_at<L, const N: usize>(&self, linkage: &L, q: &SVector<T, N>) -> T
-    where
-        L: Linkage<N, Scalar = T>,
-    {
-        let [coordinates] = q.data.0;
-        T::EPSILON * linkage.size().max(largest(coordinates))
+        self.tolerance.length(rounding_at(linkage, q))
     }
 
     /// The correction, halved until the residual falls at least a quarter as fast as its
@@ -213,6 +199,17 @@ impl<T: Real> Default for Newton<T> {
     }
 }
 
+/// What rounding leaves of a length at a position.
+#[inline(always)]
+pub(crate) fn rounding_at<T, L, const N: usize>(linkage: &L, q: &SVector<T, N>) -> T
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let [coordinates] = q.data.0;
+    T::EPSILON * linkage.size().max(largest(coordinates))
+}
+
 /// The size of a correction, refused where it exceeds its bound. Corrections of the size of
 /// rounding errors are not bounded.
 pub(crate) fn within<T: Real, const N: usize>(
@@ -220,10 +217,10 @@ pub(crate) fn within<T: Real, const N: usize>(
     bound: Option<T>,
     rounding: T,
 ) -> Result<T, SolveError<T>> {
-    let size = magnitude(step).map_err(|unknown| SolveError::Overflow { unknown })?;
+    let size = magnitude(step).map_err(SolveError::overflow)?;
     match bound.map(|bound| bound.max(rounding * T::constant(1024.0))) {
         Some(bound) if size > bound => Err(SolveError::Diverging {
-            unknown: index_of_largest(step),
+            part: Part::Unknown(index_of_largest(step)),
             step: size,
             bound,
         }),
@@ -241,7 +238,7 @@ struct Iterate<T, const N: usize> {
 
 impl<T: Real, const N: usize> Iterate<T, N> {
     fn new(q: SVector<T, N>, residual: SVector<T, N>) -> Result<Self, SolveError<T>> {
-        let worst = magnitude(&residual).map_err(|equation| SolveError::NotFinite { equation })?;
+        let worst = magnitude(&residual).map_err(SolveError::not_finite)?;
         Ok(Self { q, residual, worst })
     }
 

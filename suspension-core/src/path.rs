@@ -39,7 +39,7 @@ use crate::tracker::CORRECTION_OF_MOVE;
 
 pub use configuration::Configuration;
 pub use curve::Curve;
-pub use lead::{Leader, LedStep, measured};
+pub use lead::{Leader, measured};
 pub use led::Led;
 use linear::Linear;
 pub use place::{End, Place, Stretch, Turning};
@@ -130,7 +130,7 @@ impl<T: Real> Continuation<T> {
         let guess = curve.configuration(q);
         let parameter = curve.steepest(&guess)?;
         let bound = T::constant(CORRECTION_OF_MOVE) * size;
-        let (configuration, converged) = curve.correct(&self.newton, guess, parameter, bound)?;
+        let (configuration, report) = curve.correct(&self.newton, guess, parameter, bound)?;
         let linear = curve.linear(&configuration, parameter)?;
         // The angle increases where its cosine decreases.
         let sign = increasing == curve.length().is_none();
@@ -139,7 +139,7 @@ impl<T: Real> Continuation<T> {
             ..Configuration::zero()
         };
         let tangent = linear.unit_tangent(&forwards);
-        Ok(curve.place(configuration, &linear, tangent, converged.residual))
+        Ok(curve.place(configuration, &linear, tangent, report.residual()))
     }
 }
 

@@ -84,7 +84,7 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
             let known = unknowns.terms.get(..index).unwrap_or_default();
             right -= half_curvature(linkage, known, &fixed.terms);
             let term = factors.solve(&right);
-            magnitude(&term).map_err(|unknown| SolveError::Overflow { unknown })?;
+            magnitude(&term).map_err(SolveError::overflow)?;
             if let Some(next) = unknowns.terms.get_mut(index) {
                 *next = term;
             }

@@ -1,9 +1,7 @@
 //! A way in time in as few steps as are good: a refused step is halved, a good one doubled.
 
-use core::fmt;
-
-use crate::error::SolveError;
-use crate::newton::Converged;
+use crate::error::{Cause, Explain, Facts, SolveError, messages};
+use crate::report::Report;
 use crate::scalar::Real;
 
 /// Steps that one advance may try unless it is told otherwise.
@@ -19,27 +17,21 @@ pub struct Stopped<T> {
     pub refused: Option<(T, SolveError<T>)>,
 }
 
-impl<T: fmt::Display + fmt::LowerExp> fmt::Display for Stopped<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "stopped at time {}: ", self.reached)?;
-        match &self.refused {
-            Some((_, cause)) => cause.fmt(f),
-            None => f.write_str("all steps that were allowed are used up"),
+impl<T: Real> Explain for Stopped<T> {
+    fn facts(&self) -> Facts {
+        let facts = match &self.refused {
+            Some((_, error)) => error.facts(),
+            None => Facts::of(Cause::StepsUsedUp, None),
+        };
+        Facts {
+            reached: Some(self.reached.to_subset_unchecked()),
+            ..facts
         }
     }
 }
 
-impl<T: fmt::Debug + fmt::Display + fmt::LowerExp> core::error::Error for Stopped<T> {}
-
-/// What an advance did.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Advanced<T> {
-    /// Steps made.
-    pub steps: usize,
-    /// Factorisations of all Newton iterations.
-    pub iterations: usize,
-    /// The last step's residual and tolerance.
-    pub last: Converged<T>,
+messages! {
+    [T: Real] Stopped<T>;
 }
 
 /// Goes from one time to another, either way, trying at most `max_steps` steps. `step` makes the
@@ -51,27 +43,21 @@ pub struct Advanced<T> {
 pub(crate) fn in_steps<T: Real>(
     [from, to]: [T; 2],
     max_steps: usize,
-    mut step: impl FnMut(T, T) -> Result<Converged<T>, SolveError<T>>,
-) -> Result<Advanced<T>, Stopped<T>> {
+    mut step: impl FnMut(T, T) -> Result<Report<T>, SolveError<T>>,
+) -> Result<Report<T>, Stopped<T>> {
     let mut reached = from;
     let mut dt = to - from;
     let shortest = (from.abs().max(to.abs())) * T::EPSILON * T::constant(4.0);
-    let mut advanced = Advanced {
-        steps: 0,
-        iterations: 0,
-        last: Converged::default(),
-    };
+    let mut advanced = Report::default();
     let mut refused = None;
     for _ in 0..max_steps {
         let last_step = (to - reached).abs() <= dt.abs();
         let next = if last_step { to } else { reached + dt };
         match step(next, next - reached) {
-            Ok(converged) => {
+            Ok(report) => {
                 reached = next;
                 refused = None;
-                advanced.steps += 1;
-                advanced.iterations += converged.iterations;
-                advanced.last = converged;
+                advanced = advanced.and(report);
                 if last_step {
                     return Ok(advanced);
                 }
@@ -80,7 +66,7 @@ pub(crate) fn in_steps<T: Real>(
             Err(error) => {
                 refused = Some((next - reached, error));
                 dt = (next - reached) * T::constant(0.5);
-                // A step that is none ends here too.
+                // A NaN ends here too.
                 let is_long_enough = dt.abs() > shortest;
                 if !is_long_enough {
                     break;

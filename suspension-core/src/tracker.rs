@@ -10,12 +10,14 @@ use crate::error::SolveError;
 use crate::factored::{is_healthy, smallest_pivot, with_factors};
 use crate::handedness::{self, count_mirrored, is_right};
 use crate::linkage::{Factors, Linkage};
+use crate::listing::Part;
 use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::{Motion, Prescribed, rates_at};
-use crate::newton::{Converged, Newton};
+use crate::newton::{Newton, rounding_at};
+use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
-use crate::substeps::{Advanced, MAX_STEPS, Stopped, in_steps};
+use crate::substeps::{MAX_STEPS, Stopped, in_steps};
 
 pub use between::{Between, Cubic};
 use guard::{Change, Crossing};
@@ -72,7 +74,7 @@ impl<T: Real> Tracker<T> {
         inputs: &Inputs<C, L::Drives>,
         dt: T,
         motion: &mut Motion<T, N>,
-    ) -> Result<Converged<T>, SolveError<T>>
+    ) -> Result<Report<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
@@ -92,14 +94,14 @@ impl<T: Real> Tracker<T> {
         linkage: &L,
         change: &Change<'_, L, N>,
         motion: &mut Motion<T, N>,
-    ) -> Result<Converged<T>, SolveError<T>>
+    ) -> Result<Report<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        if let Some((next, converged)) = self.at_once::<_, C, N>(linkage, change, motion) {
+        if let Some((next, report)) = self.at_once::<_, C, N>(linkage, change, motion) {
             *motion = next;
-            return Ok(converged);
+            return Ok(report);
         }
         self.by_iteration::<_, C, N>(linkage, change, motion)
     }
@@ -112,7 +114,7 @@ impl<T: Real> Tracker<T> {
         linkage: &L,
         change: &Change<'_, L, N>,
         motion: &Motion<T, N>,
-    ) -> Option<(Motion<T, N>, Converged<T>)>
+    ) -> Option<(Motion<T, N>, Report<T>)>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
@@ -131,8 +133,8 @@ impl<T: Real> Tracker<T> {
         let last = linkage.factor(&position, &fixed.value);
         let next = rates_at::<T, L, C, N>(linkage, to, &position, &last).motion();
         let (residual, error) = (magnitude(&left).ok()?, magnitude(&error).ok()?);
-        let rounding = self.newton.rounding_at(linkage, &position);
-        let tolerance = self.newton.tolerance * rounding;
+        let rounding = rounding_at(linkage, &position);
+        let tolerance = self.newton.tolerance.length(rounding);
         let [moves] = difference(&predicted, &motion.position).data.0;
         let moved = largest(moves);
         let bound = self.correction_bound(moved, linkage.size());
@@ -152,13 +154,15 @@ impl<T: Real> Tracker<T> {
             && is_healthy(factors.growth_squared())
             && is_healthy(last.growth_squared());
         is_good.then(|| {
-            let converged = Converged {
-                iterations: 1,
-                residual,
+            let report = Report {
                 tolerance,
-                growth: last.growth_squared().sqrt(),
+                residual_squared: residual * residual,
+                error_squared: error * error,
+                growth_squared: last.growth_squared(),
+                steps: 1,
+                iterations: 1,
             };
-            (next, converged)
+            (next, report)
         })
     }
 
@@ -170,7 +174,7 @@ impl<T: Real> Tracker<T> {
         linkage: &L,
         change: &Change<'_, L, N>,
         motion: &mut Motion<T, N>,
-    ) -> Result<Converged<T>, SolveError<T>>
+    ) -> Result<Report<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
@@ -179,7 +183,7 @@ impl<T: Real> Tracker<T> {
         let mut position = motion.predict(change.dt);
         let [moves] = (position - motion.position).data.0;
         let bound = self.correction_bound(largest(moves), linkage.size());
-        let converged =
+        let report =
             self.newton
                 .solve_prescribed(linkage, prescribed, &mut position, Some(bound))?;
         handedness::check(linkage, &position, &prescribed.fixed.value)?;
@@ -189,8 +193,8 @@ impl<T: Real> Tracker<T> {
         *motion = with_factors(linkage, &position, fixed, smallest_pivot(), |factors| {
             let next = rates_at::<T, L, C, N>(linkage, prescribed, &position, factors).motion()?;
             if before.is_some() && before != next.positive_determinant {
-                let unknown = index_of_largest(moves);
-                return Err(SolveError::CrossedSingularity { unknown });
+                let part = Part::Unknown(index_of_largest(moves));
+                return Err(SolveError::CrossedSingularity { part });
             }
             self.guard::<L, C, N>(&Crossing {
                 linkage,
@@ -200,7 +204,7 @@ impl<T: Real> Tracker<T> {
             })?;
             Ok(next)
         })??;
-        Ok(converged)
+        Ok(report)
     }
 
     /// The largest correction that a step of this move may need.
@@ -226,7 +230,7 @@ impl<T: Real> Tracker<T> {
         from: T,
         to: T,
         motion: &mut Motion<T, N>,
-    ) -> Result<Advanced<T>, Stopped<T>>
+    ) -> Result<Report<T>, Stopped<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
@@ -239,9 +243,9 @@ impl<T: Real> Tracker<T> {
                 to: &prescribed,
                 dt,
             };
-            let converged = self.step_over::<_, C, N>(linkage, &change, motion)?;
+            let report = self.step_over::<_, C, N>(linkage, &change, motion)?;
             last = prescribed;
-            Ok(converged)
+            Ok(report)
         })
     }
 }

@@ -1,7 +1,7 @@
 //! How far steps are from the motion, by their length, sweeps, prediction and outputs.
 
 use suspension_core::linkage::Factors as _;
-use suspension_core::{Bounded, Linkage, Outputs};
+use suspension_core::{Bounded, Linkage, Outputs, Tolerance};
 
 use super::case::{Case, assert_within, attia, differences, five_link, instants, widen};
 use crate::support::{INSTANTS, Reference};
@@ -83,8 +83,8 @@ fn by_sweeps<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     fn open<const SWEEPS: usize>() -> Bounded<f64, SWEEPS> {
         let tolerance = 1e12;
         Bounded {
-            tolerance,
-            ..Bounded::default()
+            tolerance: Tolerance::Roundings(tolerance),
+            ..Bounded::new()
         }
     }
     let outputs = Outputs::Acceleration;
@@ -117,9 +117,9 @@ fn errors_fall_with_sweeps() {
 /// Predictions of each order, with as many sweeps as a millisecond takes.
 fn by_order<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let instants = instants(1e-3);
-    let of_last_position = Bounded::<f64, 5, 0>::default();
-    let with_velocity = Bounded::<f64, 2, 1>::default();
-    let with_acceleration = Bounded::<f64, 2, 2>::default();
+    let of_last_position = Bounded::<f64, 5, 0>::new();
+    let with_velocity = Bounded::<f64, 2, 1>::new();
+    let with_acceleration = Bounded::<f64, 2, 2>::new();
     let all = [Outputs::Position, Outputs::Velocity, Outputs::Acceleration];
     for outputs in all {
         let found = [
@@ -157,12 +157,12 @@ fn forth_and_back<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let instants: Vec<f64> = (0..=10_000_u32)
         .map(|step| f64::from(step.min(10_000 - step)) * 2e-4)
         .collect();
-    let (outputs, quadratic) = (Outputs::Position, Bounded::<f64, 2, 2>::default());
+    let (outputs, quadratic) = (Outputs::Position, Bounded::<f64, 2, 2>::new());
     let found = case.worst(&quadratic, outputs, &instants);
     assert_within("forth and back, order 2", found, [1e-12, 2e-6, 5e-2]);
-    let found = case.worst(&Bounded::<f64, 2, 1>::default(), outputs, &instants);
+    let found = case.worst(&Bounded::<f64, 2, 1>::new(), outputs, &instants);
     assert_within("forth and back, order 1", found, [1e-12, 1e-3, 5.0]);
-    let found = case.worst(&Bounded::<f64, 4, 0>::default(), outputs, &instants);
+    let found = case.worst(&Bounded::<f64, 4, 0>::new(), outputs, &instants);
     assert_within("forth and back, order 0", found, [1e-12, 1e-3, 5.0]);
 }
 

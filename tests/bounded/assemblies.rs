@@ -17,7 +17,7 @@ fn far_jumps_arrive_or_are_refused() {
             .expect("a regular motion");
         motions.push(motion);
     }
-    let bounded = Bounded::<f64, 8>::default();
+    let bounded = Bounded::<f64, 8>::new();
     let (mut arrived, mut refused) = (0, 0);
     for (from, start) in instants.iter().zip(&motions) {
         for (to, expected) in instants.iter().zip(&motions) {
@@ -51,7 +51,7 @@ fn the_turning_point_is_not_jumped() {
         .advance(&case.model, case.inputs, 0.0, t, &mut motion)
         .expect("a regular motion");
     let inputs = (case.inputs)(t);
-    let bounded = Bounded::<f64, 12, 1>::default();
+    let bounded = Bounded::<f64, 12, 1>::new();
     let (mut returned, mut crossed) = (0, 0);
     for step in 1..200 {
         let dt = f64::from(step) * 1e-5;

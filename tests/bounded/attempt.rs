@@ -3,7 +3,9 @@
 use nalgebra::Vector3;
 use suspension_core::bounded::Refusal;
 use suspension_core::linkages::attia2003;
-use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Outputs, Signal, SolveError};
+use suspension_core::{
+    Bounded, Build, Inputs, Linkage, Motion, Outputs, Signal, SolveError, Tolerance,
+};
 
 use super::case::{Case, attia, five_link};
 use crate::support;
@@ -87,7 +89,7 @@ fn small_pivots_are_refused_where_a_step_takes_others() {
 #[test]
 fn without_sweeps_what_is_left_out_must_be_rounding() {
     let case = attia::<f32>();
-    let bounded = Bounded::<f32, 0>::default();
+    let bounded = Bounded::<f32, 0>::new();
     let mut motion = case.start;
     let long = (case.inputs)(20e-3);
     let result = bounded.step(&case.model, &long, 20e-3, &mut motion);
@@ -99,7 +101,7 @@ fn without_sweeps_what_is_left_out_must_be_rounding() {
     let case = attia::<f64>();
     let mut motion = case.start;
     let result =
-        Bounded::<f64, 0>::default().step(&case.model, &(case.inputs)(STEP), STEP, &mut motion);
+        Bounded::<f64, 0>::new().step(&case.model, &(case.inputs)(STEP), STEP, &mut motion);
     assert!(
         matches!(result, Err(SolveError::Diverging { .. })),
         "{result:?}"
@@ -114,8 +116,8 @@ fn without_sweeps_the_residual_is_within_the_tolerance() {
     let (case, exact) = (five_link::<f32>(), five_link::<f64>());
     for (tolerance, milliseconds) in [(64.0, 1_u16), (1e5, 50)] {
         let bounded = Bounded::<f32, 0> {
-            tolerance,
-            ..Bounded::default()
+            tolerance: Tolerance::Roundings(tolerance),
+            ..Bounded::new()
         };
         let dt = f32::from(milliseconds) * 1e-3;
         let mut motion = case.start;

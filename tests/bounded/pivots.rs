@@ -25,7 +25,7 @@ fn inputs(start: Drives<f64>, t: f64) -> Inputs<Still, Drives<f64>> {
 fn unhealthy(model: &Model<f64>, design: &Points<f64>) -> usize {
     let start = model.drives_at(design);
     let mut motion = Motion::at_rest(model.unknowns(design));
-    let bounded = Bounded::<f64, 3>::default();
+    let bounded = Bounded::<f64, 3>::new();
     let mut count = 0;
     let mut step = |t: f64, dt: f64, motion: &mut Motion<f64, 15>| {
         let factors = model.factor(&motion.predict(dt), model.fixed());

@@ -63,7 +63,7 @@ fn compare<L: Build<15, Scalar = f64, Listing: Default>>(
     for step in 1..=20 {
         let inputs = inputs(f64::from(step) * STEP);
         let mut bounded = motion;
-        let stepped = Bounded::<f64, 3>::default().step(&model, &inputs, STEP, &mut bounded);
+        let stepped = Bounded::<f64, 3>::new().step(&model, &inputs, STEP, &mut bounded);
         let before = motion;
         let tracked = tracker.step(&model, &inputs, STEP, &mut motion);
         match (stepped, tracked) {

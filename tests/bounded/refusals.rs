@@ -2,7 +2,9 @@
 
 use nalgebra::SVector;
 use suspension_core::linkages::five_link;
-use suspension_core::{Bounded, Inputs, Linkage, Motion, Outputs, Part, SolveError, Still};
+use suspension_core::{
+    Bounded, Inputs, Linkage, Motion, Outputs, Part, SolveError, Still, Tolerance,
+};
 
 use super::case::{Case, attia, differences, five_link};
 use crate::support;
@@ -35,7 +37,7 @@ fn too_few_sweeps<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let dt = 20e-3;
     let error = refused(case, &Bounded::<f64>::default(), &(case.inputs)(dt), dt);
     let SolveError::NotConverged {
-        equation,
+        part,
         residual,
         tolerance,
         iterations: 1,
@@ -44,11 +46,11 @@ fn too_few_sweeps<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
         panic!("{error}");
     };
     assert!(residual > tolerance && tolerance < 1e-14);
-    println!("{}: {error}", case.model.name(Part::Equation(equation)));
+    println!("{}: {error}", case.model.name(part));
     // The equation named is the one that the residual is largest in.
     let open = Bounded::<f64> {
-        tolerance: 1e12,
-        ..Bounded::default()
+        tolerance: Tolerance::Roundings(1e12),
+        ..Bounded::new()
     };
     let mut motion = case.start;
     let inputs = (case.inputs)(dt);
@@ -58,7 +60,7 @@ fn too_few_sweeps<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let left = case
         .model
         .residual(&motion.position, case.model.fixed(), &drives);
-    assert_eq!(equation, left.iamax());
+    assert_eq!(part, Part::Equation(left.iamax()));
     assert!((left.norm() / residual - 1.0).abs() < 1e-3);
 }
 
@@ -73,8 +75,8 @@ fn a_tolerance_that_is_none_accepts_nothing() {
     let case = five_link();
     for tolerance in [f64::NAN, -64.0] {
         let bounded = Bounded::<f64> {
-            tolerance,
-            ..Bounded::default()
+            tolerance: Tolerance::Roundings(tolerance),
+            ..Bounded::new()
         };
         let error = refused(&case, &bounded, &(case.inputs)(STEP), STEP);
         assert!(matches!(error, SolveError::NotConverged { .. }), "{error}");
@@ -94,7 +96,12 @@ fn numbers_that_are_none() {
         let value = spoiled(|inputs, bad| inputs.drives.value.theta = bad, bad);
         let error = refused(&case, &bounded, &value, STEP);
         // The last equation is the drive's.
-        assert_eq!(error, SolveError::NotFinite { equation: 14 });
+        assert_eq!(
+            error,
+            SolveError::NotFinite {
+                part: Part::Equation(14)
+            }
+        );
         let rate = spoiled(|inputs, bad| inputs.drives.rate.theta = bad, bad);
         let error = refused(&case, &bounded, &rate, STEP);
         assert!(matches!(error, SolveError::Overflow { .. }), "{error}");

@@ -30,7 +30,7 @@ const BAD: [Case; 61] = [
     ("d7_2", "d7_2 = inf", ":31:8", "`d7_2` is inf"),
     ("d7_2", "", ":28:", "`d7_2` is missing"),
     ("d7_2", "d99 = 0.3", ":31:1", "unknown length `d99`"),
-    ("p7", "p7 = [-1.3055, 0.38, 0.0405]", ":20:6", "`p8` lie in line"),
+    ("p7", "p7 = [-1.3055, 0.38, 0.0405]", ":20:6", "in line: point `p8`"),
     ("instants", "start = 0\nstop = 1\nstep = 0", ":53:8", "step is zero"),
     ("instants", "start = 0\nstop = 1\nstep = -0.1", ":53:8", "leads away"),
     ("instants", "start = 0\nstop = 1\nstep = 1e-9", ":53:8", "at most"),
@@ -58,7 +58,7 @@ const BAD: [Case; 61] = [
     ("d7_2", "d7_2 = 1e308", ":31:8", "`d7_2`"),
     ("d7_2", "d7_2 = 1e300", ":31:8", "`d7_2` is 1e300, too large to compute with"),
     ("d7_2", "d7_2 = 5e-324", ":31:8", "`d7_2` is 5e-324, too small to compute with"),
-    ("d7_6", "d7_6 = 10", ":28:", "do not fit together"),
+    ("d7_6", "d7_6 = 10", ":28:", "do not close at a point: point `p8`"),
     ("d7_2", "d7_2 = 1\n[lengths]", ":32:2", "duplicate key"),
     ("p2", "\"\\u001b[31m\\n\" = [0, 0, 1]", ":13:", "\\u{1b}[31m\\n"),
     ("instants", "start = 0\nstop = 1.95\nstep = 1.95e-7", ":53:8", "10000001 instants; at most 10000000 are"),
@@ -107,7 +107,7 @@ fn a_body_in_line_is_refused_at_its_point() {
     let message = text(&output.stderr);
     assert!(message.starts_with("bad.toml:16:"), "{message}");
     assert!(
-        message.contains("`upper_rear_outer` lie in line"),
+        message.contains("in line: point `upper_rear_outer`"),
         "{message}"
     );
 }

@@ -151,13 +151,13 @@ impl Way {
             }
             Self::Tracker => drop(Tracker::default().step(model, inputs, dt, motion)?),
             Self::Bounded0 => {
-                Bounded::<T, 0>::default().step(model, inputs, dt, motion)?;
+                Bounded::<T, 0>::new().step(model, inputs, dt, motion)?;
             }
             Self::Bounded1 => {
-                Bounded::<T, 1>::default().step(model, inputs, dt, motion)?;
+                Bounded::<T, 1>::new().step(model, inputs, dt, motion)?;
             }
             Self::Bounded2 => {
-                Bounded::<T, 2>::default().step(model, inputs, dt, motion)?;
+                Bounded::<T, 2>::new().step(model, inputs, dt, motion)?;
             }
         }
         Ok(())

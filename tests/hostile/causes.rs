@@ -5,7 +5,7 @@ use suspension_core::linkage::{Named, Values};
 use suspension_core::linkages::five_link::{Lengths, Model, Points, equation};
 use suspension_core::{
     Bounded, Build, Certifier, ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Linkage,
-    Motion, Newton, Real, SeriesTracker, Signal, SolveError, Tangent, Tracker, assemble,
+    Motion, Newton, Part, Real, SeriesTracker, Signal, SolveError, Tangent, Tracker, assemble,
 };
 
 use super::verdict::{demand_same, demand_untouched};
@@ -79,7 +79,7 @@ fn a_guess_that_is_none_is_named_by_its_equation() {
             let (_, equation) = LINKS[unknown / 3];
             let error = error.expect("no start");
             assert!(
-                matches!(error, SolveError::NotFinite { equation: named } if named <= equation),
+                matches!(error, SolveError::NotFinite { part: Part::Equation(named) } if named <= equation),
                 "{error}"
             );
         }
@@ -109,7 +109,7 @@ fn refusals<C: ChassisMotion<<Model<f64> as Linkage<15>>::Fixed>>(
                 .err()
         }),
         demand(&|motion| {
-            Bounded::<f64, 3>::default()
+            Bounded::<f64, 3>::new()
                 .step(&model, inputs, dt, motion)
                 .err()
         }),
@@ -123,7 +123,12 @@ fn a_drive_or_a_time_step_that_is_none() {
         inputs.drives.value.theta = bad;
         for error in refusals(&inputs, 1e-3) {
             let equation = equation::THETA;
-            assert_eq!(error, SolveError::NotFinite { equation });
+            assert_eq!(
+                error,
+                SolveError::NotFinite {
+                    part: Part::Equation(equation)
+                }
+            );
         }
         let mut inputs = five_link_inputs(1.001);
         inputs.drives.rate.theta = bad;
@@ -162,7 +167,12 @@ fn a_chassis_point_that_is_none_is_named_by_its_link() {
             drives: still.drives,
         };
         for error in refusals(&inputs, 1e-3) {
-            assert_eq!(error, SolveError::NotFinite { equation });
+            assert_eq!(
+                error,
+                SolveError::NotFinite {
+                    part: Part::Equation(equation)
+                }
+            );
         }
     }
 }

@@ -170,7 +170,7 @@ where
         let mut q = guess;
         match assemble(&Newton::from_afar(), &self.model, inputs, &mut q) {
             Ok(converged) => {
-                assert!(converged.residual <= converged.tolerance);
+                assert!(converged.report.residual() <= converged.report.tolerance());
                 self.demand_root(inputs, &Motion::at_rest(q));
                 self.reached.assembled = 1;
                 if let Ok(motion) =

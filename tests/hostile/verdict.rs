@@ -8,7 +8,8 @@ pub(crate) fn rounding<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     model: &L,
     q: &SVector<T, N>,
 ) -> T {
-    T::EPSILON * Newton::<T>::near_by().tolerance * model.size().max(q.amax())
+    let rounding = T::EPSILON * model.size().max(q.amax());
+    Newton::<T>::near_by().tolerance.length(rounding)
 }
 
 /// The largest residual of a position, NaN where one is none.
@@ -64,7 +65,7 @@ pub(crate) fn demand_cause<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     model: &L,
     error: &SolveError<T>,
 ) {
-    assert_ne!(error.culprit(model), "?", "{error:?}");
+    assert_ne!(model.name(error.part()), "?", "{error:?}");
     let holds = match *error {
         SolveError::Singular {
             pivot, threshold, ..

@@ -46,7 +46,7 @@ where
             let step = bounded.step_to(outputs, &self.model, inputs, dt, motion);
             (step, bounded.tolerance)
         } else {
-            let bounded = Bounded::<T, 3, 1>::default();
+            let bounded = Bounded::<T, 3, 1>::new();
             let step = bounded.step_to(outputs, &self.model, inputs, dt, motion);
             (step, bounded.tolerance)
         };
@@ -56,7 +56,7 @@ where
                 assert!(settled.residual() <= settled.tolerance());
                 // The residual that it is judged by is what the sweeps left. Rounding of the
                 // position adds to that what the derivatives make of it.
-                let left = tolerance * T::EPSILON * self.model.size();
+                let left = tolerance.length(T::EPSILON * self.model.size());
                 let chassis = inputs.chassis.signal(self.model.fixed()).value;
                 let steepest = self.model.jacobian(&motion.position, &chassis).amax();
                 let rounding = rounding(&self.model, &motion.position) * T::constant(16.0);
@@ -74,13 +74,14 @@ where
         motion: &mut Motion<T, N>,
     ) {
         let before = *motion;
-        let tracker = SeriesTracker::within(T::EPSILON.sqrt() * self.model.size());
+        let within = T::EPSILON.sqrt() * self.model.size();
+        let tracker = SeriesTracker::within(within);
         let step = tracker.step(&self.model, inputs, dt, motion);
         self.reached.count(&step);
         match step {
             Ok(_) => {
                 let inputs = inputs.at::<T, L::Fixed>(dt);
-                demand_root(&self.model, &inputs, motion, tracker.tolerance);
+                demand_root(&self.model, &inputs, motion, within);
             }
             Err(error) => self.demand_refused_step(&error, &before, motion),
         }

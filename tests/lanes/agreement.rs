@@ -124,7 +124,7 @@ fn lanes_keep_what_they_are_given() {
 #[test]
 fn lanes_without_sweeps_agree_with_steps_alone() {
     let fleet = Fleet::<five_link::Listing, f32, 4>::near(&support::five_link_rough());
-    let bounded = Bounded::<f32, 0>::default();
+    let bounded = Bounded::<f32, 0>::new();
     for instructions in ALL {
         let mut lanes = Lanes::<five_link::Listing, f32, 15, 4, 0>::with(
             instructions,

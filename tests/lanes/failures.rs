@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension::lanes::{Lane, Lanes};
 use suspension_core::linkage::Factors as _;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Bounded, Inputs, Linkage, Outputs, SolveError, Tracker};
+use suspension_core::{Bounded, Inputs, Linkage, Outputs, Part, SolveError, Tracker};
 
 use super::fleet::{ALL, Fleet, Make, bits};
 use crate::support;
@@ -49,7 +49,12 @@ where
                     .step(&fleet.models[bad], &inputs, dt, &mut before.clone())
                     .expect_err("nor alone");
                 assert_eq!(error, alone);
-                let not_a_number = matches!(error, SolveError::NotFinite { equation: 14 });
+                let not_a_number = matches!(
+                    error,
+                    SolveError::NotFinite {
+                        part: Part::Equation(14)
+                    }
+                );
                 assert_eq!(not_a_number, !inputs.drives.value.theta.is_finite());
             }
         }

@@ -67,7 +67,7 @@ where
         let drives = fleet.drives(0.0);
         for (lane, drives) in drives.into_iter().enumerate() {
             let mut motion = fleet.starts[lane];
-            Bounded::<T, 3>::default()
+            Bounded::<T, 3>::new()
                 .step(
                     &fleet.models[lane],
                     &Inputs::still(drives),

@@ -3,7 +3,7 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::attia2003;
 use suspension_core::path::{Leader, Led, Place};
-use suspension_core::{Build, HasWheel, Motion, Newton, Signal, SolveError, Stopped};
+use suspension_core::{Build, HasWheel, Motion, Newton, Parts, Signal, SolveError, Stopped};
 
 use super::case::{Case, attia, five_link};
 use crate::support::{self, INSTANTS, Reference, theta};
@@ -226,7 +226,7 @@ fn a_mirrored_knuckle_is_never_led_to() {
     let target = height(&start.points(&case.model, &inputs));
     let mut led = start;
     let step = Leader::default().step(&case.model, &inputs, height, &target, 0.0, &mut led);
-    let wrong = SolveError::Mirrored { point: support::P9 };
+    let wrong = SolveError::Mirrored { part: support::P9 };
     assert_eq!((step.expect_err("mirrored"), led), (wrong, start));
 }
 
@@ -242,8 +242,8 @@ fn a_quantity_that_is_no_number_is_told() {
         let step = Leader::default().step(&case.model, &inputs, quantity, &target, 0.0, &mut led);
         let error = step.expect_err("no number");
         assert!(matches!(error, SolveError::NotFinite { .. }), "{error:?}");
-        let name = error.culprit(&case.model);
-        assert_eq!((name, led), ("the leading quantity", start));
+        let name = case.model.name(error.part());
+        assert_eq!((name, led), ("theta", start));
     };
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         demand(&height, Signal { value, ..here });

@@ -59,7 +59,7 @@ impl<T: Real, L: Build<15, Scalar = T, Listing: Default>> Displaced<T, L> {
         };
         while let Some(stretch) = next(&mut path)? {
             let at = &stretch.place.configuration;
-            prop_assert!(self.residual(at) <= settings.newton.tolerance);
+            prop_assert!(self.residual(at) <= settings.newton.tolerance.length(T::one()));
             let tangent = stretch.place.tangent.norm();
             prop_assert!((tangent - T::one()).abs() <= T::EPSILON * T::constant(64.0));
             if let Some(turning) = stretch.turning {
@@ -75,7 +75,7 @@ impl<T: Real, L: Build<15, Scalar = T, Listing: Default>> Displaced<T, L> {
     /// Beyond a turning point there is no configuration near by, however Newton's method searches.
     fn is_an_end(&self, turning: &Turning<T, 15>) -> Result<(), TestCaseError> {
         let at = &turning.place.configuration;
-        prop_assert!(self.residual(at) <= Newton::<T>::near_by().tolerance);
+        prop_assert!(self.residual(at) <= Newton::<T>::near_by().tolerance.length(T::one()));
         let bend = self.model.size() * T::constant(1e-2);
         let mut beyond = 0;
         for sign in [1.0, -1.0] {

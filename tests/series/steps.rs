@@ -78,7 +78,7 @@ fn a_step_beyond_the_radius_is_refused() {
     };
     assert!(step == 0.6 && bound > 0.3 && bound < 0.4, "{error}");
     assert!(
-        error.to_string().contains("good for a step of 3."),
+        error.to_string().contains("step 0.600000, allowed 0.3"),
         "{error}"
     );
     assert!(matches!(
@@ -184,6 +184,6 @@ fn a_mirrored_knuckle_is_refused() {
     let mut motion = start;
     let ahead: InputSeries<Still, _, 4> = InputSeries::still(Jet::of_signal(&inputs.drives));
     let step = SeriesTracker::within(1e-12).step(&model, &ahead, 0.0, &mut motion);
-    let wrong = SolveError::Mirrored { point: support::P9 };
+    let wrong = SolveError::Mirrored { part: support::P9 };
     assert_eq!((step.expect_err("mirrored"), motion), (wrong, start));
 }

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Build, Inputs, Motion, Named, Newton, Real, Signal, Still, Tracker, assemble,
+    Build, Inputs, Linkage, Motion, Named, Newton, Part, Real, Signal, Still, Tracker, assemble,
 };
 
 /// The instants of Table 2, s.
@@ -275,5 +275,13 @@ where
         .to_vec()
 }
 
-/// The index of `attia2003`'s point `p9` among all.
-pub(crate) const P9: usize = 8;
+/// Point `p9` of `attia2003`.
+pub(crate) const P9: Part = Part::Point(8);
+
+/// `five_link` at rest where the published motion starts.
+pub(crate) fn five_link_start<T: Real>(model: &five_link::Model<T>) -> Motion<T, 15> {
+    let mut q = model.unknowns(&five_link_rough());
+    let inputs = five_link_inputs(T::zero());
+    assemble(&Newton::from_afar(), model, &inputs, &mut q).expect("assembles");
+    Motion::at_rest(q)
+}

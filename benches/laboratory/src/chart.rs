@@ -187,7 +187,7 @@ impl Measuring<'_> {
         let exact = L::Listing::rounded::<DoubleDouble>(model);
         let reference =
             Reference::new(model, &exact, &mechanism.start, &course).map_err(|(t, error)| {
-                let cause = mechanism.names.cause(&error, mechanism.unit);
+                let cause = mechanism.names.cause(&error);
                 Failure::Solver(format!("no motion at t = {} s: {cause}", number(t)))
             })?;
         let [position, ..] = &reference.instants()[0];

@@ -32,7 +32,7 @@ use survey::{Counted, Effort, Survey};
 use suspension::failure::Failure;
 use suspension::file::Source;
 use suspension::load::load;
-use suspension::mechanism::{DriveLaws, Mechanism, Names, Suspension, Unit, Work};
+use suspension::mechanism::{DriveLaws, Mechanism, Names, Suspension, Work};
 use suspension::number::number;
 use suspension::output::files::{announce, refuse_input, write_file};
 use suspension::output::progress::Progress;
@@ -147,7 +147,6 @@ impl Work for Trying<'_> {
         let motion = Followed {
             drives: &mechanism.drives,
             ends,
-            unit: mechanism.unit,
         };
         let stopped = match &closures {
             None => {
@@ -172,7 +171,6 @@ impl Work for Trying<'_> {
 struct Followed<'a> {
     drives: &'a DriveLaws,
     ends: [f64; 2],
-    unit: Unit,
 }
 
 impl Followed<'_> {
@@ -207,7 +205,7 @@ impl Followed<'_> {
 
     fn no_motion(&self, model: &impl Parts, stopped: &Stopped<f64>) -> Failure {
         let cause = stopped.refused.map_or_else(String::new, |(_, error)| {
-            format!(": {}", Names::of(model).cause(&error, self.unit))
+            format!(": {}", Names::of(model).cause(&error))
         });
         let reached = number(stopped.reached);
         Failure::Solver(format!("no motion beyond t = {reached} s{cause}"))

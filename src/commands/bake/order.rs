@@ -171,11 +171,11 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
     }
 
     fn out_of_reach(&self, drive: usize, error: &OutOfReach) -> String {
-        let Mechanism { names, unit, .. } = self.mechanism;
+        let Mechanism { names, .. } = self.mechanism;
         let [from, to] = error.reached.map(|end| number(self.given(drive, end)));
         let why = error
             .cause
-            .map(|error| format!(" ({})", names.cause(&error, *unit)));
+            .map(|error| format!(" ({})", names.cause(&error)));
         let name = &self.mechanism.names.drives[drive].name;
         format!(
             "the mechanism takes {name} from {from} to {to} only{}",

@@ -128,7 +128,7 @@ fn run<L: Suspension<N>, const N: usize>(
     let inputs = mechanism.drives.inputs(first);
     let curve = Curve::new(&mechanism.model, &inputs, index)
         .ok_or_else(|| Failure::Solver("there is no such drive".to_owned()))?;
-    let lost = |error| mechanism.names.cause(&error, mechanism.unit);
+    let lost = |error| mechanism.names.cause(&error);
     let mut path = settings
         .path(curve, &mechanism.start.position, increasing)
         .map_err(|error| Failure::Solver(format!("the curve has no start: {}", lost(error))))?;

@@ -6,7 +6,7 @@ use crate::assemble::Assembly;
 use crate::error::SolveError;
 use crate::factored::smallest_pivot;
 use crate::magnitude::largest;
-use crate::newton::Converged;
+use crate::report::Report;
 use crate::scalar::Real;
 
 /// Starts around the guess.
@@ -45,12 +45,9 @@ pub(super) struct Found<T, const N: usize> {
 
 impl<T: Real, const N: usize> Found<T, N> {
     /// A root to which one start led.
-    pub(super) fn new(root: SVector<T, N>, guess: &SVector<T, N>, converged: Converged<T>) -> Self {
+    pub(super) fn new(root: SVector<T, N>, guess: &SVector<T, N>, report: Report<T>) -> Self {
         let assembly = Assembly {
-            iterations: converged.iterations,
-            residual: converged.residual,
-            tolerance: converged.tolerance,
-            growth: converged.growth,
+            report,
             distance: (root - guess).norm(),
             next: None,
             starts: 1,

@@ -1,16 +1,16 @@
 //! Whether a step is accepted, and if not, why.
 
-use core::fmt;
-
 use nalgebra::SVector;
 
 use super::{Bounded, Step};
-use crate::error::SolveError;
+use crate::error::{Cause, Explain, Facts, SolveError, messages};
 use crate::factored::is_healthy;
 use crate::handedness::{is_right, most_mirrored};
 use crate::linkage::Linkage;
+use crate::listing::Part;
 use crate::magnitude::index_of_largest;
 use crate::motion::Motion;
+use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::ChassisMotion;
 
@@ -63,40 +63,6 @@ impl<T: Real> Measures<T> {
     }
 }
 
-/// A step that was accepted. It keeps squares: a root is software on most controllers, and taken
-/// only where it is read.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Settled<T> {
-    tolerance: T,
-    residual_squared: T,
-    error_squared: T,
-    growth_squared: T,
-}
-
-impl<T: Real> Settled<T> {
-    /// The norm of the residual that is left, in units of length, from the quadratic identity: it
-    /// tells what the sweeps left, far below what rounding leaves. Without sweeps it is a bound, the
-    /// error itself.
-    pub fn residual(&self) -> T {
-        self.residual_squared.sqrt()
-    }
-
-    /// What the residual was compared with.
-    pub fn tolerance(&self) -> T {
-        self.tolerance
-    }
-
-    /// The norm of the error of the predicted position, in units of length.
-    pub fn error(&self) -> T {
-        self.error_squared.sqrt()
-    }
-
-    /// The health of the pivots: the norm of their inverses.
-    pub fn growth(&self) -> T {
-        self.growth_squared.sqrt()
-    }
-}
-
 /// Which test a step failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
@@ -110,35 +76,32 @@ pub enum Refusal {
     CrossedSingularity,
     /// A point that links alone hold is mirrored.
     Mirrored,
-    /// The pivots of the macro's order are too small: with partial pivoting there may be a step.
+    /// The pivots of the fixed order are too small: with partial pivoting there may be a step.
     Unhealthy,
 }
 
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::NotFinite => "a position, velocity or acceleration is not a finite number",
-            Self::Diverging => "no root near by: the error of the prediction exceeds its bound",
-            Self::NotConverged => "the residual exceeds the tolerance",
-            Self::CrossedSingularity => {
-                "a singularity was crossed: the determinant has changed its sign"
-            }
-            Self::Mirrored => {
-                "a point stands on the wrong side of the points that links join it to"
-            }
-            Self::Unhealthy => {
-                "the pivots of the fixed order are too small: a bounded step tries others"
-            }
-        })
+impl Explain for Refusal {
+    fn facts(&self) -> Facts {
+        let cause = match self {
+            Self::NotFinite => Cause::Overflow,
+            Self::Diverging => Cause::Diverging,
+            Self::NotConverged => Cause::NotConverged,
+            Self::CrossedSingularity => Cause::CrossedSingularity,
+            Self::Mirrored => Cause::Mirrored,
+            Self::Unhealthy => Cause::UnhealthyPivots,
+        };
+        Facts::of(cause, None)
     }
 }
 
-impl core::error::Error for Refusal {}
+messages! {
+    [] Refusal;
+}
 
 impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER> {
     /// What the residual of a linkage of the given size is compared with.
     fn residual_tolerance(&self, size: T) -> T {
-        self.tolerance * T::EPSILON * size
+        self.tolerance.length(T::EPSILON * size)
     }
 
     /// The error of the prediction that is accepted however short the step.
@@ -174,7 +137,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         measures: &Measures<T>,
         before: Option<bool>,
         moved: impl FnOnce() -> T,
-    ) -> Result<Settled<T>, Refusal> {
+    ) -> Result<Report<T>, Refusal> {
         let tolerance = self.residual_tolerance(size);
         let is_positive = measures.determinant_sign > T::zero();
         let is_root = tolerance >= T::zero() && measures.residual_squared <= tolerance * tolerance;
@@ -193,11 +156,13 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         } else if !is_right(measures.mirrored) {
             Err(Refusal::Mirrored)
         } else {
-            Ok(Settled {
+            Ok(Report {
                 tolerance,
                 residual_squared: measures.residual_squared,
                 error_squared,
                 growth_squared: measures.growth_squared,
+                steps: 1,
+                iterations: 1,
             })
         }
     }
@@ -236,15 +201,17 @@ where
                     .into_iter()
                     .find_map(infinite)
                     .unwrap_or_else(|| index_of_largest(&next.acceleration));
-                SolveError::Overflow { unknown }
+                SolveError::overflow(unknown)
             }
             Refusal::Diverging => SolveError::Diverging {
-                unknown: index_of_largest(&(self.prediction.position - next.position)),
+                part: Part::Unknown(index_of_largest(
+                    &(self.prediction.position - next.position),
+                )),
                 step: measures.error_squared.sqrt(),
                 bound: settings.bound(size, || self.moved(next)),
             },
             Refusal::NotConverged => SolveError::NotConverged {
-                equation: index_of_largest(&self.residual_called(&next.position)),
+                part: Part::Equation(index_of_largest(&self.residual_called(&next.position))),
                 residual: measures.residual_squared.sqrt(),
                 tolerance: settings.residual_tolerance(size),
                 iterations: SWEEPS,
@@ -252,10 +219,10 @@ where
             // Small pivots are an attempt's refusal: with partial pivoting nothing is left of them but a
             // singularity near by.
             Refusal::CrossedSingularity | Refusal::Unhealthy => SolveError::CrossedSingularity {
-                unknown: index_of_largest(&(next.position - self.from.position)),
+                part: Part::Unknown(index_of_largest(&(next.position - self.from.position))),
             },
             Refusal::Mirrored => SolveError::Mirrored {
-                point: most_mirrored(self.linkage, &next.position, fixed),
+                part: most_mirrored(self.linkage, &next.position, fixed),
             },
         }
     }

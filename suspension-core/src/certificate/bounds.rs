@@ -168,8 +168,7 @@ fn defect_of_middles<T: Real, const N: usize>(
 /// A bound of all sums of positive numbers, which rounding made smaller.
 #[inline(always)]
 fn upper<T: Real, const N: usize>(sums: [T; N]) -> Result<T, SolveError<T>> {
-    let largest =
-        magnitude(&SVector::from(sums)).map_err(|unknown| SolveError::Overflow { unknown })?;
+    let largest = magnitude(&SVector::from(sums)).map_err(SolveError::overflow)?;
     Ok(largest * (T::one() + rounding::<T, N>()) + T::SMALLEST)
 }
 

@@ -1,10 +1,8 @@
 //! What is proved, or why nothing is.
 
-use core::fmt;
-
 use super::bounds::Bounds;
 use super::enclosed::Enclosed;
-use crate::error::SolveError;
+use crate::error::{Cause, Compared, Explain, Facts, SolveError, messages};
 use crate::scalar::{Real, Scalar};
 
 /// Whether a root is proved to lie near a position `q`. Distances are the largest difference of any
@@ -57,23 +55,40 @@ pub enum Unproved<T> {
     },
 }
 
-impl<T: fmt::LowerExp> fmt::Display for Unproved<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoBounds { cause } => cause.fmt(f),
-            Self::NearSingular { defect } => write!(
-                f,
-                "the Jacobian is singular to rounding: its inverse is off by {defect:.1e}, needed less than 1"
+impl<T: Real> Explain for Unproved<T> {
+    fn facts(&self) -> Facts {
+        let (cause, what, value, relation, bound) = match *self {
+            Self::NoBounds { cause } => return cause.facts(),
+            Self::NearSingular { defect } => (
+                Cause::UnprovedNearSingular,
+                "the inverse is off by",
+                defect,
+                "needed less than",
+                T::one(),
             ),
-            Self::TooFar { correction, bound } => write!(
-                f,
-                "a root may be {correction:.1e} away, and is proved only below {bound:.1e}"
+            Self::TooFar { correction, bound } => (
+                Cause::UnprovedTooFar,
+                "correction",
+                correction,
+                "needed less than",
+                bound,
             ),
+        };
+        Facts {
+            compared: Some(Compared {
+                what,
+                value: value.to_subset_unchecked(),
+                relation,
+                bound: bound.to_subset_unchecked(),
+            }),
+            ..Facts::of(cause, None)
         }
     }
 }
 
-impl<T: fmt::Debug + fmt::LowerExp> core::error::Error for Unproved<T> {}
+messages! {
+    [T: Real] Unproved<T>;
+}
 
 /// The condition of the proof; see [the module](super).
 #[inline]

@@ -3,12 +3,15 @@
 use nalgebra::SVector;
 
 use crate::error::SolveError;
+use crate::linkage::Factors as _;
 use crate::linkage::Linkage;
+use crate::listing::Part;
 use crate::magnitude::{index_of_largest, magnitude};
-use crate::newton::{Converged, Newton, within};
+use crate::newton::{Newton, rounding_at, within};
 use crate::path::configuration::Configuration;
 use crate::path::curve::Curve;
-use crate::path::linear::of_entry;
+use crate::path::linear::of_drive;
+use crate::report::Report;
 use crate::scalar::Real;
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
@@ -20,16 +23,20 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
         start: Configuration<T, N>,
         parameter: usize,
         first_bound: T,
-    ) -> Result<(Configuration<T, N>, Converged<T>), SolveError<T>> {
+    ) -> Result<(Configuration<T, N>, Report<T>), SolveError<T>> {
         let mut at = start;
         let mut residual = self.residual(&at);
         let mut bound = Some(first_bound);
         let mut worst = finite(&residual)?;
+        let mut error = T::zero();
         for iterations in 1..=newton.max_iterations {
             let linear = self.linear(&at, parameter)?;
-            let rounding = newton.rounding_at(self.linkage, &at.unknowns);
+            let rounding = rounding_at(self.linkage, &at.unknowns);
             let step = linear.lu.solve(&residual);
-            let size = within(&step, bound, rounding).map_err(of_entry::<T, N>(parameter))?;
+            let size = within(&step, bound, rounding).map_err(of_drive(parameter, self.drive))?;
+            if iterations == 1 {
+                error = size;
+            }
             at = at - linear.along(&step);
             // One more correction with the same factors takes off what the square of the first
             // has left.
@@ -42,18 +49,20 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
             }
             let tolerance = newton.tolerance_at(self.linkage, &at.unknowns);
             if worst <= tolerance {
-                let converged = Converged {
-                    iterations,
-                    residual: worst,
+                let report = Report {
                     tolerance,
-                    growth: linear.growth(),
+                    residual_squared: worst * worst,
+                    error_squared: error * error,
+                    growth_squared: linear.lu.growth_squared(),
+                    steps: 1,
+                    iterations,
                 };
-                return Ok((at, converged));
+                return Ok((at, report));
             }
             bound = newton.contraction.map(|contraction| contraction * size);
         }
         Err(SolveError::NotConverged {
-            equation: index_of_largest(&residual),
+            part: Part::Equation(index_of_largest(&residual)),
             residual: worst,
             tolerance: newton.tolerance_at(self.linkage, &at.unknowns),
             iterations: newton.max_iterations,
@@ -65,5 +74,5 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
 pub(crate) fn finite<T: Real, const N: usize>(
     residual: &SVector<T, N>,
 ) -> Result<T, SolveError<T>> {
-    magnitude(residual).map_err(|equation| SolveError::NotFinite { equation })
+    magnitude(residual).map_err(SolveError::not_finite)
 }

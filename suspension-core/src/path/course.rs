@@ -3,21 +3,27 @@
 use crate::error::SolveError;
 use crate::factored::smallest_pivot;
 use crate::handedness;
+use crate::linkage::Factors as _;
 use crate::linkage::Linkage;
+use crate::listing::Part;
 use crate::magnitude::{index_of_largest, magnitude};
 use crate::motion::input_terms;
-use crate::newton::{Converged, within};
+use crate::newton::{rounding_at, within};
 use crate::path::configuration::Configuration;
 use crate::path::correct::finite;
 use crate::path::curve::Curve;
-use crate::path::lead::{Leader, LedStep};
+use crate::path::lead::Leader;
 use crate::path::led::Led;
 use crate::path::linear::Linear;
+use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Signal};
 
 /// The smallest part of the tangent's largest entry that the local parameter may have.
 const POOR: f64 = 0.25;
+
+/// How far from a target the quantity may be, as a multiple of rounding of the target.
+const OF_TARGET: f64 = 16.0;
 
 /// What one step is made of.
 pub(super) struct Course<'a, T, L: Linkage<N>, Q, const N: usize> {
@@ -32,8 +38,7 @@ struct Met<T, const N: usize> {
     position: Configuration<T, N>,
     /// See [`Course::steepest`].
     steepest: T,
-    converged: Converged<T>,
-    off_target: T,
+    report: Report<T>,
 }
 
 impl<T, L, Q, const N: usize> Course<'_, T, L, Q, N>
@@ -46,12 +51,11 @@ where
         &self,
         dt: T,
         led: &Led<T, N>,
-    ) -> Result<(Led<T, N>, LedStep<T>), SolveError<T>> {
+    ) -> Result<(Led<T, N>, Report<T>), SolveError<T>> {
         let Met {
             position,
             steepest,
-            converged,
-            off_target,
+            report,
         } = self.position(dt, led)?;
         handedness::check(
             self.curve.linkage,
@@ -61,24 +65,24 @@ where
         let linear = self.curve.linear(&position, led.parameter)?;
         let largest = linear.tangent.largest_entry();
         let is_poor = linear.tangent.entry(largest).abs() * T::constant(POOR) > T::one();
-        let switched = is_poor.then_some(largest);
-        let linear = match switched {
-            Some(parameter) => self.curve.linear(&position, parameter)?,
-            None => linear,
+        let linear = if is_poor {
+            self.curve.linear(&position, largest)?
+        } else {
+            linear
         };
         let slope = self.slope(&position, &linear.tangent)?;
-        let unknown = index_of_largest(&linear.tangent.unknowns);
+        let part = Part::Unknown(index_of_largest(&linear.tangent.unknowns));
         let is_steep = slope.abs() > smallest_pivot::<T>() * steepest * linear.tangent.norm();
         if !is_steep {
             return Err(SolveError::TurningPoint {
-                unknown,
+                part,
                 asked: self.target.value,
                 extreme: self.value(&position)?,
             });
         }
         let increases = Some((slope > T::zero()) == linear.is_positive(&linear.tangent));
         if led.increases.is_some() && led.increases != increases {
-            return Err(SolveError::CrossedSingularity { unknown });
+            return Err(SolveError::CrossedSingularity { part });
         }
         let next = Led {
             configuration: self.rates::<C>(&position, &linear, slope)?,
@@ -86,12 +90,7 @@ where
             parameter: linear.parameter,
             increases,
         };
-        let step = LedStep {
-            converged,
-            off_target,
-            switched,
-        };
-        Ok((next, step))
+        Ok((next, report))
     }
 
     /// Newton's method on the equations and the quantity together.
@@ -110,20 +109,23 @@ where
         let moves = (rate + second_rate * (dt * T::constant(0.5))) * dt;
         let mut at = value + moves;
         let size = self.curve.linkage.size();
-        let moved =
-            magnitude(&moves.unknowns).map_err(|unknown| SolveError::Overflow { unknown })?;
+        let moved = magnitude(&moves.unknowns).map_err(SolveError::overflow)?;
         let mut bound = Some((*correction_of_move * moved).max(*correction_of_size * size));
+        let mut error = T::zero();
         for iterations in 1..=newton.max_iterations {
             let linear = self.curve.linear(&at, led.parameter)?;
             let step = self.correction(&at, &linear)?;
-            let rounding = newton.rounding_at(self.curve.linkage, &at.unknowns);
+            let rounding = rounding_at(self.curve.linkage, &at.unknowns);
             let correction = within(&step.unknowns, bound, rounding)?;
+            if iterations == 1 {
+                error = correction;
+            }
             at = at + step;
             // Once more with the same factors, for what the square of the first has left.
             at = at + self.correction(&at, &linear)?;
             let residual = finite(&self.curve.residual(&at))?;
-            let rounding = newton.rounding_at(self.curve.linkage, &at.unknowns);
-            let tolerance = newton.tolerance * rounding;
+            let rounding = rounding_at(self.curve.linkage, &at.unknowns);
+            let tolerance = newton.tolerance.length(rounding);
             if residual <= tolerance {
                 let steepest = self.steepest(&at)?;
                 let off_target = (self.value(&at)? - self.target.value).abs();
@@ -131,19 +133,20 @@ where
                 // As near along the curve as the residual's tolerance, or what rounding of the
                 // positions and of the quantity itself leaves of it.
                 let near = (tolerance * slope).max(rounding * steepest * T::constant(4.0))
-                    + newton.tolerance * T::EPSILON * self.target.value.abs();
+                    + T::constant(OF_TARGET) * T::EPSILON * self.target.value.abs();
                 if off_target <= near {
-                    let converged = Converged {
-                        iterations,
-                        residual,
+                    let report = Report {
                         tolerance,
-                        growth: linear.growth(),
+                        residual_squared: residual * residual,
+                        error_squared: error * error,
+                        growth_squared: linear.lu.growth_squared(),
+                        steps: 1,
+                        iterations,
                     };
                     return Ok(Met {
                         position: at,
                         steepest,
-                        converged,
-                        off_target,
+                        report,
                     });
                 }
             }
@@ -151,7 +154,7 @@ where
         }
         let residual = self.curve.residual(&at);
         Err(SolveError::NotConverged {
-            equation: index_of_largest(&residual),
+            part: Part::Equation(index_of_largest(&residual)),
             residual: finite(&residual)?,
             tolerance: newton.tolerance_at(self.curve.linkage, &at.unknowns),
             iterations: newton.max_iterations,
@@ -205,7 +208,7 @@ where
         let missing = self.target.second_rate - measured(rate, held).second_rate;
         let second_rate = held + linear.tangent * (missing / slope);
         for rates in [&rate, &second_rate] {
-            magnitude(&rates.unknowns).map_err(|unknown| SolveError::Overflow { unknown })?;
+            magnitude(&rates.unknowns).map_err(SolveError::overflow)?;
         }
         Ok(Signal {
             value: *position,
@@ -235,9 +238,9 @@ where
             asked - extreme
         };
         let is_beyond = short <= near;
-        let unknown = index_of_largest(&place.rate.unknowns);
+        let part = Part::Unknown(index_of_largest(&place.rate.unknowns));
         is_beyond.then_some(SolveError::TurningPoint {
-            unknown,
+            part,
             asked,
             extreme,
         })

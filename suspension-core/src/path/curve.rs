@@ -9,7 +9,7 @@ use crate::lu::Lu;
 use crate::motion::Prescribed;
 use crate::parts;
 use crate::path::configuration::Configuration;
-use crate::path::linear::{Linear, of_entry};
+use crate::path::linear::{Linear, of_drive};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::trigonometry::sine_cosine;
@@ -216,10 +216,8 @@ where
             minus_of_parameter = column.map(|entry| -entry);
             *column = minus_of_drive.map(|entry| -entry);
         }
-        Linear::new(
-            Lu::factor(&matrix).map_err(of_entry::<T, N>(parameter))?,
-            parameter,
-            &SVector::from(minus_of_parameter),
-        )
+        Lu::factor(&matrix)
+            .and_then(|lu| Linear::new(lu, parameter, &SVector::from(minus_of_parameter)))
+            .map_err(of_drive(parameter, self.drive))
     }
 }

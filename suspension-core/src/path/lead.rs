@@ -13,14 +13,14 @@
 use crate::error::SolveError;
 use crate::linkage::{Linkage, Values};
 use crate::listing::Kind;
-use crate::newton::{Converged, Newton};
+use crate::newton::Newton;
 use crate::path::course::Course;
 use crate::path::curve::Curve;
 use crate::path::led::Led;
-use crate::path::quantity::number;
+use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
-use crate::substeps::{Advanced, MAX_STEPS, Stopped, in_steps};
+use crate::substeps::{MAX_STEPS, Stopped, in_steps};
 use crate::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
 
 /// The measure of the listing with this index, as a quantity that leads: chosen at run time among
@@ -53,18 +53,6 @@ pub struct Leader<T> {
     pub correction_of_size: T,
 }
 
-/// What a step did.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LedStep<T> {
-    /// How the position was found.
-    pub converged: Converged<T>,
-    /// How far the quantity is from its target, in its own unit.
-    pub off_target: T,
-    /// The new local parameter, an unknown or `N` for the drive, where the old one had become
-    /// poor.
-    pub switched: Option<usize>,
-}
-
 impl<T: Real> Default for Leader<T> {
     fn default() -> Self {
         Self {
@@ -88,7 +76,7 @@ impl<T: Real> Leader<T> {
     ///
     /// [`SolveError::TurningPoint`] where the quantity turns before it meets the target,
     /// [`SolveError::CrossedSingularity`] where another singularity lies between,
-    /// [`SolveError::NotFinite`] of equation `N` where the quantity or its target is no number, else
+    /// [`SolveError::NotFinite`] of the free drive where the quantity or its target is NaN or infinite, else
     /// as [`Tracker::step`](crate::Tracker::step). The motion is then unchanged.
     pub fn step<L, C, const N: usize>(
         &self,
@@ -98,22 +86,22 @@ impl<T: Real> Leader<T> {
         target: &Signal<T>,
         dt: T,
         led: &mut Led<T, N>,
-    ) -> Result<LedStep<T>, SolveError<T>>
+    ) -> Result<Report<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        number::<T, N>(target.value)?;
         let course = Course {
             leader: self,
             curve: Curve::of(linkage, inputs, led.drive),
             quantity,
             target,
         };
+        course.number(target.value)?;
         match course.step::<C>(dt, led) {
-            Ok((next, step)) => {
+            Ok((next, report)) => {
                 *led = next;
-                Ok(step)
+                Ok(report)
             }
             Err(error @ SolveError::NotFinite { .. }) => Err(error),
             Err(error) => Err(course.turning_before(led).unwrap_or(error)),
@@ -135,14 +123,13 @@ impl<T: Real> Leader<T> {
         target: impl Fn(T) -> Signal<T>,
         [from, to]: [T; 2],
         led: &mut Led<T, N>,
-    ) -> Result<Advanced<T>, Stopped<T>>
+    ) -> Result<Report<T>, Stopped<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
         in_steps([from, to], self.max_steps, |next, dt| {
-            let step = self.step(linkage, &inputs(next), &quantity, &target(next), dt, led);
-            step.map(|step| step.converged)
+            self.step(linkage, &inputs(next), &quantity, &target(next), dt, led)
         })
     }
 }

@@ -11,6 +11,7 @@ use nalgebra::SVector;
 
 use crate::error::SolveError;
 use crate::linkage::Factors as _;
+use crate::listing::Part;
 use crate::lu::Lu;
 use crate::magnitude::magnitude;
 use crate::path::configuration::Configuration;
@@ -32,9 +33,7 @@ impl<T: Real, const N: usize> Linear<T, N> {
         minus_column: &SVector<T, N>,
     ) -> Result<Self, SolveError<T>> {
         let along = lu.solve(minus_column);
-        magnitude(&along).map_err(|unknown| SolveError::Overflow {
-            unknown: entry::<N>(unknown, parameter),
-        })?;
+        magnitude(&along).map_err(SolveError::overflow)?;
         Ok(Self {
             lu,
             parameter,
@@ -69,22 +68,19 @@ impl<T: Real, const N: usize> Linear<T, N> {
     }
 }
 
-/// The entry of the configuration that a column solves for: that of the parameter is the drive's,
-/// `N`.
-fn entry<const N: usize>(column: usize, parameter: usize) -> usize {
-    if column == parameter { N } else { column }
-}
-
-/// An error of solving with the matrix, which names a column, with the entry instead.
-pub(crate) fn of_entry<T, const N: usize>(
+/// An error of solving with the matrix, which names the unknown of a column: that of the parameter is
+/// the free drive's.
+pub(crate) fn of_drive<T>(
     parameter: usize,
+    drive: usize,
 ) -> impl Fn(SolveError<T>) -> SolveError<T> {
     move |mut error| {
-        if let SolveError::Singular { unknown, .. }
-        | SolveError::Overflow { unknown }
-        | SolveError::Diverging { unknown, .. } = &mut error
+        if let SolveError::Singular { part, .. }
+        | SolveError::Overflow { part }
+        | SolveError::Diverging { part, .. } = &mut error
+            && *part == Part::Unknown(parameter)
         {
-            *unknown = entry::<N>(*unknown, parameter);
+            *part = Part::Drive(drive);
         }
         error
     }

@@ -2,6 +2,7 @@
 
 use crate::error::SolveError;
 use crate::linkage::Linkage;
+use crate::listing::Part;
 use crate::path::configuration::Configuration;
 use crate::path::course::Course;
 use crate::scalar::Real;
@@ -15,7 +16,7 @@ where
 {
     pub(super) fn value(&self, at: &Configuration<T, N>) -> Result<T, SolveError<T>> {
         let none = Configuration::zero();
-        number::<T, N>(self.measured(at, none, none).value)
+        self.number(self.measured(at, none, none).value)
     }
 
     /// The rate of the quantity where the configuration changes at a rate.
@@ -24,7 +25,7 @@ where
         at: &Configuration<T, N>,
         rate: &Configuration<T, N>,
     ) -> Result<T, SolveError<T>> {
-        number::<T, N>(self.measured(at, *rate, Configuration::zero()).rate)
+        self.number(self.measured(at, *rate, Configuration::zero()).rate)
     }
 
     /// The largest slope in any direction, the norm of the gradient. What lengths are compared
@@ -39,6 +40,17 @@ where
         Ok(square.sqrt())
     }
 
+    /// A value, target or slope of the quantity, which stands in for the free drive, where it is
+    /// finite.
+    pub(super) fn number(&self, number: T) -> Result<T, SolveError<T>> {
+        if number.is_finite() {
+            Ok(number)
+        } else {
+            let part = Part::Drive(self.curve.drive);
+            Err(SolveError::NotFinite { part })
+        }
+    }
+
     fn measured(
         &self,
         at: &Configuration<T, N>,
@@ -50,14 +62,5 @@ where
             rate,
             second_rate,
         }))
-    }
-}
-
-/// A value, target or slope of the quantity, which is equation `N`, where it is finite.
-pub(super) fn number<T: Real, const N: usize>(number: T) -> Result<T, SolveError<T>> {
-    if number.is_finite() {
-        Ok(number)
-    } else {
-        Err(SolveError::NotFinite { equation: N })
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::error::SolveError;
 use crate::linkage::Linkage;
+use crate::listing::Part;
 use crate::magnitude::index_of_largest;
 use crate::path::arc::Arc;
 use crate::path::place::{End, Place, Stretch};
@@ -37,7 +38,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
             .min(reach)
             .min(self.last_step * T::constant(2.0));
         let mut result = Err(SolveError::CrossedSingularity {
-            unknown: index_of_largest(&self.here.tangent.unknowns),
+            part: Part::Unknown(index_of_largest(&self.here.tangent.unknowns)),
         });
         for _ in 0..HALVINGS {
             result = self.stretch(&arc, distance);
@@ -60,7 +61,9 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
     fn stretch(&self, arc: &Arc<T, N, ORDER>, distance: T) -> Result<Stretch<T, N>, SolveError<T>> {
         let place = self.arrive(arc, distance)?;
         let bent = SolveError::CrossedSingularity {
-            unknown: index_of_largest(&(place.configuration - self.here.configuration).unknowns),
+            part: Part::Unknown(index_of_largest(
+                &(place.configuration - self.here.configuration).unknowns,
+            )),
         };
         let (distance, place, end) = if place.positive != self.here.positive {
             let (distance, place, end) = self.bifurcation(arc, distance).ok_or(bent)?;
@@ -102,14 +105,14 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         let moved = (guess.value - self.here.configuration).norm();
         let bound = T::constant(CORRECTION_OF_MOVE) * moved;
         let newton = &self.settings.newton;
-        let (configuration, converged) =
+        let (configuration, report) =
             self.curve
                 .correct(newton, guess.value, arc.parameter, bound)?;
         let linear = self.curve.linear(&configuration, arc.parameter)?;
         let tangent = linear.unit_tangent(&guess.rate);
         Ok(self
             .curve
-            .place(configuration, &linear, tangent, converged.residual))
+            .place(configuration, &linear, tangent, report.residual()))
     }
 
     /// The return to the start, where it lies on the arc: its distance is known, because the

@@ -2,6 +2,7 @@
 
 use crate::error::SolveError;
 use crate::linkage::Linkage;
+use crate::newton::rounding_at;
 use crate::path::arc::{Arc, second_order};
 use crate::path::place::{End, Place, Stretch, Turning};
 use crate::path::{ORDER, Path};
@@ -57,8 +58,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
 
     /// What rounding leaves of a length at a place.
     fn rounding_at(&self, place: &Place<T, N>) -> T {
-        let newton = &self.settings.newton;
-        newton.rounding_at(self.curve.linkage, &place.configuration.unknowns)
+        rounding_at(self.curve.linkage, &place.configuration.unknowns)
     }
 
     /// Whether the path is outside its range, by more than its correction at a bound may be.

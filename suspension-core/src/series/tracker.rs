@@ -6,36 +6,39 @@ use crate::error::SolveError;
 use crate::factored::{smallest_pivot, with_factors};
 use crate::handedness;
 use crate::linkage::Linkage;
+use crate::listing::Part;
 use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::{Motion, Prescribed};
-use crate::newton::Converged;
+use crate::newton::rounding_at;
+use crate::report::Report;
 use crate::scalar::Real;
+use crate::tolerance::Tolerance;
 use crate::tracker::guard::change_of_jacobian;
 
-/// How to follow a motion by its series.
+/// How to follow a motion by its series to order `K`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SeriesTracker<T> {
-    /// The largest residual of a result, in units of length.
+pub struct SeriesTracker<T, const K: usize> {
+    /// The largest residual of a result; rounding as for [`Newton`](crate::newton::Newton).
     ///
     /// It speaks of positions. A truncated series of order `K` has about `K / dt` times their error
     /// in velocities, and `K^2 / dt^2` times in accelerations.
-    pub tolerance: T,
+    pub tolerance: Tolerance<T>,
     /// The longest step, as a part of the radius of convergence: of the [estimate](Series::radius) from
     /// the coefficients, and below order 4, where that is none or rests on two of them, of the one from
     /// the change of the Jacobian over the step too.
     pub part_of_radius: T,
 }
 
-impl<T: Real> SeriesTracker<T> {
-    /// Steps of up to half the radius of convergence, to positions within `tolerance`.
-    pub fn within(tolerance: T) -> Self {
+impl<T: Real, const K: usize> SeriesTracker<T, K> {
+    /// Steps of up to half the radius of convergence, to residuals of this length.
+    pub fn within(length: T) -> Self {
         Self {
-            tolerance,
+            tolerance: Tolerance::Length(length),
             part_of_radius: T::constant(0.5),
         }
     }
 
-    /// One step of length `dt`, either way, by the series to order `K` of the motion.
+    /// One step of length `dt`, either way, by the series of the motion.
     ///
     /// `inputs` start at the instant of `motion`. Where the position solves them only nearly, one
     /// correction with the factors of this step comes first, so that errors do not add up from
@@ -45,47 +48,51 @@ impl<T: Real> SeriesTracker<T> {
     ///
     /// [`SolveError::StepTooLong`] and [`SolveError::NotConverged`] as the fields have it, the
     /// others as for a [`Tracker`](crate::Tracker); the motion is then unchanged.
-    pub fn step<L, C, const N: usize, const K: usize>(
+    pub fn step<L, C, const N: usize>(
         &self,
         linkage: &L,
         inputs: &InputSeries<C, L::Drives, K>,
         dt: T,
         motion: &mut Motion<T, N>,
-    ) -> Result<Converged<T>, SolveError<T>>
+    ) -> Result<Report<T>, SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: ChassisSeries<T, L::Fixed, K>,
     {
         let (series, turning) = series_from::<T, L, C, N, K>(linkage, inputs, dt, motion)?;
         self.check_length(&series, turning, dt)?;
+        let [error] = difference(&motion.position, &series.unknowns.value).data.0;
+        let error = largest(error);
         let next = series.motion(dt);
         for rates in [&next.velocity, &next.acceleration] {
-            magnitude(rates).map_err(|unknown| SolveError::Overflow { unknown })?;
+            magnitude(rates).map_err(SolveError::overflow)?;
         }
         let Prescribed { fixed, drives } = Prescribed::new(linkage, &inputs.at(dt));
         let residual = linkage.residual(&next.position, &fixed.value, &drives.value);
-        let size = magnitude(&residual).map_err(|equation| SolveError::NotFinite { equation })?;
-        let (tolerance, iterations) = (self.tolerance, 1);
+        let size = magnitude(&residual).map_err(SolveError::not_finite)?;
+        let tolerance = self.tolerance.length(rounding_at(linkage, &next.position));
         if size <= tolerance {
             handedness::check(linkage, &next.position, &fixed.value)?;
             *motion = next;
-            Ok(Converged {
-                iterations,
-                residual: size,
+            Ok(Report {
                 tolerance,
-                growth: series.growth,
+                residual_squared: size * size,
+                error_squared: error * error,
+                growth_squared: series.growth * series.growth,
+                steps: 1,
+                iterations: 1,
             })
         } else {
             Err(SolveError::NotConverged {
-                equation: index_of_largest(&residual),
+                part: Part::Equation(index_of_largest(&residual)),
                 residual: size,
                 tolerance,
-                iterations,
+                iterations: 1,
             })
         }
     }
 
-    fn check_length<const N: usize, const K: usize>(
+    fn check_length<const N: usize>(
         &self,
         series: &Series<T, N, K>,
         turning: Option<T>,
@@ -96,7 +103,7 @@ impl<T: Real> SeriesTracker<T> {
         let bound = radius.map(|radius| radius * self.part_of_radius);
         match (bound, series.unknowns.terms.last()) {
             (Some(bound), Some(last)) if dt.abs() > bound => Err(SolveError::StepTooLong {
-                unknown: index_of_largest(last),
+                part: Part::Unknown(index_of_largest(last)),
                 step: dt.abs(),
                 bound,
             }),
@@ -150,7 +157,7 @@ where
         Some(positive) if positive != series.positive_determinant => {
             let moves = series.motion(T::zero()).velocity;
             Err(SolveError::CrossedSingularity {
-                unknown: index_of_largest(&moves),
+                part: Part::Unknown(index_of_largest(&moves)),
             })
         }
         _ => Ok((series, turning)),

@@ -5,9 +5,10 @@ use nalgebra::Vector3;
 use super::Tracker;
 use crate::linkage::{Linkage, Values};
 use crate::motion::Motion;
+use crate::report::Report;
 use crate::scalar::{Real, Scalar};
 use crate::signal::{ChassisMotion, Inputs, Signal, Still};
-use crate::substeps::{Advanced, Stopped};
+use crate::substeps::Stopped;
 
 /// How chassis points `F` move between two instants.
 pub trait Between<T, F>: ChassisMotion<F> {
@@ -104,7 +105,7 @@ impl<T: Real> Tracker<T> {
         [from, to]: [&Inputs<C, L::Drives>; 2],
         dt: T,
         motion: &mut Motion<T, N>,
-    ) -> Result<Advanced<T>, Stopped<T>>
+    ) -> Result<Report<T>, Stopped<T>>
     where
         L: Linkage<N, Scalar = T>,
         C: Between<T, L::Fixed>,

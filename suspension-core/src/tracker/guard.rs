@@ -28,7 +28,7 @@ use nalgebra::{SVector, Vector3};
 use super::Tracker;
 use crate::error::SolveError;
 use crate::linkage::{Factors, Linkage, Values};
-use crate::listing::Kind;
+use crate::listing::{Kind, Part};
 use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::Prescribed;
 use crate::scalar::Real;
@@ -165,14 +165,14 @@ impl<T: Real> Tracker<T> {
         } = crossing;
         let chassis = change.of_chassis::<C>(linkage);
         let (change, moved) = change_of_jacobian::<_, C, N>(*linkage, moves, &chassis, *factors);
-        let size = magnitude(&change).map_err(|unknown| SolveError::Overflow { unknown })?;
+        let size = magnitude(&change).map_err(SolveError::overflow)?;
         let bound =
             (self.change_of_jacobian * moved).max(T::constant(LEAST_OF_SIZE) * linkage.size());
         if size <= bound {
             Ok(())
         } else {
             Err(SolveError::TooFar {
-                unknown: index_of_largest(&change),
+                part: Part::Unknown(index_of_largest(&change)),
                 change: size,
                 bound,
             })

@@ -93,7 +93,7 @@ impl<T: Real, F, S, const M: usize> Newton<T, F, S, M> {
             x -= self.dense.solve(&factors, &residual)?;
             residual = self.formulation.residual(&x, input);
             let size = self.formulation.size().max(x.amax());
-            if residual.amax() <= self.settings.tolerance * T::EPSILON * size {
+            if residual.amax() <= self.settings.tolerance.length(T::EPSILON * size) {
                 let better = x - self.dense.solve(&factors, &residual)?;
                 let left = self.formulation.residual(&better, input);
                 return Some(if left.amax() < residual.amax() {

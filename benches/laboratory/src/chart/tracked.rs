@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::bounded::Bounded;
-use suspension_core::{Inputs, Linkage, Motion, Real, Still, Tracker, Values};
+use suspension_core::{Inputs, Linkage, Motion, Real, Still, Tolerance, Tracker, Values};
 
 use super::course::{Given, cast_drives};
 use super::formulation::to_f64;
@@ -71,8 +71,8 @@ impl<const SWEEPS: usize> Stepper for InSweeps<SWEEPS> {
     ) -> Option<Motion<T, N>> {
         let bounded = Bounded::<T, SWEEPS> {
             // The chart shows the error, whatever it is.
-            tolerance: T::one() / T::EPSILON,
-            ..Bounded::default()
+            tolerance: Tolerance::Roundings(T::one() / T::EPSILON),
+            ..Bounded::new()
         };
         let mut next = *from;
         let step = bounded.step_to(outputs, linkage, inputs, dt, &mut next);

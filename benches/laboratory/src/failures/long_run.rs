@@ -180,8 +180,7 @@ pub fn add<D, M, T, const N: usize>(
             all.drift = all.drift.max(stretch.drift);
             survey.progress.step();
             if let Some(error) = &run.failed {
-                let place = error.culprit(run.model);
-                ended = format!("no further step, {place}: {error}");
+                ended = format!("no further step: {}", error.named(run.model));
             } else if survey.is_interrupted() {
                 "interrupted".clone_into(&mut ended);
             }

@@ -148,8 +148,8 @@ fn tolerated<T: Real, L: Suspension<N>, const N: usize>(model: &L, motion: &Moti
     const FEW: f64 = 4.0;
     let size = model.size();
     let epsilon: f64 = T::EPSILON.to_subset_unchecked();
-    let tolerance: f64 = Newton::<f64>::near_by().tolerance;
-    let residual = FEW * tolerance * epsilon * size.max(motion.position.amax());
+    let rounding = epsilon * size.max(motion.position.amax());
+    let residual = FEW * Newton::<f64>::near_by().tolerance.length(rounding);
     match model.drive_kind(0) {
         DriveKind::Angle => residual / size,
         DriveKind::Coordinate => residual,

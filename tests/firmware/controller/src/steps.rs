@@ -4,7 +4,7 @@
 use suspension_core::bounded::Refusal;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Bounded, Converged, Inputs, Motion, Outputs, Settled, SolveError, Still, Tracker,
+    Bounded, Inputs, Motion, Outputs, Report, SolveError, Still, Tracker,
 };
 
 use crate::published::STEP;
@@ -19,7 +19,7 @@ macro_rules! exact {
             model: &$linkage::Model<$number>,
             inputs: &Inputs<Still, $linkage::Drives<$number>>,
             motion: &mut Motion<$number, 15>,
-        ) -> Result<Converged<$number>, SolveError<$number>> {
+        ) -> Result<Report<$number>, SolveError<$number>> {
             Tracker::default().step(model, inputs, STEP as $number, motion)
         }
     };
@@ -36,8 +36,8 @@ macro_rules! bounded {
             model: &$linkage::Model<$number>,
             inputs: &Inputs<Still, $linkage::Drives<$number>>,
             motion: &mut Motion<$number, 15>,
-        ) -> Result<Settled<$number>, Refusal> {
-            Bounded::<$number, $sweeps>::default().attempt(
+        ) -> Result<Report<$number>, Refusal> {
+            Bounded::<$number, $sweeps>::new().attempt(
                 Outputs::$outputs,
                 model,
                 inputs,

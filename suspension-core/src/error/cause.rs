@@ -1,0 +1,86 @@
+//! Every cause of a failure: its number, what happened, and what to do.
+
+/// Passes the table of causes on: to what defines [`Cause`], and to the C library, whose statuses and
+/// header are made of the same rows.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! causes {
+    ($define:ident { $($before:tt)* }) => {
+        $define! {
+            $($before)*
+
+            PointNotFinite = 20: "a coordinate of a point is not a finite number, or too large to compute with",
+                "give hardpoints in one unit and near the vehicle";
+            BadLength = 21: "a length is not positive, or too large or too small to compute with",
+                "keep points apart that a link or a body joins";
+            Collinear = 22: "the three points that carry a point lie in line",
+                "name three that form a triangle";
+            Flat = 23: "a point lies in the plane of the points that links join it to, where their lengths do not hold it",
+                "state these points as a `body`";
+            NotClosed = 24: "no rigid body has these lengths: they do not close at a point",
+                "measure its lengths again";
+            NoLine = 25: "a line has no length",
+                "put its ends apart";
+            SmallPivot = 26: "the fixed order of elimination has too small a pivot at these hardpoints",
+                "state hardpoints near these in the listing, or step with partial pivoting";
+
+            NotFinite = 40: "a residual is not a finite number",
+                "look at inputs, start and time step";
+            Overflow = 41: "a correction, velocity or acceleration is not a finite number",
+                "look at the rates of the inputs";
+            CrossedSingularity = 42: "the step ends in another assembly, beyond a singularity",
+                "take shorter steps";
+            Singular = 43: "the equations do not determine the motion here: the mechanism locks, or a drive has no effect",
+                "stay away from the lock, or lead the motion by a measure";
+            Mirrored = 44: "a point stands on the wrong side of the points that links join it to",
+                "start from the assembly that is meant";
+            Diverging = 45: "there is no configuration near by: the correction is too large",
+                "take shorter steps, or assemble";
+            TooFar = 46: "the step is too long to tell assemblies apart",
+                "take shorter steps";
+            StepTooLong = 47: "the step is longer than the series is good for",
+                "take shorter steps";
+            TurningPoint = 48: "the quantity that leads turns before it meets its target",
+                "lead by another one, or not so far";
+            NotConverged = 49: "the residual is above the tolerance after all corrections that are allowed",
+                "take shorter steps, or allow more corrections";
+            StepsUsedUp = 50: "all steps that are allowed are used up",
+                "allow more of them";
+            UnhealthyPivots = 51: "the pivots of the fixed order of elimination are too small here",
+                "make the step with partial pivoting";
+
+            UnprovedNearSingular = 60: "nothing is proved: the Jacobian is singular to rounding",
+                "prove roots away from singularities";
+            UnprovedTooFar = 61: "nothing is proved: the root is too far away, or a singularity too near",
+                "correct the position first";
+        }
+    };
+}
+
+macro_rules! define {
+    ($($name:ident = $number:literal: $what:literal, $remedy:literal;)*) => {
+        /// Why something could not be done: the kind of a failure, without its numbers.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Cause {
+            $(#[doc = $what] $name = $number,)*
+        }
+
+        impl Cause {
+            /// What happened, in a sentence without its full stop.
+            pub const fn what(self) -> &'static str {
+                match self {
+                    $(Self::$name => $what,)*
+                }
+            }
+
+            /// What to do about it.
+            pub const fn remedy(self) -> &'static str {
+                match self {
+                    $(Self::$name => $remedy,)*
+                }
+            }
+        }
+    };
+}
+
+causes!(define {});

@@ -1,0 +1,144 @@
+//! Messages: what happened, where by name, by how much, and what to do.
+
+use core::fmt;
+
+use super::Cause;
+use crate::listing::{Part, Parts};
+
+/// What an error says, whatever its type. Printed with `{:#}` the remedy is left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facts {
+    /// Its kind.
+    pub cause: Cause,
+    /// The part concerned.
+    pub part: Option<Part>,
+    /// The inequality that is not met.
+    pub compared: Option<Compared>,
+    /// Of an advance: the time that was reached, s.
+    pub reached: Option<f64>,
+}
+
+/// An inequality that is not met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compared {
+    /// What the value is.
+    pub what: &'static str,
+    /// Its size.
+    pub value: f64,
+    /// How the value should relate to the bound.
+    pub relation: &'static str,
+    /// What it is compared with.
+    pub bound: f64,
+}
+
+impl Facts {
+    pub(crate) fn of(cause: Cause, part: Option<Part>) -> Self {
+        Self {
+            cause,
+            part,
+            compared: None,
+            reached: None,
+        }
+    }
+
+    /// The message, with names where a listing tells them.
+    fn write(&self, parts: Option<&dyn Parts>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(reached) = self.reached {
+            write!(f, "stopped at time {reached}: ")?;
+        }
+        f.write_str(self.cause.what())?;
+        let mut between = ": ";
+        if let Some(part) = self.part {
+            write!(f, "{between}{} ", part.kind())?;
+            match parts {
+                Some(parts) => write!(f, "`{}`", parts.name(part))?,
+                None => write!(f, "{}", part.index())?,
+            }
+            between = ", ";
+        }
+        if let Some(Compared {
+            what,
+            value,
+            relation,
+            bound,
+        }) = self.compared
+        {
+            let (value, bound) = (Number(value), Number(bound));
+            write!(f, "{between}{what} {value}, {relation} {bound}")?;
+        }
+        if f.alternate() {
+            Ok(())
+        } else {
+            write!(f, "; {}", self.cause.remedy())
+        }
+    }
+}
+
+impl fmt::Display for Facts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(None, f)
+    }
+}
+
+/// A number in a message.
+struct Number(f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = if self.0 < 0.0 { -self.0 } else { self.0 };
+        if size == 0.0 || (1e-3..1e6).contains(&size) {
+            write!(f, "{:.6}", self.0)
+        } else {
+            write!(f, "{:.3e}", self.0)
+        }
+    }
+}
+
+/// An error that [`Facts`] can be had of.
+pub trait Explain {
+    /// What it says.
+    fn facts(&self) -> Facts;
+}
+
+/// An error with the listing that it is about: printed, it names the parts concerned; with `{:#}` the
+/// remedy is left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Failure<E, G> {
+    /// The error.
+    pub error: E,
+    /// What turns its numbers into names: a listing, or a model.
+    pub listing: G,
+}
+
+impl<E: Explain, G: Parts> fmt::Display for Failure<E, G> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.error.facts().write(Some(&self.listing), f)
+    }
+}
+
+impl<E: Explain + fmt::Debug, G: Parts + fmt::Debug> core::error::Error for Failure<E, G> {}
+
+/// Display with numbers, [`Failure`] for names.
+macro_rules! messages {
+    ($([$($parameter:tt)*] $error:ty;)*) => {
+        $(
+            impl<$($parameter)*> $error {
+                /// The error with the listing that it is about, or a model of it: printed, it names
+                /// the part concerned.
+                pub fn named<G: $crate::listing::Parts>(self, listing: G) -> $crate::error::Failure<Self, G> {
+                    $crate::error::Failure { error: self, listing }
+                }
+            }
+
+            impl<$($parameter)*> core::fmt::Display for $error {
+                fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                    core::fmt::Display::fmt(&$crate::error::Explain::facts(self), f)
+                }
+            }
+
+            impl<$($parameter)*> core::error::Error for $error {}
+        )*
+    };
+}
+
+pub(crate) use messages;
