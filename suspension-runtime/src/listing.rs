@@ -4,7 +4,6 @@ use core::fmt;
 
 use nalgebra::Vector3;
 use suspension_core::{DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
-use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
 use suspension_listing::text::{self, Mistake, Mistakes};
@@ -68,9 +67,10 @@ impl Listing {
                 length: 0,
             }],
         };
-        if let Some(slide) = slide(&system) {
+        if let Some((kind, name)) = with_a_scalar(&system) {
             return Err(refuse(format!(
-                "slide `{slide}`: listings that are read at run time cannot slide yet; compile this one with `linkage!`"
+                "{kind} `{name}`: listings that are read at run time have no slides and no driven lengths; \
+                 compile this one with `linkage!`"
             )));
         }
         let order = suspension_listing::order(&system);
@@ -179,11 +179,11 @@ impl Listing {
     }
 }
 
-/// The name of a slide, where there is one.
-fn slide(system: &System) -> Option<&Name> {
+/// The first statement that adds an unknown which is no coordinate.
+fn with_a_scalar(system: &System) -> Option<(suspension_listing::Kind, &Name)> {
     let mut equations = system.equations.iter();
-    let slide = equations.find(|equation| matches!(equation.form, Form::Along(_)))?;
-    Some(&slide.origin.statement)
+    let equation = equations.find(|equation| equation.form.equations().scalar().is_some())?;
+    Some((equation.origin.kind, &equation.origin.statement))
 }
 
 fn place(names: &[String], name: &str) -> Option<usize> {

@@ -82,7 +82,7 @@ impl Plan {
                     }
                 }
                 // Refused where listings are read.
-                Form::Along(_) => {}
+                Form::Along(_) | Form::Stretch(_) => {}
             }
             row += equation.form.equations().rows();
         }

@@ -63,7 +63,7 @@ impl InputRates {
                     rates.linear.extend(rate);
                 }
                 // Refused where listings are read.
-                Form::Along(_) => {}
+                Form::Along(_) | Form::Stretch(_) => {}
             }
             row += equation.form.equations().rows();
         }
