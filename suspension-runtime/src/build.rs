@@ -2,6 +2,7 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::constraint::{Carried, Distance, Frame};
+use suspension_core::generated::dot;
 use suspension_core::handedness::Linked;
 use suspension_core::{GeometryError, Real, Values, assemble, parts};
 
@@ -156,6 +157,9 @@ where
             Measure::Length { line } => {
                 let [from, to] = line.map(|point| points.get(point));
                 (to - from).norm()
+            }
+            Measure::Along { point, direction } => {
+                dot(points.get(point), direction.map(T::constant).into())
             }
         });
         Few::<T, N>::from_values(drives)

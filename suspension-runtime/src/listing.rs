@@ -4,9 +4,8 @@ use core::fmt;
 
 use nalgebra::Vector3;
 use suspension_core::{DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
-use suspension_listing::form::Form;
 use suspension_listing::name::Name;
-use suspension_listing::system::{Quantity, System};
+use suspension_listing::system::System;
 use suspension_listing::text::{self, Mistake, Mistakes};
 
 use crate::model::Model;
@@ -68,9 +67,10 @@ impl Listing {
                 length: 0,
             }],
         };
-        if let Some(statement) = compiled_alone(&system) {
+        if let Some((kind, name)) = with_a_scalar(&system) {
             return Err(refuse(format!(
-                "`{statement}`: slides, drives of a length and quantities along a direction are not solved at run time yet; compile this listing with `linkage!`"
+                "{kind} `{name}`: listings that are read at run time have no slides and no driven lengths; \
+                 compile this one with `linkage!`"
             )));
         }
         let order = suspension_listing::order(&system);
@@ -179,21 +179,11 @@ impl Listing {
     }
 }
 
-/// The first statement that the macro alone can solve.
-fn compiled_alone(system: &System) -> Option<&Name> {
-    let equations = system.equations.iter();
-    let of_macro = |form: &Form| matches!(form, Form::Along(_) | Form::Stretch(_));
-    let statements = equations.filter(|equation| of_macro(&equation.form));
-    let along = |quantity: &Quantity| matches!(quantity, Quantity::Along { .. });
-    let drives = system.drives.iter().filter(|drive| along(&drive.quantity));
-    let measures = system
-        .measures
-        .iter()
-        .filter(|measure| along(&measure.quantity));
-    (statements.map(|equation| &equation.origin.statement))
-        .chain(drives.map(|drive| &drive.named.name))
-        .chain(measures.map(|measure| &measure.named.name))
-        .next()
+/// The first statement that adds an unknown which is no coordinate.
+fn with_a_scalar(system: &System) -> Option<(suspension_listing::Kind, &Name)> {
+    let mut equations = system.equations.iter();
+    let equation = equations.find(|equation| equation.form.equations().scalar().is_some())?;
+    Some((equation.origin.kind, &equation.origin.statement))
 }
 
 fn place(names: &[String], name: &str) -> Option<usize> {

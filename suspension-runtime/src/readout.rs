@@ -2,6 +2,7 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::constraint::{Carried, Frame, angle_to_coordinate};
+use suspension_core::generated::{dot, moved_along};
 use suspension_core::{Real, Scalar, Signal, measure};
 
 use crate::model::Model;
@@ -84,8 +85,16 @@ where
         drives: &Few<T, N>,
     ) -> Few<Vector3<T>, N> {
         for (place, drive) in (0..).zip(&self.plan().drives) {
-            if let (Some(point), Measure::Coordinate { axis, .. }) = (drive.moves, drive.quantity) {
-                *coordinate_mut(fixed.place(point), axis) = drives.get(place);
+            let Some(point) = drive.moves else {
+                continue;
+            };
+            let (point, value) = (fixed.place(point), drives.get(place));
+            match drive.quantity {
+                Measure::Coordinate { axis, .. } => *coordinate_mut(point, axis) = value,
+                Measure::Along { direction, .. } => {
+                    *point = moved_along(*point, direction.map(T::constant).into(), value);
+                }
+                Measure::Angle { .. } | Measure::Length { .. } => {}
             }
         }
         fixed
@@ -130,6 +139,10 @@ fn measured<T: Real, P: Table<Vector3<T>>>(quantity: &Measure, points: &Signal<P
             measure::angle(&line(ends), along)
         }
         Measure::Length { line: ends } => measure::length(&line(ends)),
+        Measure::Along { point, direction } => {
+            let direction = direction.map(T::constant).into();
+            points.map(|points| dot(points.get(point), direction))
+        }
     }
 }
 

@@ -28,6 +28,8 @@ pub(crate) enum Measure {
     Angle { axis: u16, line: [u16; 2] },
     /// The distance of two points.
     Length { line: [u16; 2] },
+    /// The coordinate of a point along a unit vector.
+    Along { point: u16, direction: [f64; 3] },
 }
 
 /// The points of wheel and kingpin, where the listing states them.
@@ -54,26 +56,27 @@ impl Measure {
             Quantity::Length { line } => Self::Length {
                 line: line.each_ref().map(point),
             },
-            // Refused where listings are read.
-            Quantity::Along { point: along, .. } => Self::Coordinate {
-                axis: 0,
-                of: point(along),
-                minus: None,
+            Quantity::Along {
+                point: of,
+                direction,
+            } => Self::Along {
+                point: point(of),
+                direction: *direction,
             },
         }
     }
 
     pub(crate) fn drive_kind(&self) -> DriveKind {
         match self {
-            Self::Coordinate { .. } | Self::Length { .. } => DriveKind::Coordinate,
             Self::Angle { .. } => DriveKind::Angle,
+            _ => DriveKind::Coordinate,
         }
     }
 
     pub(crate) fn measure_kind(&self) -> MeasureKind {
         match self {
-            Self::Coordinate { .. } | Self::Length { .. } => MeasureKind::Length,
             Self::Angle { .. } => MeasureKind::Angle,
+            _ => MeasureKind::Length,
         }
     }
 }
