@@ -95,6 +95,23 @@ impl Chosen {
         Ok(Self { name, read })
     }
 
+    /// The listing itself.
+    pub(super) fn listing(&self, source: &Source) -> Result<Listing, Failure> {
+        if let Some(listing) = &self.read {
+            return Ok(listing.clone());
+        }
+        let mut known = LISTINGS.iter();
+        let Some((name, text)) = known.find(|(name, _)| *name == self.name) else {
+            let message = format!(
+                "{}: the statements of `{}` are compiled in",
+                source.name(),
+                self.name
+            );
+            return Err(Failure::Input(message));
+        };
+        Listing::parse_file(text, name).map_err(refused)
+    }
+
     /// Does the work on the mechanism.
     pub(super) fn run<W: Work>(
         &self,

@@ -5,7 +5,7 @@ use core::fmt;
 use nalgebra::Vector3;
 use suspension_core::{DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
 use suspension_listing::name::Name;
-use suspension_listing::system::System;
+use suspension_listing::system::{Equation, Site, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 
 use crate::model::Model;
@@ -133,6 +133,31 @@ impl Listing {
         let markers = self.system.markers.iter().map(|marker| marker.at);
         let stated = points.map(|point| point.at).chain(markers).enumerate();
         stated.filter_map(|(place, at)| Some((place, Vector3::from(at?))))
+    }
+
+    /// The links: the two points of each, by their places.
+    pub fn links(&self) -> Vec<[usize; 2]> {
+        let of_links = |equation: &&Equation| equation.origin.operand.is_none();
+        let links = self.system.equations.iter().filter(of_links);
+        let ends = links.filter_map(|equation| equation.form.equations().keeps());
+        ends.map(|ends| ends.map(|site| self.place_of(site)))
+            .collect()
+    }
+
+    /// The bodies of three points or more: their points, by their places.
+    pub fn bodies(&self) -> Vec<Vec<usize>> {
+        let bodies = self.system.bodies.iter();
+        let points = bodies.map(|body| body.points().map(|site| self.place_of(site)).collect());
+        points.collect()
+    }
+
+    fn place_of(&self, site: &Site) -> usize {
+        let before = if site.is_free() {
+            self.system.fixed.len()
+        } else {
+            0
+        };
+        before + site.index
     }
 
     /// A model with these hardpoints: chassis points, free points and markers in the order of the listing.
