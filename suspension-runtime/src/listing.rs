@@ -4,8 +4,6 @@ use core::fmt;
 
 use nalgebra::Vector3;
 use suspension_core::{DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
-use suspension_listing::form::Form;
-use suspension_listing::name::Name;
 use suspension_listing::system::System;
 use suspension_listing::text::{self, Mistake, Mistakes};
 
@@ -68,11 +66,6 @@ impl Listing {
                 length: 0,
             }],
         };
-        if let Some(slide) = slide(&system) {
-            return Err(refuse(format!(
-                "slide `{slide}`: listings that are read at run time cannot slide yet; compile this one with `linkage!`"
-            )));
-        }
         let order = suspension_listing::order(&system);
         let listing = Self {
             names: Names::new(&system),
@@ -177,13 +170,6 @@ impl Listing {
     pub fn length(&self, name: &str) -> Option<usize> {
         place(self.names.lengths(), name)
     }
-}
-
-/// The name of a slide, where there is one.
-fn slide(system: &System) -> Option<&Name> {
-    let mut equations = system.equations.iter();
-    let slide = equations.find(|equation| matches!(equation.form, Form::Along(_)))?;
-    Some(&slide.origin.statement)
 }
 
 fn place(names: &[String], name: &str) -> Option<usize> {
