@@ -182,7 +182,7 @@ impl Listing {
 /// The first statement that adds an unknown which is no coordinate.
 fn with_a_scalar(system: &System) -> Option<(suspension_listing::Kind, &Name)> {
     let mut equations = system.equations.iter();
-    let equation = equations.find(|equation| equation.form.equations().scalar().is_some())?;
+    let equation = equations.find(|equation| matches!(equation.form, suspension_listing::form::Form::Stretch(_)))?;
     Some((equation.origin.kind, &equation.origin.statement))
 }
 

@@ -1,4 +1,5 @@
 //! One test program: the files beside this one are its modules.
 
 mod back_ends;
+mod random;
 mod twins;
