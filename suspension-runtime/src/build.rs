@@ -146,7 +146,9 @@ where
     pub(crate) fn sized(self) -> Self {
         let distances = self.distances.iter().take(self.plan().distances.len());
         let lines = self.along.as_slice().iter().take(self.plan().along.len());
-        let lengths = distances.map(Distance::length).chain(lines.map(Along::length));
+        let lengths = distances
+            .map(Distance::length)
+            .chain(lines.map(Along::length));
         let size = lengths.fold(T::zero(), |longest, length| longest.max(length));
         Self { size, ..self }
     }

@@ -36,7 +36,10 @@ impl Along {
     ) -> Self {
         let scalar = system.scalar(&form.distance);
         let distance = scalar.map(|scalar| 3 * system.free.len() + scalar);
-        let (point, line) = (Site::from(&form.point), form.line.each_ref().map(Site::from));
+        let (point, line) = (
+            Site::from(&form.point),
+            form.line.each_ref().map(Site::from),
+        );
         let [from, to] = line;
         let entries = [0, 1, 2].map(|axis| {
             let sites = [point, from, to].map(|site| entry(row + axis, site.column(axis)));
