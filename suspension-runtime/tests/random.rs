@@ -1,6 +1,7 @@
-//! Random listings: points, bodies that may share points, slides, and then links and drives until there are as many
-//! equations as unknowns.
+//! Random listings: groups of points, each a rigid body or a point by itself, held by as many links and drives as it has
+//! degrees of freedom.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use fastrand::Rng;
@@ -8,174 +9,189 @@ use suspension_listing::text;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// A listing, of at most so many free points, that can be read; the same for the same seed.
-pub(crate) fn listing(seed: u64, most_free: usize) -> String {
+/// A listing of about so many free points that can be read; the same for the same seed.
+pub(crate) fn listing(seed: u64, free: usize) -> String {
     let mut random = Rng::with_seed(seed);
     for _ in 0..1000 {
-        if let Some(listing) = attempt(&mut random, most_free)
-            && text::parse(&listing, "random").is_ok()
-        {
+        let mut draft = Draft::default();
+        draft.bodies(&mut random, free);
+        draft.hold(&mut random);
+        draft.readings(&mut random);
+        let listing = draft.text(&mut random);
+        if text::parse(&listing, "random").is_ok() {
             return listing;
         }
     }
     panic!("no listing from seed {seed}")
 }
 
-struct Draft {
-    text: String,
-    points: Vec<String>,
-    fixed: usize,
-    /// Pairs that have a length already.
-    kept: Vec<[usize; 2]>,
+/// Points that move as one.
+struct Group {
+    points: Vec<usize>,
+    /// How many more equations hold it.
+    open: usize,
 }
 
-fn attempt(random: &mut Rng, most_free: usize) -> Option<String> {
-    let mut draft = Draft::points(random, most_free);
-    draft.bodies(random);
-    let needed = draft.needed()?;
-    let mut links = Vec::new();
-    for index in 0..needed {
-        draft.equation(random, index, &mut links);
-    }
-    draft.readings(random);
-    Some(draft.text)
+#[derive(Default)]
+struct Draft {
+    free: usize,
+    chassis: usize,
+    groups: Vec<Group>,
+    statements: String,
+    /// Pairs that a link joins.
+    links: BTreeSet<[String; 2]>,
+    /// Chassis points that no body lists.
+    ends: Vec<String>,
+    drives: usize,
+}
+
+fn point(index: usize) -> String {
+    format!("p{index}")
 }
 
 impl Draft {
-    fn points(random: &mut Rng, most_free: usize) -> Self {
-        let (fixed, free) = (random.usize(3..=8), random.usize(2..=most_free));
-        let mut draft = Self {
-            text: String::new(),
-            points: Vec::new(),
-            fixed,
-            kept: Vec::new(),
+    fn line(&mut self, statement: &str) {
+        writeln!(self.statements, "{statement}").expect("a string takes all text");
+    }
+
+    fn free_points(&mut self, count: usize) -> Vec<usize> {
+        self.free += count;
+        (self.free - count..self.free).collect()
+    }
+
+    fn chassis_point(&mut self) -> String {
+        self.chassis += 1;
+        format!("c{}", self.chassis - 1)
+    }
+
+    /// Bodies, some on chassis points or on points of the body before, and points by themselves.
+    fn bodies(&mut self, random: &mut Rng, free: usize) {
+        while self.free < free {
+            if random.f64() < 0.3 {
+                let points = self.free_points(1);
+                self.groups.push(Group { points, open: 3 });
+                continue;
+            }
+            let name = format!("body{}", self.groups.len());
+            let own = random.usize(3..=5);
+            let points = self.free_points(own);
+            let mut names: Vec<String> = points.iter().map(|&index| point(index)).collect();
+            let mut open = 6;
+            let before = self.groups.last().filter(|group| group.points.len() > 1);
+            match (random.usize(0..6), before) {
+                (0, _) => {
+                    names.extend([self.chassis_point(), self.chassis_point()]);
+                    open = 1;
+                }
+                (1, _) => {
+                    names.push(self.chassis_point());
+                    open = 3;
+                }
+                (2, Some(before)) => {
+                    names.push(point(before.points[0]));
+                    open = 3;
+                }
+                (3, Some(before)) => {
+                    names.extend([point(before.points[0]), point(before.points[1])]);
+                    open = 1;
+                }
+                _ => {}
+            }
+            random.shuffle(&mut names);
+            self.line(&format!("body {name}: {};", names.join(", ")));
+            self.groups.push(Group { points, open });
+        }
+    }
+
+    /// Links, slides and drives.
+    fn hold(&mut self, random: &mut Rng) {
+        let mut earlier = Vec::new();
+        for group in std::mem::take(&mut self.groups) {
+            let mut open = group.open;
+            while open > 0 {
+                let name = point(group.points[random.usize(0..group.points.len())]);
+                open -= self.equation(random, &name, &earlier, open);
+            }
+            earlier.extend(group.points);
+        }
+    }
+
+    /// Holds a point; returns by how many equations.
+    fn equation(&mut self, random: &mut Rng, name: &str, earlier: &[usize], open: usize) -> usize {
+        let (chance, axis) = (random.f64(), AXES[random.usize(0..3)]);
+        let other = match earlier {
+            [] => None,
+            _ => Some(point(earlier[random.usize(0..earlier.len())])),
         };
-        let is_stated = random.f64() < 0.7;
-        for index in 0..fixed + free {
-            let (kind, name) = if index < fixed {
-                ("fixed", format!("c{index}"))
-            } else {
-                ("free", format!("p{}", index - fixed))
+        self.drives += 1;
+        let index = self.drives;
+        if chance < 0.06 {
+            self.line(&format!("drive drive{index}: {name}.{axis};"));
+        } else if let (true, Some(other)) = (chance < 0.12, &other) {
+            self.line(&format!(
+                "drive drive{index}: {name}.{axis} - {other}.{axis};"
+            ));
+        } else if chance < 0.18 && open >= 2 {
+            let end = self.chassis_point();
+            self.line(&format!("link link{index}: {end} -> {name};"));
+            self.line(&format!(
+                "drive turn{index}: angle({end} -> {name}, {axis});"
+            ));
+            return 2;
+        } else if chance < 0.26 && open >= 2 {
+            let (from, to) = (self.chassis_point(), self.chassis_point());
+            self.line(&format!("slide slide{index}: {name} on {from} -> {to};"));
+            return 2;
+        } else {
+            let end = match other.filter(|_| chance < 0.55) {
+                Some(other) => other,
+                None if self.ends.len() > 5 => self.ends[random.usize(0..self.ends.len())].clone(),
+                None => {
+                    let end = self.chassis_point();
+                    self.ends.push(end.clone());
+                    end
+                }
             };
+            if !self.links.insert([end.clone(), name.to_owned()]) {
+                return 0;
+            }
+            self.line(&format!("link link{index}: {end} -> {name};"));
+        }
+        1
+    }
+
+    /// A moved chassis point, a marker, measures and roles.
+    fn readings(&mut self, random: &mut Rng) {
+        if let (true, Some(end)) = (random.bool(), self.ends.first().cloned()) {
+            let axis = AXES[random.usize(0..3)];
+            self.line(&format!("drive rack: {end}.{axis};"));
+        }
+        if self.free >= 3 && random.f64() < 0.7 {
+            self.line("point marker: p0, p1, p2;");
+            self.line("measure height: marker.z;");
+            self.line("measure lean: angle(p0 -> marker, x);");
+            self.line("measure reach: length(p0 -> p1);");
+            self.line("measure gap: p1.y - p0.y;");
+            self.line("wheel: p0 -> marker;");
+            self.line("kingpin: p0 -> p1;");
+        }
+    }
+
+    /// The listing, with or without a design.
+    fn text(&self, random: &mut Rng) -> String {
+        let is_stated = random.f64() < 0.7;
+        let mut text = String::new();
+        let mut declare = |kind: &str, name: String| {
             let at: [f64; 3] = [(); 3].map(|()| (1000.0 * random.f64()).round() / 1000.0);
             let at = if is_stated {
                 format!(" at {at:?}")
             } else {
                 String::new()
             };
-            draft.line(format!("{kind}: {name}{at};"));
-            draft.points.push(name);
-        }
-        draft
-    }
-
-    fn line(&mut self, statement: String) {
-        writeln!(self.text, "{statement}").expect("a string takes all text");
-    }
-
-    /// Some of the points, each once.
-    fn some(&self, random: &mut Rng, count: usize, from: usize) -> Vec<usize> {
-        let mut points: Vec<usize> = (from..self.points.len()).collect();
-        random.shuffle(&mut points);
-        points.truncate(count);
-        points
-    }
-
-    fn names(&self, points: &[usize]) -> String {
-        let names: Vec<&str> = points
-            .iter()
-            .map(|&point| self.points[point].as_str())
-            .collect();
-        names.join(", ")
-    }
-
-    fn bodies(&mut self, random: &mut Rng) {
-        for index in 0..random.usize(0..=3) {
-            let count = random.usize(3..=6);
-            let on_chassis = random.usize(0..=2);
-            let mut points = self.some(random, count, self.fixed);
-            let mut anchors: Vec<usize> = (0..self.fixed).collect();
-            random.shuffle(&mut anchors);
-            points.extend(anchors.into_iter().take(on_chassis));
-            random.shuffle(&mut points);
-            if points.len() < 3 {
-                continue;
-            }
-            self.line(format!("body body{index}: {};", self.names(&points)));
-            if random.f64() < 0.3 {
-                let outside = self.some(random, self.points.len(), 0);
-                let sliding = outside.into_iter().find(|point| !points.contains(point));
-                if let Some(sliding) = sliding {
-                    let line = [points[0], points[1]].map(|point| &self.points[point]);
-                    let (from, to) = (line[0].clone(), line[1].clone());
-                    let sliding = self.points[sliding].clone();
-                    self.line(format!("slide slide{index}: {sliding} on {from} -> {to};"));
-                }
-            }
-            for (first, &a) in points.iter().enumerate() {
-                self.kept
-                    .extend(points[first + 1..].iter().map(|&b| [a.min(b), a.max(b)]));
-            }
-        }
-    }
-
-    /// How many equations are still needed; `None` where there are too many.
-    fn needed(&self) -> Option<usize> {
-        let system = text::read(&self.text).system?;
-        system.size().checked_sub(system.rows().len())
-    }
-
-    fn equation(&mut self, random: &mut Rng, index: usize, links: &mut Vec<[String; 2]>) {
-        let chance = random.f64();
-        let free = random.usize(self.fixed..self.points.len());
-        let axis = AXES[random.usize(0..3)];
-        let name = self.points[free].clone();
-        if chance < 0.08 {
-            self.line(format!("drive drive{index}: {name}.{axis};"));
-        } else if chance < 0.16 {
-            let other = self.points[random.usize(0..self.points.len())].clone();
-            self.line(format!(
-                "drive drive{index}: {name}.{axis} - {other}.{axis};"
-            ));
-        } else if let (true, Some([from, to])) = (chance < 0.22, links.pop()) {
-            self.line(format!(
-                "drive drive{index}: angle({from} -> {to}, {axis});"
-            ));
-        } else {
-            let ends = (0..50).find_map(|_| {
-                let other = if random.f64() < 0.7 {
-                    random.usize(0..self.fixed)
-                } else {
-                    random.usize(self.fixed..self.points.len())
-                };
-                let pair = [other.min(free), other.max(free)];
-                (other != free && !self.kept.contains(&pair)).then_some((other, pair))
-            });
-            if let Some((other, pair)) = ends {
-                let from = self.points[other].clone();
-                self.line(format!("link link{index}: {from} -> {name};"));
-                self.kept.push(pair);
-                links.push([from, name]);
-            }
-        }
-    }
-
-    /// Moved chassis points, markers, measures and roles.
-    fn readings(&mut self, random: &mut Rng) {
-        if random.f64() < 0.5 {
-            let (point, axis) = (random.usize(0..self.fixed), AXES[random.usize(0..3)]);
-            self.line(format!("drive rack: c{point}.{axis};"));
-        }
-        let carriers = self.some(random, 3, self.fixed.saturating_sub(1));
-        if carriers.len() == 3 && random.f64() < 0.7 {
-            self.line(format!("point marker: {};", self.names(&carriers)));
-            self.line("measure height: marker.z;".to_owned());
-            let [a, b, _] = [0, 1, 2].map(|index| self.points[carriers[index]].clone());
-            self.line(format!("measure lean: angle({a} -> marker, x);"));
-            self.line(format!("measure reach: length({a} -> {b});"));
-            self.line(format!("measure gap: {a}.y - {b}.y;"));
-            self.line(format!("wheel: {a} -> marker;"));
-            self.line(format!("kingpin: {a} -> {b};"));
-        }
+            writeln!(text, "{kind}: {name}{at};").expect("a string takes all text");
+        };
+        (0..self.chassis).for_each(|index| declare("fixed", format!("c{index}")));
+        (0..self.free).for_each(|index| declare("free", point(index)));
+        text + &self.statements
     }
 }
