@@ -207,8 +207,8 @@ impl Listing {
 /// The name of a drive that prescribes a length, where there is one.
 fn driven_length(system: &System) -> Option<&Name> {
     let mut equations = system.equations.iter();
-    let equation = equations.find(|equation| matches!(equation.form, suspension_listing::form::Form::Stretch(_)))?;
-    Some((equation.origin.kind, &equation.origin.statement))
+    let driven = equations.find(|equation| matches!(equation.form, Form::Stretch(_)))?;
+    Some(&driven.origin.statement)
 }
 
 fn place(names: &[String], name: &str) -> Option<usize> {

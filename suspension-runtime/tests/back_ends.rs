@@ -7,7 +7,6 @@ use suspension_core::linkages::{
 use suspension_core::{Build, Kind, Parts, Values};
 use suspension_runtime::{Listing, Model};
 
-use crate::random;
 use crate::twins::{Number, Twins, same_parts};
 
 /// A listing in both back ends from one file.
