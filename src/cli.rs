@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{assemblies, bake, motion, published, range};
+use crate::commands::{assemblies, bake, draw, motion, published, range};
 use crate::failure::Failure;
 use crate::interrupt;
 
@@ -38,6 +38,10 @@ pub enum Command {
     /// A piecewise polynomial within a tolerance of the solver, looked up in a few nanoseconds:
     /// for scenes of many vehicles, and for controllers.
     Bake(bake::Arguments),
+    /// Draws the mechanism of a file at its first instant.
+    ///
+    /// Chassis points, links, bodies and the wheel, as SVG.
+    Draw(draw::Arguments),
     /// Finds how far each drive of a file leads the mechanism, and what ends its range.
     ///
     /// Follows the whole curve of configurations, also where the drive cannot lead.
@@ -56,6 +60,7 @@ impl Options {
             Some(Command::Motion(arguments)) => arguments.run(interrupted),
             Some(Command::Assemblies(arguments)) => arguments.run(interrupted),
             Some(Command::Bake(arguments)) => arguments.run(interrupted),
+            Some(Command::Draw(arguments)) => arguments.run(),
             Some(Command::Range(arguments)) => arguments.run(interrupted),
         }
     }

@@ -2,6 +2,7 @@
 
 pub mod assemblies;
 pub mod bake;
+pub mod draw;
 pub mod motion;
 pub mod published;
 pub mod range;

@@ -67,7 +67,7 @@ impl Chosen {
                 name: known.to_owned(),
                 read: None,
             }),
-            Some(name) => Err(unknown(source, name, &[known])),
+            Some(name) => Err(unknown(source, name, known)),
             None => {
                 let message = format!("`linkage = \"{known}\"` is missing");
                 Err(source.refuse(&(0..0), message))
@@ -93,6 +93,23 @@ impl Chosen {
         };
         let read = listing.map(|listing| with_points(listing, file, place));
         Ok(Self { name, read })
+    }
+
+    /// The listing itself.
+    pub(super) fn listing(&self, source: &Source) -> Result<Listing, Failure> {
+        if let Some(listing) = &self.read {
+            return Ok(listing.clone());
+        }
+        let mut known = LISTINGS.iter();
+        let Some((name, text)) = known.find(|(name, _)| *name == self.name) else {
+            let message = format!(
+                "{}: the statements of `{}` are compiled in",
+                source.name(),
+                self.name
+            );
+            return Err(Failure::Input(message));
+        };
+        Listing::parse_file(text, name).map_err(refused)
     }
 
     /// Does the work on the mechanism.
@@ -155,7 +172,9 @@ fn of_catalogue(
     let wanted = name.get_ref().as_str();
     let Some((_, text)) = LISTINGS.iter().find(|(known, _)| *known == wanted) else {
         let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
-        return Err(unknown(source, name, &known));
+        let known = known.join(", ");
+        let others = format!("{known}; `listing` names a file of your own statements");
+        return Err(unknown(source, name, &others));
     };
     if COMPILED.contains(&wanted) {
         return Ok(None);
@@ -173,12 +192,8 @@ fn of_catalogue(
 }
 
 /// The file names none of the known linkages.
-fn unknown(source: &Source, name: &Spanned<String>, known: &[&str]) -> Failure {
-    let message = format!(
-        "unknown linkage `{}`; known are {}; `listing` names a file of your own statements",
-        name.get_ref(),
-        known.join(", ")
-    );
+fn unknown(source: &Source, name: &Spanned<String>, known: &str) -> Failure {
+    let message = format!("unknown linkage `{}`; known are {known}", name.get_ref());
     source.refuse(&name.span(), message)
 }
 

@@ -1,5 +1,7 @@
 //! A motion file that was read, and work on the mechanism that it describes.
 
+use suspension_runtime::Listing;
+
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, check};
 use crate::load::listing::{Chosen, compiled};
@@ -99,6 +101,15 @@ impl<'a> Loaded<'a> {
     /// The linkage's name.
     pub fn linkage(&self) -> &str {
         &self.listing.name
+    }
+
+    /// The listing, to be read by what is drawn of it.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where it is compiled in and of no catalogue.
+    pub fn listing(&self) -> Result<Listing, Failure> {
+        self.listing.listing(self.source)
     }
 
     /// The instants.

@@ -58,7 +58,7 @@ enum {
     SUSP_ERROR_FLAT = 23,
     /** no rigid body has these lengths: they do not close at a point; measure its lengths again */
     SUSP_ERROR_NOT_CLOSED = 24,
-    /** the line that a point slides along has no length; put its ends apart */
+    /** a line has no length; put its ends apart */
     SUSP_ERROR_NO_LINE = 25,
     /** the fixed order of elimination has too small a pivot at these hardpoints; state hardpoints near these in the listing, or step with partial pivoting */
     SUSP_ERROR_SMALL_PIVOT = 26,

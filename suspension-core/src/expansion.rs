@@ -29,6 +29,47 @@
 /// }
 /// ```
 ///
+/// A MacPherson strut with a rack that is not square to the vehicle: the knuckle carries the strut's line, on which
+/// the chassis' `top` slides. The strut's length is an unknown beside the points' coordinates.
+///
+/// ```
+/// suspension_core::linkage! {
+///     pub mod macpherson {
+///         fixed: lower_front, lower_rear, rack, top;
+///         free:  lower_ball, tie_ball, strut_low, strut_high, wheel_centre;
+///
+///         hinge lower_arm: lower_front, lower_rear -> lower_ball;
+///         link tie_rod:    rack -> tie_ball;
+///         body knuckle:    lower_ball, tie_ball, wheel_centre, strut_low, strut_high;
+///         slide strut:     top on strut_low -> strut_high;
+///
+///         drive bump:  wheel_centre.z;
+///         drive steer: rack along [0.05, 1.0, 0.0];
+///     }
+/// }
+///
+/// let parts = macpherson::Listing::PARTS;
+/// assert_eq!((parts.equations.len(), parts.unknowns.len()), (16, 16));
+/// assert_eq!(parts.unknowns.last(), Some(&"strut"));
+/// ```
+///
+/// A rocker that an actuator turns, by its length:
+///
+/// ```
+/// suspension_core::linkage! {
+///     pub mod actuated {
+///         fixed: front, rear, anchor;
+///         free:  push, pull;
+///
+///         hinge rocker: front, rear -> push, pull;
+///
+///         drive actuator: length(anchor -> push);
+///     }
+/// }
+///
+/// let drives: actuated::Drives<f64> = actuated::Drives { actuator: 0.3 };
+/// ```
+///
 /// The statements may stand in a file of their own, whose path is relative to the source file. It is
 /// read again when it has changed; its mistakes are reported with the file's line and column.
 ///

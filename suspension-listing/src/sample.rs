@@ -24,38 +24,36 @@ pub fn gradients(system: &System, positions: &Positions) -> Option<Vec<Gradient>
 /// By central differences of the residual, which are exact for a quadratic but for rounding.
 fn gradient(system: &System, form: &Form, positions: &Positions) -> Option<Gradient> {
     let form = form.equations();
-    let sites = positions.of_sites(form);
+    let mut sites = positions.of_sites(form);
     let constants = form.constants(&sites)?;
     let step = extent(&sites);
-    let scalar = form.scalar().and_then(|(name, _)| system.scalar(name));
-    let mut arguments: Vec<f64> = sites.iter().flatten().copied().collect();
-    arguments.extend(scalar.map(|index| positions.scalars[index]));
-    let mut sites = sites;
-    let mut residual_at = |arguments: &[f64]| {
-        let (coordinates, scalar) = arguments.split_at(3 * sites.len());
-        for (x, argument) in sites.iter_mut().flatten().zip(coordinates) {
-            *x = *argument;
-        }
-        form.residual(
-            &constants,
-            &sites,
-            scalar.first().copied().unwrap_or_default(),
-        )
-    };
-    let mut gradient = Vec::new();
-    for index in 0..arguments.len() {
-        let here = arguments[index];
-        let mut moved = |x: f64| {
-            arguments[index] = x;
-            residual_at(&arguments)
-        };
-        let (ahead, behind) = (moved(here + step), moved(here - step));
-        arguments[index] = here;
-        let width = (here + step) - (here - step);
-        gradient.push(minus(ahead, behind).map(|change| change / width));
+    let index = form.scalar().and_then(|(name, _)| system.scalar(name));
+    let scalar = index.map(|index| positions.scalars[index]);
+    let mut gradient = Vec::with_capacity(3 * sites.len() + 1);
+    for index in 0..3 * sites.len() {
+        let (site, axis) = (index / 3, index % 3);
+        let here = sites[site][axis];
+        gradient.push(difference(here, step, |x| {
+            sites[site][axis] = x;
+            form.residual(&constants, &sites, scalar.unwrap_or_default())
+        }));
+        sites[site][axis] = here;
     }
+    let by_scalar = |here| {
+        difference(here, step, |scalar| {
+            form.residual(&constants, &sites, scalar)
+        })
+    };
+    gradient.extend(scalar.map(by_scalar));
     let mut numbers = gradient.iter().flatten();
     numbers.all(|x| x.is_finite()).then_some(gradient)
+}
+
+/// What a function changes by for each step of its argument.
+fn difference(here: f64, step: f64, mut of: impl FnMut(f64) -> Vector) -> Vector {
+    let (ahead, behind) = (here + step, here - step);
+    let change = minus(of(ahead), of(behind));
+    change.map(|change| change / (ahead - behind))
 }
 
 /// How far the sites are apart, along an axis: a step of their own size.

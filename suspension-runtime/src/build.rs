@@ -1,7 +1,7 @@
 //! The model from positions.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::constraint::{Carried, Distance, Frame};
+use suspension_core::constraint::{Along, Carried, Distance, Frame};
 use suspension_core::generated::dot;
 use suspension_core::handedness::Linked;
 use suspension_core::{GeometryError, Real, Values, assemble, parts};
@@ -31,6 +31,7 @@ where
             distances: [Distance::default(); N],
             frames: Default::default(),
             carried: Default::default(),
+            along: Default::default(),
             markers: Default::default(),
             cluster_frames: Default::default(),
             linked: Default::default(),
@@ -43,6 +44,7 @@ where
             cluster_frames,
             distances: model.distances_at(design)?,
             carried: model.carried_at(design, &frames)?,
+            along: model.along_at(design)?,
             linked: model.linked_at(design, &cluster_frames)?,
             markers: model.markers_at(design)?,
             ..model
@@ -53,7 +55,7 @@ where
     /// The points that the listing has.
     fn points_of(&self, points: &Points<Vector3<T>, N>) -> impl Iterator<Item = Vector3<T>> {
         let plan = self.plan();
-        let count = usize::from(plan.chassis + plan.unknowns / 3) + plan.markers.len();
+        let count = usize::from(plan.chassis + plan.free) + plan.markers.len();
         points.values().take(count)
     }
 
@@ -88,6 +90,13 @@ where
         Ok(distances)
     }
 
+    fn along_at(&self, design: &Points<Vector3<T>, N>) -> Result<Few<Along<T>, N>, GeometryError> {
+        fill(self.plan().along.iter().map(|along| {
+            let [from, to] = along.line.map(|site| self.point(site));
+            parts::line(to.into(), (design.get(to) - design.get(from)).norm())
+        }))
+    }
+
     fn carried_at(
         &self,
         design: &Points<Vector3<T>, N>,
@@ -120,7 +129,7 @@ where
         points: &Points<Vector3<T>, N>,
     ) -> Result<Few<Carried<T>, N>, GeometryError> {
         let plan = self.plan();
-        let first = plan.chassis + plan.unknowns / 3;
+        let first = plan.chassis + plan.free;
         fill((first..).zip(&plan.markers).map(|(marker, carriers)| {
             let frame = self.frame_of(*carriers, points);
             parts::carried(marker.into(), points.get(marker), &frame)
@@ -136,7 +145,10 @@ where
     /// With `size` brought up to the other constants.
     pub(crate) fn sized(self) -> Self {
         let distances = self.distances.iter().take(self.plan().distances.len());
-        let lengths = distances.map(|distance| distance.length());
+        let lines = self.along.as_slice().iter().take(self.plan().along.len());
+        let lengths = distances
+            .map(Distance::length)
+            .chain(lines.map(Along::length));
         let size = lengths.fold(T::zero(), |longest, length| longest.max(length));
         Self { size, ..self }
     }
@@ -188,6 +200,14 @@ where
             let shape = points.zip(linked.by_ref());
             let shape = shape.map(|(site, constant)| (site, constant.position(frame)));
             fit::<T, N>(&mut q, fixed, cluster.frame, frame, shape);
+        }
+        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
+            let sites = Sites::new(&q, fixed);
+            let ends = sites.get(along.point).zip(along.ends(&sites));
+            let distance = ends.map(|(point, line)| constant.distance(point, line));
+            if let Some((place, distance)) = q.get_mut(usize::from(along.distance)).zip(distance) {
+                *place = distance;
+            }
         }
         q
     }

@@ -44,6 +44,11 @@ where
                 put(rows, linear.row, off);
             }
         }
+        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
+            if let Some(off) = along.residual(constant, &sites) {
+                put_three(rows, along.row, off);
+            }
+        }
         result
     }
 
@@ -69,6 +74,9 @@ where
         }
         for linear in &plan.linear {
             linear.write_dense(&mut matrix);
+        }
+        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
+            along.write_dense(constant, &sites, &mut matrix);
         }
         for beyond in usize::from(plan.unknowns)..N {
             if let Some(entry) = matrix.get_mut((beyond, beyond)) {
@@ -96,11 +104,16 @@ where
         }
         let mut constants = self.carried.as_slice().iter();
         for body in &plan.bodies {
-            let (Some(v), Some(w)) = (body.frame(&v), body.frame(&w)) else {
+            let (Some(frame_v), Some(frame_w)) = (body.frame(&v), body.frame(&w)) else {
                 continue;
             };
             for (carried, constant) in body.carried.iter().zip(&mut constants) {
-                put_three(rows, carried.row, constant.curvature(&v, &w));
+                put_three(rows, carried.row, constant.curvature(&frame_v, &frame_w));
+            }
+        }
+        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
+            if let (Some(v), Some(w)) = (along.change(&v), along.change(&w)) {
+                put_three(rows, along.row, constant.curvature(v, w));
             }
         }
         result

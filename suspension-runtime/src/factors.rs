@@ -80,6 +80,9 @@ where
         for linear in &plan.linear {
             linear.write(numbers);
         }
+        for (along, constant) in plan.along.iter().zip(model.along.as_slice()) {
+            along.write(constant, &sites, numbers);
+        }
         *numbers.place(ZERO) = T::zero();
     }
 

@@ -1,11 +1,13 @@
 //! The forms of equations, each in one file: where its points and its derivatives are. What is computed of them is
 //! in [`suspension_core::constraint`].
 
+mod along;
 mod carried;
 mod distance;
 mod linear;
 mod rates;
 
+pub(crate) use along::Along;
 pub(crate) use carried::Body;
 pub(crate) use distance::Distance;
 pub(crate) use linear::Linear;

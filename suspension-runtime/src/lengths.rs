@@ -1,13 +1,13 @@
 //! Constant lengths: into the model, and out of it.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Carried, Distance, Frame};
+use suspension_core::constraint::{Along, Carried, Distance, Frame};
 use suspension_core::handedness::Linked;
 use suspension_core::{GeometryError, Real, Values, parts};
 
 use crate::build::fill;
 use crate::model::Model;
-use crate::plan::Length;
+use crate::plan::{BodyPoint, Length, LineLength};
 use crate::site::Site;
 use crate::size::{Few, Lengths, Room, Size};
 use crate::table::Table;
@@ -50,9 +50,11 @@ where
         for (place, distance) in distances.iter_mut().zip(&plan.distances) {
             *place = Distance::new(lengths.get(distance.length));
         }
+        let carried = self.carried_with(lengths, &frames)?;
         let model = Self {
             distances,
-            carried: self.carried_with(lengths, &frames)?,
+            carried,
+            along: self.along_with(lengths, &frames, &carried)?,
             linked: self.linked_with(lengths, &cluster_frames)?,
             frames,
             cluster_frames,
@@ -71,6 +73,32 @@ where
         let edges = [(first, [a, b]), (second, [a, c]), (third, [b, c])];
         let edges = edges.map(|(length, ends)| self.given(lengths, length, ends));
         parts::frame_of_lengths(self.point(c).into(), edges)
+    }
+
+    fn along_with(
+        &self,
+        lengths: &Lengths<T, N>,
+        frames: &Few<Frame<T>, N>,
+        carried: &Few<Carried<T>, N>,
+    ) -> Result<Few<Along<T>, N>, GeometryError> {
+        fill(self.plan().along.iter().map(|along| {
+            let [from, to] = along.line;
+            let length = match along.length {
+                LineLength::Given(length) => self.given(lengths, length, [from, to]),
+                LineLength::Body { body, ends } => {
+                    let frame = frames.get(body);
+                    let [from, to] = ends.map(|end| match end {
+                        BodyPoint::Frame(corner) => {
+                            let corner = frame.points().get(usize::from(corner)).copied();
+                            corner.unwrap_or_default()
+                        }
+                        BodyPoint::Carried(point) => carried.get(point).position(&frame),
+                    });
+                    (to - from).norm()
+                }
+            };
+            parts::line(self.point(to).into(), length)
+        }))
     }
 
     fn carried_with(

@@ -4,8 +4,9 @@ use core::fmt;
 
 use nalgebra::Vector3;
 use suspension_core::{DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
+use suspension_listing::form::Form;
 use suspension_listing::name::Name;
-use suspension_listing::system::System;
+use suspension_listing::system::{Equation, Site, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 
 use crate::model::Model;
@@ -67,10 +68,9 @@ impl Listing {
                 length: 0,
             }],
         };
-        if let Some((kind, name)) = with_a_scalar(&system) {
+        if let Some(drive) = driven_length(&system) {
             return Err(refuse(format!(
-                "{kind} `{name}`: listings that are read at run time have no slides and no driven lengths; \
-                 compile this one with `linkage!`"
+                "drive `{drive}`: listings that are read at run time have no driven lengths; compile this one with `linkage!`"
             )));
         }
         let order = suspension_listing::order(&system);
@@ -135,6 +135,31 @@ impl Listing {
         stated.filter_map(|(place, at)| Some((place, Vector3::from(at?))))
     }
 
+    /// The links: the two points of each, by their places.
+    pub fn links(&self) -> Vec<[usize; 2]> {
+        let of_links = |equation: &&Equation| equation.origin.operand.is_none();
+        let links = self.system.equations.iter().filter(of_links);
+        let ends = links.filter_map(|equation| equation.form.equations().keeps());
+        ends.map(|ends| ends.map(|site| self.place_of(site)))
+            .collect()
+    }
+
+    /// The bodies of three points or more: their points, by their places.
+    pub fn bodies(&self) -> Vec<Vec<usize>> {
+        let bodies = self.system.bodies.iter();
+        let points = bodies.map(|body| body.points().map(|site| self.place_of(site)).collect());
+        points.collect()
+    }
+
+    fn place_of(&self, site: &Site) -> usize {
+        let before = if site.is_free() {
+            self.system.fixed.len()
+        } else {
+            0
+        };
+        before + site.index
+    }
+
     /// A model with these hardpoints: chassis points, free points and markers in the order of the listing.
     ///
     /// # Errors
@@ -179,11 +204,11 @@ impl Listing {
     }
 }
 
-/// The first statement that adds an unknown which is no coordinate.
-fn with_a_scalar(system: &System) -> Option<(suspension_listing::Kind, &Name)> {
+/// The name of a drive that prescribes a length, where there is one.
+fn driven_length(system: &System) -> Option<&Name> {
     let mut equations = system.equations.iter();
-    let equation = equations.find(|equation| equation.form.equations().scalar().is_some())?;
-    Some((equation.origin.kind, &equation.origin.statement))
+    let driven = equations.find(|equation| matches!(equation.form, Form::Stretch(_)))?;
+    Some(&driven.origin.statement)
 }
 
 fn place(names: &[String], name: &str) -> Option<usize> {

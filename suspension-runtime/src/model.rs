@@ -1,7 +1,7 @@
 //! The geometry of a listing.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Carried, Distance, Frame};
+use suspension_core::constraint::{Along, Carried, Distance, Frame};
 use suspension_core::generated::gather_vectors;
 use suspension_core::handedness::Linked;
 use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, Scalar};
@@ -25,6 +25,8 @@ where
     pub(crate) frames: Few<Frame<T>, N>,
     /// Of the points that all bodies carry.
     pub(crate) carried: Few<Carried<T>, N>,
+    /// Of the lines that points slide on.
+    pub(crate) along: Few<Along<T>, N>,
     pub(crate) markers: Few<Carried<T>, N>,
     pub(crate) cluster_frames: Few<Frame<T>, N>,
     /// Of the points of all clusters beside their frames.
@@ -62,6 +64,9 @@ where
             }),
             carried: each(models.map(|model| &model.carried), |carried| {
                 Carried::gather(carried, &gather)
+            }),
+            along: each(models.map(|model| &model.along), |lines| {
+                Along::gather(lines, &gather)
             }),
             markers: each(models.map(|model| &model.markers), |markers| {
                 Carried::gather(markers, &gather)

@@ -22,7 +22,9 @@ impl Names {
         let lengths = system.lengths();
         Self {
             equations: texts(system.rows()),
-            unknowns: system.free.iter().flat_map(coordinates).collect(),
+            unknowns: (system.free.iter().flat_map(coordinates))
+                .chain(texts(&system.scalars))
+                .collect(),
             points: texts(system.points()),
             drives: texts(drives),
             measures: texts(measures),

@@ -13,12 +13,12 @@ use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{SiteMotion, System};
 
-use crate::form::{Body, Distance, InputRates, Linear};
+use crate::form::{Along, Body, Distance, InputRates, Linear};
 use crate::site::Site;
 
 pub(crate) use clusters::Cluster;
 pub(crate) use elimination::{Elimination, Step};
-pub(crate) use lengths::{Length, LengthNames};
+pub(crate) use lengths::{BodyPoint, Length, LengthNames, LineLength};
 pub(crate) use readout::{Drive, Measure, Roles};
 pub(crate) use substitution::{Carrier, Term};
 
@@ -32,11 +32,14 @@ pub(crate) const ZERO: u16 = u16::MAX - 1;
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
     pub(crate) unknowns: u16,
+    /// How many of the points are free: their coordinates are the first unknowns.
+    pub(crate) free: u16,
     pub(crate) chassis: u16,
     pub(crate) distances: Vec<Distance>,
     /// All bodies of three points or more, each with the points that it carries.
     pub(crate) bodies: Vec<Body>,
     pub(crate) linear: Vec<Linear>,
+    pub(crate) along: Vec<Along>,
     /// What drives contribute to rates, with the chassis points that they move.
     pub(crate) driven: InputRates,
     /// What the other chassis points contribute.
@@ -56,7 +59,7 @@ impl Plan {
         let elimination = Elimination::new(system, order);
         let entry = |row, column: Option<usize>| elimination.entry(row, column);
         let lengths = LengthNames::new(system);
-        let (mut distances, mut linear) = (Vec::new(), Vec::new());
+        let (mut distances, mut linear, mut along) = (Vec::new(), Vec::new(), Vec::new());
         let mut bodies: Vec<Body> = (system.bodies.iter())
             .map(|body| Body::new(body, &lengths))
             .collect();
@@ -81,14 +84,18 @@ impl Plan {
                         body.carry(form, row, &lengths, is_stored.then_some(entry));
                     }
                 }
+                Form::Along(form) => {
+                    along.push(Along::new(system, form, row, &lengths, entry));
+                }
                 // Refused where listings are read.
-                Form::Along(_) | Form::Stretch(_) => {}
+                Form::Stretch(_) => {}
             }
             row += equation.form.equations().rows();
         }
         let rates = |motion| InputRates::new(system, motion);
         Self {
             unknowns: index(system.size()),
+            free: index(system.free.len()),
             chassis: index(system.fixed.len()),
             driven: rates(SiteMotion::DrivenAnchor),
             undriven: rates(SiteMotion::Anchor),
@@ -103,6 +110,7 @@ impl Plan {
             distances,
             bodies,
             linear,
+            along,
             elimination,
         }
     }

@@ -56,6 +56,24 @@ where
                 }
             }
         }
+        for &(index, moved) in &inputs.along {
+            let index = usize::from(index);
+            let form = plan.along.get(index).zip(self.along.as_slice().get(index));
+            if let Some((along, constant)) = form
+                && let Some(gradient) = along.gradient(constant, &sites)
+            {
+                let [from, to] = along.line;
+                let one = T::one();
+                let sites = [(along.point, one), (from, gradient.from), (to, gradient.to)];
+                let moved = sites.into_iter().zip(moved).filter(|(_, moved)| *moved);
+                let mut terms = moved.filter_map(|((site, by), _)| Some((rates.get(site)?, by)));
+                let first = terms.next().map(|(rate, by)| -rate * by);
+                let less = |sum, (rate, by)| sum - rate * by;
+                if let Some(first) = first {
+                    put_three(rows, along.row, terms.fold(first, less));
+                }
+            }
+        }
         for linear in &inputs.linear {
             let of_drive = linear.drive.map(&drive_rate);
             let terms = linear.terms.iter();

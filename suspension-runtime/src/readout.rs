@@ -25,8 +25,7 @@ where
         let plan = self.plan();
         let sites = Sites::new(q, fixed);
         let chassis = fixed.as_slice().iter().take(plan.chassis.into());
-        let free = (0..plan.unknowns).step_by(3);
-        let free = free.filter_map(|first| sites.get(Site::Free(first)));
+        let free = (0..plan.free).filter_map(|point| sites.get(Site::Free(3 * point)));
         let markers = plan.markers.iter().zip(self.markers.as_slice());
         let markers = markers.filter_map(|(carriers, constant)| {
             let [a, b, c] = sites.get_each(*carriers)?;
@@ -52,12 +51,18 @@ where
 
     pub(crate) fn unknowns_of(&self, points: &Points<Vector3<T>, N>) -> SVector<T, N> {
         let plan = self.plan();
-        let free = (0..plan.unknowns / 3).map(|free| points.get(plan.chassis + free));
+        let free = (0..plan.free).map(|free| points.get(plan.chassis + free));
         let mut q = SVector::from([T::zero(); N]);
         let [places] = &mut q.data.0;
         let (places, _) = places.as_chunks_mut();
         for ([x, y, z], point) in places.iter_mut().zip(free) {
             (*x, *y, *z) = (point.x, point.y, point.z);
+        }
+        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
+            let point = |site| points.get(self.point(site));
+            if let Some(place) = q.get_mut(usize::from(along.distance)) {
+                *place = constant.distance(point(along.point), along.line.map(point));
+            }
         }
         q
     }

@@ -58,6 +58,12 @@ impl<'a, T: Scalar, F: Table<Vector3<T>>> Sites<'a, T, F> {
         }
     }
 
+    /// An unknown that is no coordinate.
+    #[inline(always)]
+    pub(crate) fn scalar(&self, unknown: u16) -> Option<T> {
+        self.free.get(usize::from(unknown)).copied()
+    }
+
     /// The vectors of three.
     #[inline(always)]
     pub(crate) fn get_each(&self, [a, b, c]: [Site; 3]) -> Option<[Vector3<T>; 3]> {

@@ -1,4 +1,7 @@
 //! One test program: the files beside this one are its modules.
 
 mod back_ends;
+mod committed;
+mod random;
 mod twins;
+mod walked;

@@ -316,8 +316,8 @@ where
     }
 
     /// A motion from the design, at a fixed cost and to tolerance; returns how many steps it took.
-    pub(crate) fn compare_motion(&self, design: &L::Points, swing: T) -> usize {
-        let rest = self.written.drives_at(design);
+    pub(crate) fn compare_motion(&self, design: &L::Points, swing: f64) -> usize {
+        let (rest, swing) = (self.written.drives_at(design), T::constant(swing));
         let inputs = |t: T| {
             let swung = |amplitude: T| {
                 let mut fraction = T::one();

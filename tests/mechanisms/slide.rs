@@ -167,7 +167,7 @@ mod strut {
         assert_eq!(refused, GeometryError::NoLine { point: 7 });
         assert_eq!(
             refused.named(&macpherson::Listing).to_string(),
-            "the line that ends at `strut_high` has no length; put its ends apart"
+            "a line has no length: point `strut_high`; put its ends apart"
         );
     }
 }

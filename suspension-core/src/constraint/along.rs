@@ -9,7 +9,7 @@ use crate::vector::{difference, dot, minus_multiple, multiple, plus_multiple};
 /// `F = p - o - s e / L`, with `e = h - o` and an unknown `s`, the distance from `o` to `p` along the line.
 ///
 /// One unknown and three equations: regular wherever the line points, and where `p` is one of its ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Along<T> {
     length: T,
     inverse: T,

@@ -16,6 +16,8 @@ pub(crate) struct InputRates {
     /// Points carried by a frame with such points, and which of the frame's they are.
     pub(crate) carried: Vec<MovedFrame>,
     pub(crate) linear: Vec<LinearRate>,
+    /// Points on lines, and which of the point and the line's ends are such points.
+    pub(crate) along: Vec<(u16, [bool; 3])>,
 }
 
 /// A carried point with its frame partly on the chassis.
@@ -43,7 +45,7 @@ impl InputRates {
     /// Of the chassis points with a motion and, with those that are driven, of the drives.
     pub(crate) fn new(system: &System, motion: SiteMotion) -> Self {
         let mut rates = Self::default();
-        let (mut row, mut distance) = (0, 0);
+        let (mut row, mut distance, mut along) = (0, 0, 0);
         let mut carried = vec![0; system.bodies.len()];
         for equation in &system.equations {
             match &equation.form {
@@ -62,8 +64,16 @@ impl InputRates {
                     let rate = linear(system, form, row, motion);
                     rates.linear.extend(rate);
                 }
+                Form::Along(form) => {
+                    let [from, to] = &form.line;
+                    let moved = [&form.point, from, to].map(|site| site.motion == motion);
+                    if moved.contains(&true) {
+                        rates.along.push((along, moved));
+                    }
+                    along += 1;
+                }
                 // Refused where listings are read.
-                Form::Along(_) | Form::Stretch(_) => {}
+                Form::Stretch(_) => {}
             }
             row += equation.form.equations().rows();
         }

@@ -22,6 +22,24 @@ pub(crate) enum Length {
     },
 }
 
+/// What keeps the length of a line that a point slides on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum LineLength {
+    /// A length; `None` where both ends are on the chassis.
+    Given(Option<u16>),
+    /// A body, by two of its points.
+    Body { body: u16, ends: [BodyPoint; 2] },
+}
+
+/// A point of a body.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum BodyPoint {
+    /// The first, second or third point of its frame.
+    Frame(u16),
+    /// Of the points that all bodies carry.
+    Carried(u16),
+}
+
 /// The names of the lengths.
 pub(crate) struct LengthNames<'a> {
     system: &'a System,
@@ -51,6 +69,30 @@ impl<'a> LengthNames<'a> {
     pub(super) fn between(&self, [a, b]: [&system::Site; 2]) -> Option<u16> {
         let name = distance_between(&self.system.equations, &a.name, &b.name)?;
         Some(self.place(name))
+    }
+
+    /// What keeps the length between two points that nothing moves against each other.
+    pub(crate) fn of_line(&self, ends: [&system::Site; 2]) -> LineLength {
+        let [a, b] = ends;
+        let given = self.between(ends);
+        if given.is_some() || !(a.is_free() || b.is_free()) {
+            return LineLength::Given(given);
+        }
+        let mut before = 0;
+        for (body, of) in (0..).zip(&self.system.bodies) {
+            let point = |end: &system::Site| {
+                let place = of.points().position(|point| point.name == end.name)?;
+                Some(match place.checked_sub(of.frame.len()) {
+                    None => BodyPoint::Frame(index(place)),
+                    Some(carried) => BodyPoint::Carried(index(before + carried)),
+                })
+            };
+            if let (Some(a), Some(b)) = (point(a), point(b)) {
+                return LineLength::Body { body, ends: [a, b] };
+            }
+            before += of.carried.len();
+        }
+        LineLength::Given(given)
     }
 
     /// What keeps each.

@@ -37,6 +37,7 @@ impl Plan {
                 "rigid parts that links alone make",
             ),
             (linked.sum(), few, "points that links alone hold rigidly"),
+            (self.along.len(), few, "slides"),
             (self.lengths.len(), lengths, "lengths"),
             (
                 self.elimination.numbers(),

@@ -1,0 +1,90 @@
+//! `suspension draw`: a picture of the mechanism at its first instant.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use suspension_core::Values;
+use suspension_runtime::Listing;
+
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::load::load;
+use crate::mechanism::{Mechanism, Suspension, Work};
+use crate::output::drawing::{Disc, Drawing};
+use crate::output::files::{announce, refuse_input, write_file};
+
+/// What `suspension draw` is given.
+#[derive(Args, Clone, Debug)]
+pub struct Arguments {
+    /// The motion file (TOML), see suspension motion --help.
+    file: PathBuf,
+    /// Write the SVG to PATH; without it to out/NAME.svg, NAME being that of the motion file.
+    #[arg(long, value_name = "PATH")]
+    out: Option<PathBuf>,
+    /// The wheel's radius, in the unit of the file; without it 0.3 m.
+    #[arg(long, value_name = "LENGTH")]
+    wheel_radius: Option<f64>,
+}
+
+impl Arguments {
+    /// Draws chassis points, links, bodies and the wheel.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`].
+    pub fn run(self) -> Result<(), Failure> {
+        if self
+            .wheel_radius
+            .is_some_and(|radius| !(radius > 0.0 && radius.is_finite()))
+        {
+            let message = "--wheel-radius is not a positive finite number";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        let stem = self.file.file_stem().unwrap_or_default();
+        let beside = || Path::new("out").join(stem).with_extension("svg");
+        let out = self.out.clone().unwrap_or_else(beside);
+        refuse_input(&out, &self.file, "--out")?;
+        let source = Source::read(&self.file)?;
+        let loaded = load(&source)?;
+        let listing = loaded.listing()?;
+        let drawing = loaded.run(Drawn {
+            listing: &listing,
+            wheel_radius: self.wheel_radius,
+        })?;
+        let nothing = || Failure::Solver(format!("{}: nothing to draw", source.name()));
+        write_file(&out, &drawing.svg().ok_or_else(nothing)?)?;
+        announce(&[out]);
+        Ok(())
+    }
+}
+
+struct Drawn<'a> {
+    listing: &'a Listing,
+    wheel_radius: Option<f64>,
+}
+
+impl Work for Drawn<'_> {
+    type Answer = Drawing;
+
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        mechanism: &Mechanism<L, N>,
+    ) -> Result<Drawing, Failure> {
+        let Mechanism { model, names, .. } = mechanism;
+        let inputs = mechanism.drives.inputs(mechanism.instants.ends()[0]);
+        let points = mechanism.start.points(model, &inputs).value;
+        let disc = model.wheel_axis(&points).map(|[inner, centre]| Disc {
+            centre: centre.into(),
+            axis: (centre - inner).into(),
+            radius: self.wheel_radius.unwrap_or(0.3 * mechanism.unit.metre()),
+        });
+        let at = points.values().map(<[f64; 3]>::from);
+        Ok(Drawing {
+            points: names.points.iter().cloned().zip(at).collect(),
+            chassis: names.chassis,
+            links: self.listing.links(),
+            bodies: self.listing.bodies(),
+            wheel: disc,
+        })
+    }
+}
