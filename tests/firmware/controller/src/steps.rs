@@ -3,9 +3,7 @@
 
 use suspension_core::bounded::Refusal;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{
-    Bounded, Inputs, Motion, Outputs, Report, SolveError, Still, Tracker,
-};
+use suspension_core::{Bounded, Inputs, Motion, Outputs, Report, SolveError, Still, Tracker};
 
 use crate::published::STEP;
 
