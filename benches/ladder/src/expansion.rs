@@ -4,9 +4,10 @@
 use std::time::Instant;
 
 use proc_macro2::TokenStream;
+use suspension_listing::{order, text};
 
 use crate::median::median;
-use crate::{eliminate, expand, listing, lower, parse, sample};
+use crate::{expand, listing};
 
 /// What an expansion takes and says.
 pub(crate) struct Expansion {
@@ -23,17 +24,15 @@ pub(crate) struct Expansion {
 impl Expansion {
     /// The median of three expansions of the ladder of `bodies` bodies.
     pub(crate) fn of(bodies: usize) -> Result<Self, String> {
-        let text = format!("pub mod ladder {{ {} }}", listing::statements(bodies));
-        let tokens: TokenStream = text.parse().map_err(|error| format!("{error}"))?;
+        let statements = listing::statements(bodies);
+        let module = format!("[::suspension_core] pub mod ladder {{ {statements} }}");
+        let tokens: TokenStream = module.parse().map_err(|error| format!("{error}"))?;
         let expansion = expand::expand(tokens.clone()).to_string();
         let header = Header(&expansion);
         let expansion_s = seconds(|| drop(expand::expand(tokens.clone())));
-        let (listing, _) = parse::listing(tokens.clone()).map_err(|error| error.to_string())?;
-        let system = lower::system(&listing);
-        let order_s = seconds(|| {
-            let entries = system.entries(&sample::positions(&system));
-            eliminate::order(system.size(), &entries);
-        });
+        let system = text::read(&statements).system;
+        let system = system.ok_or("the ladder's statements cannot be read")?;
+        let order_s = seconds(|| drop(order(&system)));
         Ok(Self {
             unknowns: system.size(),
             non_zeros: header.number_before("non-zeros of")?,

@@ -10,23 +10,15 @@
 //! Without `--release`: cargo compiles macros without optimisation, in release builds too, and the
 //! time of an expansion is measured as it will be there.
 
-// The macro's rooms, as they are: a crate of macros exports nothing else.
+// The macro's files, as they are: a crate of macros exports nothing else.
 #[path = "../../../suspension-macros/src"]
 mod macros {
-    pub(crate) mod ast;
-    pub(crate) mod check;
-    pub(crate) mod cluster;
-    pub(crate) mod eliminate;
     pub(crate) mod emit;
-    pub(crate) mod errors;
     pub(crate) mod expand;
-    pub(crate) mod lower;
-    pub(crate) mod parse;
-    pub(crate) mod sample;
-    pub(crate) mod system;
+    pub(crate) mod module;
 }
 // Where they look for each other.
-use macros::{ast, check, cluster, eliminate, emit, errors, expand, lower, parse, sample, system};
+use macros::{emit, expand, module};
 
 mod chart;
 mod compilation;

@@ -96,7 +96,7 @@ fn sum(terms: impl Iterator<Item = (f64, TokenStream)>) -> TokenStream {
     sum
 }
 
-pub(in crate::emit) fn constant(number: f64) -> TokenStream {
+pub(crate) fn constant(number: f64) -> TokenStream {
     let number = Literal::f64_unsuffixed(number);
     quote!(T::constant(#number))
 }
