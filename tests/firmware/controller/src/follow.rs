@@ -57,7 +57,7 @@ pub fn solved<T, L, R, E>(
 ) -> Result<Report, u32>
 where
     T: Real + Bits + Into<f64>,
-    L: Build<15, Scalar = T> + Knuckle,
+    L: Build<15, Scalar = T, Listing: Default> + Knuckle,
 {
     let (model, mut motion) = published::start::<T, L>().ok_or(0_u32)?;
     let at = published::inputs::<T, L>;

@@ -7,7 +7,7 @@ use crate::steps;
 /// Runs each mode, which is named by its counted function, and tells of it.
 macro_rules! run {
     ($gauge:ident, $tell:ident: exact $($name:ident)*) => {
-        $($tell(stringify!($name), solved($gauge, steps::$name, |done| done.residual));)*
+        $($tell(stringify!($name), solved($gauge, steps::$name, |done| done.residual()));)*
     };
     ($gauge:ident, $tell:ident: bounded $($name:ident)*) => {
         $($tell(stringify!($name), solved($gauge, steps::$name, |done| done.residual()));)*

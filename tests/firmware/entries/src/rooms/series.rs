@@ -8,7 +8,7 @@ use suspension_core::{InputSeries, Jet, Linkage, Motion, Real, Series, SeriesTra
 const ORDER: usize = 6;
 
 fn step<T, L, C>(
-    tracker: &SeriesTracker<T>,
+    tracker: &SeriesTracker<T, ORDER>,
     linkage: &L,
     inputs: &InputSeries<C, L::Drives, ORDER>,
     dt: T,
@@ -48,7 +48,7 @@ macro_rules! export {
     ($linkage:ident, $number:ty: $step:ident, $moving_step:ident, $look_ahead:ident) => {
         #[unsafe(no_mangle)]
         extern "C" fn $step(
-            tracker: &SeriesTracker<$number>,
+            tracker: &SeriesTracker<$number, ORDER>,
             linkage: &$linkage::Model<$number>,
             drives: &Jet<$linkage::Drives<$number>, ORDER>,
             dt: $number,
@@ -67,7 +67,7 @@ macro_rules! export {
 
         #[unsafe(no_mangle)]
         extern "C" fn $moving_step(
-            tracker: &SeriesTracker<$number>,
+            tracker: &SeriesTracker<$number, ORDER>,
             linkage: &$linkage::Model<$number>,
             chassis: &Jet<$linkage::Fixed<$number>, ORDER>,
             drives: &Jet<$linkage::Drives<$number>, ORDER>,
