@@ -15,8 +15,8 @@
 use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use suspension::lanes::Lane;
 use suspension_core::linkages::{attia2003, five_link};
+use suspension_lanes::Lane;
 
 #[path = "../tests/support/mod.rs"]
 mod support;

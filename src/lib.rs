@@ -4,7 +4,7 @@
 //! each of [`commands`] is work on a mechanism of any linkage, which [`load`] makes of a [`mod@file`];
 //! a [`mechanism`] moves, [`quantities`] are read off its states, and [`output`] writes them. Beside them are
 //! libraries: [`bake`] turns motions into polynomials, [`assemblies`] finds all ways to put a mechanism
-//! together, [`lanes`] steps several at once, and [`detail`] chooses the cheapest method for a need.
+//! together, and [`detail`] chooses the cheapest method for a need.
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
@@ -18,7 +18,6 @@ pub mod detail;
 pub mod failure;
 pub mod file;
 pub mod interrupt;
-pub mod lanes;
 pub mod load;
 pub mod mechanism;
 pub mod number;

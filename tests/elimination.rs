@@ -13,9 +13,12 @@ use suspension_core::{Build, Linkage, Motion, Newton, Real, Values};
 use crate::support;
 
 /// Solves with both factorisations near a design, where its equations need not hold, and compares.
+/// Rounding costs the fixed order the growth of its pivots to the power of `chain` at most: where one small
+/// pivot stands in the rows of another, both multiply.
 fn agree<T: Real, L: Build<N, Scalar = T, Listing: Default>, const N: usize>(
     rough: &L::Points,
     by: &[f64],
+    chain: i32,
 ) -> Result<(), TestCaseError>
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
@@ -40,10 +43,11 @@ where
     prop_assert!(residual(&expected) <= scale);
     let growth = fixed.growth_squared().sqrt();
     if growth < T::constant(1e3) {
+        let cost = growth.powi(chain);
         let positive = fixed.determinant_sign() > T::zero();
         prop_assert_eq!(positive, pivoted.determinant_sign() > T::zero());
         prop_assert_eq!(positive, jacobian.determinant() > T::zero());
-        prop_assert!(residual(&fixed.solve(&right)) <= scale * growth);
+        prop_assert!(residual(&fixed.solve(&right)) <= scale * cost);
         let transposed = |y: &SVector<T, N>| (jacobian.transpose() * y - right).amax();
         let [ours, pivoted] = [
             fixed.solve_transposed(&right),
@@ -51,7 +55,7 @@ where
         ];
         let scale = T::EPSILON * pivoted.amax() * T::constant(64.0);
         prop_assert!(transposed(&pivoted) <= scale);
-        prop_assert!(transposed(&ours) <= scale * growth);
+        prop_assert!(transposed(&ours) <= scale * cost);
         let of_drives = drive_terms(&model, &q);
         prop_assert_eq!(fixed.solve_drives(&of_drives), fixed.solve(&of_drives));
         let drives = L::Drives::default().values().count();
@@ -91,20 +95,20 @@ proptest! {
     #[test]
     fn both_factorisations_solve(by in prop::collection::vec(-0.03_f64..0.03, 33)) {
         use suspension_core::linkages::{attia2003::Model as Listed, five_link::Model as Rigid};
-        agree::<f64, Listed<f64>, 15>(&support::attia_rough(), &by)?;
-        agree::<f32, Listed<f32>, 15>(&support::attia_rough(), &by)?;
-        agree::<f64, Rigid<f64>, 15>(&support::five_link_rough(), &by)?;
-        agree::<f32, Rigid<f32>, 15>(&support::five_link_rough(), &by)?;
+        agree::<f64, Listed<f64>, 15>(&support::attia_rough(), &by, 1)?;
+        agree::<f32, Listed<f32>, 15>(&support::attia_rough(), &by, 1)?;
+        agree::<f64, Rigid<f64>, 15>(&support::five_link_rough(), &by, 1)?;
+        agree::<f32, Rigid<f32>, 15>(&support::five_link_rough(), &by, 1)?;
     }
 
     #[test]
     fn with_carried_points_too(by in prop::collection::vec(-0.03_f64..0.03, 54)) {
         use carried::{common_point, held_by_carried, in_the_next_frame, pushrod, scattered};
-        agree::<f64, pushrod::Model<f64>, 21>(&scattered(), &by)?;
-        agree::<f32, pushrod::Model<f32>, 21>(&scattered(), &by)?;
-        agree::<f64, common_point::Model<f64>, 21>(&scattered(), &by)?;
-        agree::<f64, in_the_next_frame::Model<f64>, 21>(&scattered(), &by)?;
-        agree::<f64, held_by_carried::Model<f64>, 21>(&scattered(), &by)?;
+        agree::<f64, pushrod::Model<f64>, 21>(&scattered(), &by, 1)?;
+        agree::<f32, pushrod::Model<f32>, 21>(&scattered(), &by, 1)?;
+        agree::<f64, common_point::Model<f64>, 21>(&scattered(), &by, 1)?;
+        agree::<f64, in_the_next_frame::Model<f64>, 21>(&scattered(), &by, 1)?;
+        agree::<f64, held_by_carried::Model<f64>, 21>(&scattered(), &by, 2)?;
     }
 }
 

@@ -7,7 +7,6 @@ use std::hint::black_box;
 
 use counting::{Counting, allocations};
 use nalgebra::{Isometry3, SVector, Vector3};
-use suspension::lanes::{Instructions, Lane, Lanes};
 use suspension_core::path::{Continuation, Curve, Leader, Led};
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
@@ -15,6 +14,7 @@ use suspension_core::{
     Motion, Newton, Outputs, Real, RigidMotion, SeriesTracker, Signal, Still, Tangent, Tracker,
     assemble,
 };
+use suspension_lanes::{Instructions, Lane, Lanes};
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;

@@ -1,9 +1,9 @@
 //! A linkage on the published motion.
 
-use suspension::lanes::Lane;
 use suspension_core::{
     Build, Inputs, Linkage, Listing, Motion, Newton, Outputs, Still, Tracker, assemble,
 };
+use suspension_lanes::Lane;
 
 /// With steps of half a millisecond one sweep is enough whatever is asked; their cost does not
 /// depend on their length.

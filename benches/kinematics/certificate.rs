@@ -3,8 +3,8 @@
 use std::hint::black_box;
 
 use criterion::Criterion;
-use suspension::lanes::Lane;
 use suspension_core::{Build, Certifier, Linkage, Listing};
+use suspension_lanes::Lane;
 
 use super::case::Case;
 

@@ -4,11 +4,11 @@ use std::hint::black_box;
 
 use criterion::{Bencher, Criterion};
 use nalgebra::SVector;
-use suspension::lanes::Lane;
 use suspension_core::linkage::Factors as _;
 use suspension_core::lu::Lu;
 use suspension_core::motion::Prescribed;
 use suspension_core::{Build, Linkage, Listing};
+use suspension_lanes::Lane;
 
 use super::case::Case;
 

@@ -3,8 +3,8 @@
 use std::hint::black_box;
 
 use criterion::Criterion;
-use suspension::lanes::{Lane, Lanes};
 use suspension_core::{Build, Listing};
+use suspension_lanes::{Lane, Lanes};
 
 use super::case::{Case, OUTPUTS, STEP};
 

@@ -3,8 +3,8 @@
 use std::hint::black_box;
 
 use criterion::{Bencher, Criterion};
-use suspension::lanes::Lane;
 use suspension_core::{Bounded, Build, Inputs, Listing, Motion, Still, Tracker};
+use suspension_lanes::Lane;
 
 use super::case::{Case, OUTPUTS, STEP};
 

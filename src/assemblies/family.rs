@@ -46,7 +46,7 @@ pub(crate) struct Member<D, const N: usize> {
 impl<G: Listing<N>, const N: usize> Family<G, N> {
     pub(crate) fn new(model: &G::Model<f64>) -> Self {
         Self {
-            model: G::gather([model], |[number]| Complex::from(number)),
+            model: G::converted(model, Complex::from),
             size: model.size(),
         }
     }

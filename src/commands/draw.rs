@@ -46,9 +46,9 @@ impl Arguments {
         refuse_input(&out, &self.file, "--out")?;
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        let listing = loaded.listing()?;
+        let listing = loaded.listing();
         let drawing = loaded.run(Drawn {
-            listing: &listing,
+            listing,
             wheel_radius: self.wheel_radius,
         })?;
         let nothing = || Failure::Solver(format!("{}: nothing to draw", source.name()));

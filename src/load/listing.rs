@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use nalgebra::Vector3;
-use suspension_core::linkages::{LISTINGS, attia2003, five_link};
+use suspension_core::linkages::LISTINGS;
 use suspension_core::{Kind, Part, Parts};
 use suspension_runtime::{Fitted, Listing, Mistakes, Model, Room, Size};
 use toml::Spanned;
@@ -12,69 +12,18 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Position, Source};
 use crate::load::prepare::prepare;
-use crate::mechanism::{Instants, Mechanism, Suspension, Unit, Work};
+use crate::mechanism::{Instants, Mechanism, Unit, Work};
 
 /// The listing of a motion file.
 #[derive(Clone, Debug)]
 pub(super) struct Chosen {
     /// What it is called in results.
     pub(super) name: String,
-    /// As it is walked at run time; none where it is compiled in.
-    read: Option<Listing>,
-}
-
-/// The listings of the catalogue that are compiled in: the published mechanism, whose motion is timed.
-macro_rules! compiled {
-    ($($linkage:ident),+) => {
-        const COMPILED: &[&str] = &[$(stringify!($linkage)),+];
-
-        fn run_compiled<W: Work>(
-            source: &Source,
-            file: &MotionFile,
-            instants: &Instants,
-            name: &str,
-            work: W,
-        ) -> Result<W::Answer, Failure> {
-            match name {
-                $(stringify!($linkage) => {
-                    work.on(&compiled::<$linkage::Model<f64>, _>(source, file, instants, name)?)
-                })+
-                _ => Err(Failure::Input(format!("{}: no listing", source.name()))),
-            }
-        }
-    };
-}
-compiled!(attia2003, five_link);
-
-/// The mechanism of a file, of a listing that is compiled in.
-pub(super) fn compiled<L, const N: usize>(
-    source: &Source,
-    file: &MotionFile,
-    instants: &Instants,
-    name: &str,
-) -> Result<Mechanism<L, N>, Failure>
-where
-    L: Suspension<N, Listing: Default>,
-{
-    prepare(source, file, instants, name, L::Listing::default())
+    /// Its statements.
+    pub(super) listing: Listing,
 }
 
 impl Chosen {
-    /// A linkage of one's own, compiled in, under the name that the file must give.
-    pub(super) fn own(source: &Source, file: &MotionFile, known: &str) -> Result<Self, Failure> {
-        match &file.linkage {
-            Some(name) if name.get_ref() == known => Ok(Self {
-                name: known.to_owned(),
-                read: None,
-            }),
-            Some(name) => Err(unknown(source, name, known)),
-            None => {
-                let message = format!("`linkage = \"{known}\"` is missing");
-                Err(source.refuse(&(0..0), message))
-            }
-        }
-    }
-
     /// What the file names, or states. Points that the listing states and the file does not are taken over.
     pub(super) fn of(source: &Source, file: &mut MotionFile) -> Result<Self, Failure> {
         let stated = [&file.linkage, &file.listing, &file.statements];
@@ -88,28 +37,11 @@ impl Chosen {
         let (name, listing) = match (&file.linkage, &file.listing, &file.statements) {
             (Some(name), ..) => (name.get_ref().clone(), of_catalogue(source, file, name)?),
             (None, Some(path), _) => of_file(source, path)?,
-            (None, None, Some(text)) => ("statements".to_owned(), Some(of_text(source, text)?)),
+            (None, None, Some(text)) => ("statements".to_owned(), of_text(source, text)?),
             (None, None, None) => return Err(source.refuse(place, "no listing")),
         };
-        let read = listing.map(|listing| with_points(listing, file, place));
-        Ok(Self { name, read })
-    }
-
-    /// The listing itself.
-    pub(super) fn listing(&self, source: &Source) -> Result<Listing, Failure> {
-        if let Some(listing) = &self.read {
-            return Ok(listing.clone());
-        }
-        let mut known = LISTINGS.iter();
-        let Some((name, text)) = known.find(|(name, _)| *name == self.name) else {
-            let message = format!(
-                "{}: the statements of `{}` are compiled in",
-                source.name(),
-                self.name
-            );
-            return Err(Failure::Input(message));
-        };
-        Listing::parse_file(text, name).map_err(refused)
+        let listing = with_points(listing, file, place);
+        Ok(Self { name, listing })
     }
 
     /// Does the work on the mechanism.
@@ -120,17 +52,13 @@ impl Chosen {
         instants: &Instants,
         work: W,
     ) -> Result<W::Answer, Failure> {
-        let name = &self.name;
-        match &self.read {
-            None => run_compiled(source, file, instants, name, work),
-            Some(listing) => listing.in_its_size(Walked {
-                source,
-                file,
-                instants,
-                name,
-                work,
-            }),
-        }
+        self.listing.in_its_size(Walked {
+            source,
+            file,
+            instants,
+            name: &self.name,
+            work,
+        })
     }
 }
 
@@ -163,12 +91,12 @@ impl<W: Work> suspension_runtime::Work for Walked<'_, W> {
     }
 }
 
-/// A name of the catalogue; none for a listing that is compiled in.
+/// A name of the catalogue.
 fn of_catalogue(
     source: &Source,
     file: &MotionFile,
     name: &Spanned<String>,
-) -> Result<Option<Listing>, Failure> {
+) -> Result<Listing, Failure> {
     let wanted = name.get_ref().as_str();
     let Some((_, text)) = LISTINGS.iter().find(|(known, _)| *known == wanted) else {
         let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
@@ -176,9 +104,6 @@ fn of_catalogue(
         let others = format!("{known}; `listing` names a file of your own statements");
         return Err(unknown(source, name, &others));
     };
-    if COMPILED.contains(&wanted) {
-        return Ok(None);
-    }
     let listing = Listing::parse_file(text, wanted).map_err(refused)?;
     let stated = file.points.get_ref();
     let all_are_stated = points(&listing).all(|point| stated.contains_key(point));
@@ -188,17 +113,17 @@ fn of_catalogue(
         );
         return Err(source.refuse(&name.span(), message));
     }
-    Ok(Some(listing))
+    Ok(listing)
 }
 
 /// The file names none of the known linkages.
-fn unknown(source: &Source, name: &Spanned<String>, known: &str) -> Failure {
+pub(super) fn unknown(source: &Source, name: &Spanned<String>, known: &str) -> Failure {
     let message = format!("unknown linkage `{}`; known are {known}", name.get_ref());
     source.refuse(&name.span(), message)
 }
 
 /// The statements of a file beside the motion file, under the file's stem.
-fn of_file(source: &Source, path: &Spanned<String>) -> Result<(String, Option<Listing>), Failure> {
+fn of_file(source: &Source, path: &Spanned<String>) -> Result<(String, Listing), Failure> {
     let folder = Path::new(source.name()).parent().unwrap_or(Path::new(""));
     let path = folder.join(path.get_ref());
     let text = Source::read(&path)?;
@@ -206,7 +131,7 @@ fn of_file(source: &Source, path: &Spanned<String>) -> Result<(String, Option<Li
     let name = path
         .file_stem()
         .map_or("listing".into(), |stem| stem.to_string_lossy());
-    Ok((name.into_owned(), Some(listing)))
+    Ok((name.into_owned(), listing))
 }
 
 /// The statements in the motion file itself; mistakes have its lines.

@@ -4,7 +4,8 @@ use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, check};
-use crate::load::listing::{Chosen, compiled};
+use crate::load::listing::{Chosen, unknown};
+use crate::load::prepare::prepare;
 use crate::mechanism::{Instants, Mechanism, Suspension, Work};
 
 /// A motion file that was read. Its mechanism is brought to the first instant when there is work on it.
@@ -22,7 +23,15 @@ pub struct Loaded<'a> {
 ///
 /// [`Failure::Input`] with a place where the file or the listing is wrong.
 pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
-    Loaded::of(source, Chosen::of)
+    let mut file = MotionFile::parse(source)?;
+    let listing = Chosen::of(source, &mut file)?;
+    let instants = check::instants(source, &file.time)?;
+    Ok(Loaded {
+        source,
+        file,
+        listing,
+        instants,
+    })
 }
 
 /// Reads a motion file for a linkage of one's own, under the name that the file must give, and brings its
@@ -78,38 +87,34 @@ pub fn load_own<L, const N: usize>(
 where
     L: Suspension<N, Listing: Default>,
 {
-    let own = |source: &Source, file: &mut MotionFile| Chosen::own(source, file, linkage);
-    Loaded::of(source, own)?.mechanism()
+    let file = MotionFile::parse(source)?;
+    match &file.linkage {
+        Some(name) if name.get_ref() == linkage => {}
+        Some(name) => return Err(unknown(source, name, linkage)),
+        None => {
+            let message = format!("`linkage = \"{linkage}\"` is missing");
+            return Err(source.refuse(&(0..0), message));
+        }
+    }
+    let instants = check::instants(source, &file.time)?;
+    prepare(source, &file, &instants, linkage, L::Listing::default())
 }
 
-impl<'a> Loaded<'a> {
-    fn of(
-        source: &'a Source,
-        choose: impl Fn(&Source, &mut MotionFile) -> Result<Chosen, Failure>,
-    ) -> Result<Self, Failure> {
-        let mut file = MotionFile::parse(source)?;
-        let listing = choose(source, &mut file)?;
-        let instants = check::instants(source, &file.time)?;
-        Ok(Self {
-            source,
-            file,
-            listing,
-            instants,
-        })
-    }
-
+impl Loaded<'_> {
     /// The linkage's name.
     pub fn linkage(&self) -> &str {
         &self.listing.name
     }
 
-    /// The listing, to be read by what is drawn of it.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Input`] where it is compiled in and of no catalogue.
-    pub fn listing(&self) -> Result<Listing, Failure> {
-        self.listing.listing(self.source)
+    /// The name in the catalogue, where the listing is of it.
+    pub fn of_catalogue(&self) -> Option<&str> {
+        let name = self.file.linkage.as_ref();
+        name.map(|name| name.get_ref().as_str())
+    }
+
+    /// The listing.
+    pub fn listing(&self) -> &Listing {
+        &self.listing.listing
     }
 
     /// The instants.
@@ -117,7 +122,7 @@ impl<'a> Loaded<'a> {
         &self.instants
     }
 
-    /// Brings the mechanism, of a listing that is compiled in, to the first instant.
+    /// Brings the mechanism of the same linkage, as it is compiled in, to the first instant.
     ///
     /// # Errors
     ///
@@ -127,7 +132,9 @@ impl<'a> Loaded<'a> {
     where
         L: Suspension<N, Listing: Default>,
     {
-        compiled(self.source, &self.file, &self.instants, &self.listing.name)
+        let Self { file, instants, .. } = self;
+        let listing = L::Listing::default();
+        prepare(self.source, file, instants, self.linkage(), listing)
     }
 
     /// Brings the mechanism to the first instant and does the work on it.

@@ -102,7 +102,7 @@ where
 {
     /// The certifier of a model.
     pub fn new(linkage: &L) -> Self {
-        let enclosing = L::Listing::gather([linkage], |[number]| Enclosed::exact(number));
+        let enclosing = L::Listing::converted(linkage, Enclosed::exact);
         let any = SVector::from([Enclosed::within(T::zero(), T::one()); N]);
         let at_rest = Default::default();
         let [curvatures] = enclosing.curvature(&any, &at_rest, &any, &at_rest).data.0;

@@ -8,8 +8,8 @@ use crate::linkage::{Factors, Linkage};
 use crate::lu::Lu;
 use crate::scalar::Real;
 
-/// The [growth](Factors::growth_squared) up to which the fixed order is used: what rounding may cost
-/// at most, as a multiple of what it costs with partial pivoting. At the instants of the published
+/// The [growth](Factors::growth_squared) up to which the fixed order is used: what rounding costs there with
+/// one small pivot, as a multiple of what it costs with partial pivoting. At the instants of the published
 /// motion it is 33 or less.
 const GROWTH_LIMIT: f64 = 1e3;
 

@@ -17,7 +17,7 @@ pub use crate::measure;
 pub use crate::parts;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
-pub use crate::vector::{difference, dot, gather_vectors, moved_along};
+pub use crate::vector::{difference, dot, gather_vector, moved_along};
 
 /// A matrix from its columns.
 #[inline(always)]

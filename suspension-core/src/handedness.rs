@@ -53,15 +53,15 @@ impl<T: Scalar> Linked<T> {
         T::constant(0.5).minus_product(volume(point, frame), self.half_inverse)
     }
 
-    /// The same of other numbers.
+    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[inline(always)]
-    pub fn gather<S: Scalar, const K: usize>(
-        linked: [Linked<S>; K],
-        gather: &impl Fn([S; K]) -> T,
+    pub fn gather<M, S: Scalar>(
+        of: impl Fn(&M) -> Linked<S>,
+        number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
         Self {
-            shape: Carried::gather(linked.map(|linked| linked.shape), gather),
-            half_inverse: gather(linked.map(|linked| linked.half_inverse)),
+            shape: Carried::gather(|model| of(model).shape, number),
+            half_inverse: number(&|model| of(model).half_inverse),
         }
     }
 }

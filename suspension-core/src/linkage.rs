@@ -66,7 +66,8 @@ pub trait Factors<T, const N: usize> {
     fn determinant_sign(&self) -> T;
 
     /// The health of the pivots: the sum of the squares of their inverses. Rounding errors grow
-    /// with its root, at most. Entries of the Jacobian are of the size of 1.
+    /// with its root where one pivot is small, with itself where a second small pivot stands in the
+    /// rows of the first. Entries of the Jacobian are of the size of 1.
     fn growth_squared(&self) -> T;
 }
 
@@ -93,16 +94,25 @@ pub trait Listing<const N: usize>: Parts + Copy {
     /// Chassis points, free points and markers.
     type Points<T: Scalar>: Values<Vector3<T>> + Default + Send + Sync;
 
-    /// One model of many: each of its numbers is made of the same number of each of `models`.
-    fn gather<S: Scalar, T: Scalar, const K: usize>(
-        models: [&Self::Model<S>; K],
-        gather: impl Fn([S; K]) -> T,
+    /// A model in other numbers. `number` makes each of them, of one model or of several: it is given
+    /// what reads the same number of any model. `like` is one of those models.
+    fn gather<S: Scalar, T: Scalar>(
+        like: &Self::Model<S>,
+        number: impl Fn(&dyn Fn(&Self::Model<S>) -> S) -> T,
     ) -> Self::Model<T>;
+
+    /// A model with each of its numbers converted.
+    fn converted<S: Scalar, T: Scalar>(
+        model: &Self::Model<S>,
+        convert: impl Fn(S) -> T,
+    ) -> Self::Model<T> {
+        Self::gather(model, |read| convert(read(model)))
+    }
 
     /// A model in numbers of fewer digits: each of its constants is computed in `f64` and rounded
     /// once. See [`local`](crate::local).
     fn rounded<T: Scalar>(model: &Self::Model<f64>) -> Self::Model<T> {
-        Self::gather([model], |[number]| T::constant(number))
+        Self::converted(model, T::constant)
     }
 }
 

@@ -79,15 +79,15 @@ pub fn moved_along<T: Scalar>(
     plus_multiple(point, direction, coordinate - dot(point, direction))
 }
 
-/// Vectors of one number type gathered into another's.
+/// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
 #[inline(always)]
-pub fn gather_vectors<S: Scalar, T: Scalar, const K: usize>(
-    vectors: [Vector3<S>; K],
-    gather: &impl Fn([S; K]) -> T,
+pub fn gather_vector<M, S: Scalar, T: Scalar>(
+    of: impl Fn(&M) -> Vector3<S>,
+    number: &impl Fn(&dyn Fn(&M) -> S) -> T,
 ) -> Vector3<T> {
     Vector3::new(
-        gather(vectors.map(|vector| vector.x)),
-        gather(vectors.map(|vector| vector.y)),
-        gather(vectors.map(|vector| vector.z)),
+        number(&|model| of(model).x),
+        number(&|model| of(model).y),
+        number(&|model| of(model).z),
     )
 }

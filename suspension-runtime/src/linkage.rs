@@ -21,11 +21,11 @@ where
     type Measures<T: Scalar> = Few<T, N>;
     type Points<T: Scalar> = Points<Vector3<T>, N>;
 
-    fn gather<S: Scalar, T: Scalar, const K: usize>(
-        models: [&Model<'l, S, N>; K],
-        gather: impl Fn([S; K]) -> T,
+    fn gather<S: Scalar, T: Scalar>(
+        like: &Model<'l, S, N>,
+        number: impl Fn(&dyn Fn(&Model<'l, S, N>) -> S) -> T,
     ) -> Model<'l, T, N> {
-        Model::gather(models, gather)
+        Model::gather(like.listing, number)
     }
 }
 

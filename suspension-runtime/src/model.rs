@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::constraint::{Along, Carried, Distance, Frame};
-use suspension_core::generated::gather_vectors;
+use suspension_core::generated::gather_vector;
 use suspension_core::handedness::Linked;
 use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, Scalar};
 
@@ -42,52 +42,34 @@ where
         self.listing.plan()
     }
 
-    /// A model whose numbers are each made of the same number of each of `models`.
-    pub(crate) fn gather<S: Scalar, const K: usize>(
-        models: [&Model<'l, S, N>; K],
-        gather: impl Fn([S; K]) -> T,
+    /// See [`gather`](suspension_core::linkage::Listing::gather).
+    pub(crate) fn gather<S: Scalar>(
+        listing: Fitted<'l, N>,
+        number: impl Fn(&dyn Fn(&Model<'l, S, N>) -> S) -> T,
     ) -> Self {
-        const { assert!(K > 0, "a model is made of one or more") }
-        #[allow(clippy::indexing_slicing, reason = "there is a first")]
-        let first = models[0];
-        let vector = |vectors| gather_vectors(vectors, &gather);
+        let number = &number;
+        let distance = |index| {
+            let of = |model: &Model<'l, S, N>| model.distances.get(index).copied();
+            Distance::gather(|model| of(model).unwrap_or_default(), number)
+        };
         Self {
-            listing: first.listing,
-            fixed: each(models.map(|model| &model.fixed), vector),
-            size: gather(models.map(|model| model.size)),
-            distances: core::array::from_fn(|index| {
-                let distances = models.map(|model| model.distances.get(index).copied());
-                Distance::gather(distances.map(Option::unwrap_or_default), &gather)
-            }),
-            frames: each(models.map(|model| &model.frames), |frames| {
-                Frame::gather(frames, &gather)
-            }),
-            carried: each(models.map(|model| &model.carried), |carried| {
-                Carried::gather(carried, &gather)
-            }),
-            along: each(models.map(|model| &model.along), |lines| {
-                Along::gather(lines, &gather)
-            }),
-            markers: each(models.map(|model| &model.markers), |markers| {
-                Carried::gather(markers, &gather)
-            }),
-            cluster_frames: each(models.map(|model| &model.cluster_frames), |frames| {
-                Frame::gather(frames, &gather)
-            }),
-            linked: each(models.map(|model| &model.linked), |linked| {
-                Linked::gather(linked, &gather)
-            }),
+            listing,
+            fixed: each(|at| gather_vector(|model| model.fixed.get(at), number)),
+            size: number(&|model| model.size),
+            distances: core::array::from_fn(distance),
+            frames: each(|at| Frame::gather(|model| model.frames.get(at), number)),
+            carried: each(|at| Carried::gather(|model| model.carried.get(at), number)),
+            along: each(|at| Along::gather(|model| model.along.get(at), number)),
+            markers: each(|at| Carried::gather(|model| model.markers.get(at), number)),
+            cluster_frames: each(|at| Frame::gather(|model| model.cluster_frames.get(at), number)),
+            linked: each(|at| Linked::gather(|model| model.linked.get(at), number)),
         }
     }
 }
 
-/// A table of what is made of each place of others.
-fn each<V: Value, W: Value, F: Table<V>, G: Table<W>, const K: usize>(
-    tables: [&F; K],
-    make: impl Fn([V; K]) -> W,
-) -> G {
-    let places = (0..).take(G::ROOM);
-    G::from_values(places.map(|place| make(tables.map(|table| table.get(place)))))
+/// A table of what is made for each of its places.
+fn each<V: Value, F: Table<V>>(make: impl Fn(u16) -> V) -> F {
+    F::from_values((0..).take(F::ROOM).map(make))
 }
 
 impl<T: Scalar, const N: usize> Parts for Model<'_, T, N>

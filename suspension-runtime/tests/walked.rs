@@ -54,7 +54,7 @@ where
     Room<N>: Size,
 {
     const STEP: f64 = 1e-30;
-    let complex = Fitted::gather([model], |[x]: [f64; 1]| Complex::from(x));
+    let complex = Fitted::converted(model, |x: f64| Complex::from(x));
     let d = at.change();
     let q = at.q.zip_map(&d, |q, d| Complex::new(q, STEP * d));
     let fixed = at.fixed.values().map(|point| point.map(Complex::from));

@@ -32,7 +32,7 @@ where
     pub(crate) fn new(model: &L) -> Self {
         Self {
             model: *model,
-            exact: L::Listing::gather([model], |[number]: [f64; 1]| DoubleDouble::from(number)),
+            exact: L::Listing::converted(model, |x: f64| DoubleDouble::from(x)),
         }
     }
 

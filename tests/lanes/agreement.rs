@@ -1,8 +1,8 @@
 //! Each lane is the step that it would make alone, to rounding.
 
-use suspension::lanes::{Instructions, Lane, Lanes};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Bounded, Build, Inputs, Listing, Outputs};
+use suspension_lanes::{Instructions, Lane, Lanes};
 
 use super::fleet::{ALL, Fleet, Make, bits};
 use crate::support;
@@ -106,7 +106,7 @@ fn lanes_keep_what_they_are_given() {
         let models = fleet.models.each_ref();
         for (lane, model) in models.into_iter().enumerate() {
             let gathered: five_link::Model<T> =
-                five_link::Listing::gather(models, |numbers: [T; 8]| numbers[lane]);
+                five_link::Listing::gather(models[0], |read| models.map(read)[lane]);
             assert_eq!(gathered, *model);
         }
     }
@@ -114,9 +114,8 @@ fn lanes_keep_what_they_are_given() {
     kept::<f32>();
     let single = support::five_link_model::<f32>();
     let double: five_link::Model<f64> =
-        five_link::Listing::gather([&single], |[x]: [f32; 1]| f64::from(x));
-    let back: five_link::Model<f32> =
-        five_link::Listing::gather([&double], |[x]: [f64; 1]| x as f32);
+        five_link::Listing::converted(&single, |x: f32| f64::from(x));
+    let back: five_link::Model<f32> = five_link::Listing::converted(&double, |x: f64| x as f32);
     assert_eq!(back, single);
 }
 

@@ -1,8 +1,8 @@
 //! Different linkages, one a lane, each driven in its own way.
 
 use nalgebra::{SVector, Vector3};
-use suspension::lanes::{Instructions, Lane, Lanes};
 use suspension_core::{Bounded, Build, Inputs, Linkage, Listing, Motion, Real, Signal, Values};
+use suspension_lanes::{Instructions, Lane, Lanes};
 
 pub(crate) const ALL: [Instructions; 3] = [
     Instructions::Plain,

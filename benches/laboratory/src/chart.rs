@@ -99,9 +99,14 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
         effort: &wanted.effort,
         interrupted,
     };
-    let survey = match loaded.linkage() {
-        "five_link" => measuring.survey::<five_link::Model<f64>, 15>(&loaded),
-        _ => measuring.survey::<attia2003::Model<f64>, 15>(&loaded),
+    let survey = match loaded.of_catalogue() {
+        Some("five_link") => measuring.survey::<five_link::Model<f64>, 15>(&loaded),
+        Some("attia2003") => measuring.survey::<attia2003::Model<f64>, 15>(&loaded),
+        _ => Err(Failure::Input(format!(
+            "{}: a chart is measured of the linkages attia2003 and five_link, not of {}",
+            source.name(),
+            loaded.linkage()
+        ))),
     }?;
     let motion = format!(
         "{}, {} of t = {} s to {} s",

@@ -21,6 +21,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::SVector;
 use suspension_core::linkage::Listing;
+use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Parts, Stopped};
 
 use axes::{POINTS, Subject};
@@ -31,8 +32,8 @@ use rows::to_csv;
 use survey::{Counted, Effort, Survey};
 use suspension::failure::Failure;
 use suspension::file::Source;
-use suspension::load::load;
-use suspension::mechanism::{DriveLaws, Mechanism, Names, Suspension, Work};
+use suspension::load::{Loaded, load};
+use suspension::mechanism::{DriveLaws, Mechanism, Names, Suspension};
 use suspension::number::number;
 use suspension::output::files::{announce, refuse_input, write_file};
 use suspension::output::progress::Progress;
@@ -50,6 +51,7 @@ pub struct Wanted {
     pub effort: Effort,
 }
 
+const COMMAND: &str = "suspension-laboratory failures";
 const TABLE: &str = "failures.csv";
 
 /// Tries all methods and draws the map.
@@ -73,7 +75,15 @@ pub fn failures(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure
         effort: &wanted.effort,
         interrupted,
     };
-    let counted = loaded.run_driven("suspension-laboratory failures", trying)?;
+    let counted = match loaded.of_catalogue() {
+        Some("five_link") => trying.compiled::<five_link::Model<f64>, 15>(&loaded),
+        Some("attia2003") => trying.compiled::<attia2003::Model<f64>, 15>(&loaded),
+        _ => Err(Failure::Input(format!(
+            "{}: the map is of the linkages attia2003 and five_link, not of {}",
+            source.name(),
+            loaded.linkage()
+        ))),
+    }?;
     let findings = Findings {
         motion: format!(
             "{}, {} of t = {} s to {} s",
@@ -123,8 +133,16 @@ struct Trying<'a> {
     interrupted: &'a AtomicBool,
 }
 
-impl Work for Trying<'_> {
-    type Answer = Counted;
+impl Trying<'_> {
+    /// Tries all methods on the linkage as the macro wrote it.
+    fn compiled<L, const N: usize>(self, loaded: &Loaded<'_>) -> Result<Counted, Failure>
+    where
+        L: Suspension<N, Listing: Default>,
+    {
+        let mechanism = loaded.mechanism::<L, N>()?;
+        loaded.check_driven(COMMAND, &mechanism)?;
+        self.on(&mechanism)
+    }
 
     fn on<L: Suspension<N>, const N: usize>(
         self,

@@ -46,7 +46,7 @@ fn as_written(number: f64) -> DoubleDouble {
 #[test]
 fn the_reference_has_the_digits_of_the_40_digit_solution() {
     let model: attia2003::Model<f64> = support::attia_model();
-    let exact = attia2003::Listing::gather([&model], |[x]: [f64; 1]| as_written(x));
+    let exact = attia2003::Listing::converted(&model, as_written);
     let near = support::motions(&model, &support::attia_rough(), support::attia_inputs);
     let mut reader = csv::Reader::from_reader(support::REFERENCE.as_bytes());
     let header = reader.headers().expect("a header").clone();
@@ -91,9 +91,9 @@ where
     let first = laws.inputs(0.0);
     assemble(&Newton::from_afar(), model, &first, &mut q).expect("assembles");
     let start = Motion::at_rest(q);
-    let exact = L::Listing::gather([model], |[x]: [f64; 1]| DoubleDouble::from(x));
+    let exact = L::Listing::converted(model, |x: f64| DoubleDouble::from(x));
     let reference = Reference::new(model, &exact, &start, &course).expect("a regular motion");
-    let single = L::Listing::gather([model], |[x]: [f64; 1]| x as f32);
+    let single = L::Listing::converted(model, |x: f64| x as f32);
     let mut methods = Methods { rows: Vec::new() };
     methods.add_scalar(model, model, &reference.instants()[0][0]);
     methods.add_scalar(model, &single, &reference.instants()[0][0]);

@@ -1,7 +1,7 @@
 //! Our solver, as the macro writes it: iterated to a tolerance, and in a fixed number of
 //! operations.
 
-use suspension::lanes::Lanes;
+use suspension_lanes::Lanes;
 use suspension_core::bounded::{Bounded, Outputs};
 use suspension_core::factored::with_factors;
 use suspension_core::linkages::attia2003::Listing;

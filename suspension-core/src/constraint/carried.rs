@@ -102,16 +102,16 @@ impl<T: Scalar> Carried<T> {
         multiple(plus_cross(cross(v.u, w.v), w.u, v.v), -self.c)
     }
 
-    /// The same of other numbers.
+    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[inline(always)]
-    pub fn gather<S: Scalar, const K: usize>(
-        carried: [Carried<S>; K],
-        gather: &impl Fn([S; K]) -> T,
+    pub fn gather<M, S: Scalar>(
+        of: impl Fn(&M) -> Carried<S>,
+        number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
         Self {
-            a: gather(carried.map(|carried| carried.a)),
-            b: gather(carried.map(|carried| carried.b)),
-            c: gather(carried.map(|carried| carried.c)),
+            a: number(&|model| of(model).a),
+            b: number(&|model| of(model).b),
+            c: number(&|model| of(model).c),
         }
     }
 }

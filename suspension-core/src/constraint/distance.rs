@@ -48,13 +48,13 @@ impl<T: Scalar> Distance<T> {
         dot(v, w) * self.inverse
     }
 
-    /// The same of other numbers.
+    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[inline(always)]
-    pub fn gather<S: Scalar, const K: usize>(
-        distances: [Distance<S>; K],
-        gather: &impl Fn([S; K]) -> T,
+    pub fn gather<M, S: Scalar>(
+        of: impl Fn(&M) -> Distance<S>,
+        number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
         // The inverse to all digits of the other number: it is part of the equation.
-        Self::new(gather(distances.map(|distance| distance.length)))
+        Self::new(number(&|model| of(model).length))
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::scalar::{Real, Scalar};
-use crate::vector::{difference, gather_vectors};
+use crate::vector::{difference, gather_vector};
 
 /// Three points of a body that do not lie in line: an origin and two edges `u`, `v` from it.
 ///
@@ -29,16 +29,16 @@ impl<T: Scalar> Frame<T> {
         }
     }
 
-    /// The same of other numbers.
+    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[inline(always)]
-    pub fn gather<S: Scalar, const K: usize>(
-        frames: [Frame<S>; K],
-        gather: &impl Fn([S; K]) -> T,
+    pub fn gather<M, S: Scalar>(
+        of: impl Fn(&M) -> Frame<S>,
+        number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
         Self {
-            origin: gather_vectors(frames.map(|frame| frame.origin), gather),
-            u: gather_vectors(frames.map(|frame| frame.u), gather),
-            v: gather_vectors(frames.map(|frame| frame.v), gather),
+            origin: gather_vector(|model| of(model).origin, number),
+            u: gather_vector(|model| of(model).u, number),
+            v: gather_vector(|model| of(model).v, number),
         }
     }
 

@@ -61,13 +61,13 @@ impl<T: Scalar> Stretch<T> {
         dot(v.0, w.0).minus_product(v.1, w.1) * self.inverse
     }
 
-    /// The same of other numbers.
+    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[inline(always)]
-    pub fn gather<S: Scalar, const K: usize>(
-        stretches: [Stretch<S>; K],
-        gather: &impl Fn([S; K]) -> T,
+    pub fn gather<M, S: Scalar>(
+        of: impl Fn(&M) -> Stretch<S>,
+        number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
         // The inverse to all digits of the other number: it is part of the equation.
-        Self::new(gather(stretches.map(|stretch| stretch.length)))
+        Self::new(number(&|model| of(model).length))
     }
 }

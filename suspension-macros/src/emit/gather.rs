@@ -10,18 +10,19 @@ use suspension_listing::system::{AXES, System};
 pub(super) fn listing(system: &System) -> TokenStream {
     let fixed = system.fixed.iter().map(|point| {
         let name = &point.named.name;
-        quote!(#name: gather_vectors(models.map(|model| model.fixed.#name), &gather))
+        quote!(#name: gather_vector(|model| model.fixed.#name, number))
     });
     let no_fixed = system
         .fixed
         .is_empty()
         .then(|| quote!(no_fields: ::core::marker::PhantomData));
     let constants = constants(system)
-        .map(|(name, kind)| quote!(#name: #kind::gather(models.map(|model| model.#name), &gather)));
+        .map(|(name, kind)| quote!(#name: #kind::gather(|model| model.#name, number)));
     let model = quote! {
+        let number = &number;
         Model {
             fixed: Fixed { #(#fixed,)* #no_fixed },
-            size: gather(models.map(|model| model.size)),
+            size: number(&|model| model.size),
             #(#constants,)*
         }
     };
@@ -55,9 +56,9 @@ pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
             type Measures<T: Scalar> = Measures<T>;
             type Points<T: Scalar> = Points<T>;
 
-            fn gather<S: Scalar, T: Scalar, const K: usize>(
-                models: [&Model<S>; K],
-                gather: impl Fn([S; K]) -> T,
+            fn gather<S: Scalar, T: Scalar>(
+                _: &Model<S>,
+                number: impl Fn(&dyn Fn(&Model<S>) -> S) -> T,
             ) -> Model<T> {
                 #model
             }

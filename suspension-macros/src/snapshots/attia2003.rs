@@ -1848,46 +1848,38 @@ pub mod attia2003 {
         type Drives<T: Scalar> = Drives<T>;
         type Measures<T: Scalar> = Measures<T>;
         type Points<T: Scalar> = Points<T>;
-        fn gather<S: Scalar, T: Scalar, const K: usize>(
-            models: [&Model<S>; K],
-            gather: impl Fn([S; K]) -> T,
+        fn gather<S: Scalar, T: Scalar>(
+            _: &Model<S>,
+            number: impl Fn(&dyn Fn(&Model<S>) -> S) -> T,
         ) -> Model<T> {
+            let number = &number;
             Model {
                 fixed: Fixed {
-                    p1: gather_vectors(models.map(|model| model.fixed.p1), &gather),
-                    p2: gather_vectors(models.map(|model| model.fixed.p2), &gather),
-                    p3: gather_vectors(models.map(|model| model.fixed.p3), &gather),
-                    p4: gather_vectors(models.map(|model| model.fixed.p4), &gather),
-                    p5: gather_vectors(models.map(|model| model.fixed.p5), &gather),
+                    p1: gather_vector(|model| model.fixed.p1, number),
+                    p2: gather_vector(|model| model.fixed.p2, number),
+                    p3: gather_vector(|model| model.fixed.p3, number),
+                    p4: gather_vector(|model| model.fixed.p4, number),
+                    p5: gather_vector(|model| model.fixed.p5, number),
                 },
-                size: gather(models.map(|model| model.size)),
-                d6_1: Distance::gather(models.map(|model| model.d6_1), &gather),
-                d7_2: Distance::gather(models.map(|model| model.d7_2), &gather),
-                d8_3: Distance::gather(models.map(|model| model.d8_3), &gather),
-                d9_4: Distance::gather(models.map(|model| model.d9_4), &gather),
-                d10_5: Distance::gather(models.map(|model| model.d10_5), &gather),
-                d7_6: Distance::gather(models.map(|model| model.d7_6), &gather),
-                d8_6: Distance::gather(models.map(|model| model.d8_6), &gather),
-                d9_6: Distance::gather(models.map(|model| model.d9_6), &gather),
-                d10_6: Distance::gather(models.map(|model| model.d10_6), &gather),
-                d8_7: Distance::gather(models.map(|model| model.d8_7), &gather),
-                d9_7: Distance::gather(models.map(|model| model.d9_7), &gather),
-                d10_7: Distance::gather(models.map(|model| model.d10_7), &gather),
-                d9_8: Distance::gather(models.map(|model| model.d9_8), &gather),
-                d10_8: Distance::gather(models.map(|model| model.d10_8), &gather),
-                p11: Carried::gather(models.map(|model| model.p11), &gather),
-                p6_p7_p8_frame: Frame::gather(
-                    models.map(|model| model.p6_p7_p8_frame),
-                    &gather,
-                ),
-                p6_p7_p8_p9: Linked::gather(
-                    models.map(|model| model.p6_p7_p8_p9),
-                    &gather,
-                ),
-                p6_p7_p8_p10: Linked::gather(
-                    models.map(|model| model.p6_p7_p8_p10),
-                    &gather,
-                ),
+                size: number(&|model| model.size),
+                d6_1: Distance::gather(|model| model.d6_1, number),
+                d7_2: Distance::gather(|model| model.d7_2, number),
+                d8_3: Distance::gather(|model| model.d8_3, number),
+                d9_4: Distance::gather(|model| model.d9_4, number),
+                d10_5: Distance::gather(|model| model.d10_5, number),
+                d7_6: Distance::gather(|model| model.d7_6, number),
+                d8_6: Distance::gather(|model| model.d8_6, number),
+                d9_6: Distance::gather(|model| model.d9_6, number),
+                d10_6: Distance::gather(|model| model.d10_6, number),
+                d8_7: Distance::gather(|model| model.d8_7, number),
+                d9_7: Distance::gather(|model| model.d9_7, number),
+                d10_7: Distance::gather(|model| model.d10_7, number),
+                d9_8: Distance::gather(|model| model.d9_8, number),
+                d10_8: Distance::gather(|model| model.d10_8, number),
+                p11: Carried::gather(|model| model.p11, number),
+                p6_p7_p8_frame: Frame::gather(|model| model.p6_p7_p8_frame, number),
+                p6_p7_p8_p9: Linked::gather(|model| model.p6_p7_p8_p9, number),
+                p6_p7_p8_p10: Linked::gather(|model| model.p6_p7_p8_p10, number),
             }
         }
     }

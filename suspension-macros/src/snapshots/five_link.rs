@@ -2721,83 +2721,62 @@ pub mod five_link {
         type Drives<T: Scalar> = Drives<T>;
         type Measures<T: Scalar> = Measures<T>;
         type Points<T: Scalar> = Points<T>;
-        fn gather<S: Scalar, T: Scalar, const K: usize>(
-            models: [&Model<S>; K],
-            gather: impl Fn([S; K]) -> T,
+        fn gather<S: Scalar, T: Scalar>(
+            _: &Model<S>,
+            number: impl Fn(&dyn Fn(&Model<S>) -> S) -> T,
         ) -> Model<T> {
+            let number = &number;
             Model {
                 fixed: Fixed {
-                    lower_front_inner: gather_vectors(
-                        models.map(|model| model.fixed.lower_front_inner),
-                        &gather,
+                    lower_front_inner: gather_vector(
+                        |model| model.fixed.lower_front_inner,
+                        number,
                     ),
-                    upper_front_inner: gather_vectors(
-                        models.map(|model| model.fixed.upper_front_inner),
-                        &gather,
+                    upper_front_inner: gather_vector(
+                        |model| model.fixed.upper_front_inner,
+                        number,
                     ),
-                    upper_rear_inner: gather_vectors(
-                        models.map(|model| model.fixed.upper_rear_inner),
-                        &gather,
+                    upper_rear_inner: gather_vector(
+                        |model| model.fixed.upper_rear_inner,
+                        number,
                     ),
-                    lower_rear_inner: gather_vectors(
-                        models.map(|model| model.fixed.lower_rear_inner),
-                        &gather,
+                    lower_rear_inner: gather_vector(
+                        |model| model.fixed.lower_rear_inner,
+                        number,
                     ),
-                    track_rod_inner: gather_vectors(
-                        models.map(|model| model.fixed.track_rod_inner),
-                        &gather,
+                    track_rod_inner: gather_vector(
+                        |model| model.fixed.track_rod_inner,
+                        number,
                     ),
                 },
-                size: gather(models.map(|model| model.size)),
-                lower_front: Distance::gather(
-                    models.map(|model| model.lower_front),
-                    &gather,
-                ),
-                upper_front: Distance::gather(
-                    models.map(|model| model.upper_front),
-                    &gather,
-                ),
-                upper_rear: Distance::gather(
-                    models.map(|model| model.upper_rear),
-                    &gather,
-                ),
-                lower_rear: Distance::gather(
-                    models.map(|model| model.lower_rear),
-                    &gather,
-                ),
-                track_rod: Distance::gather(
-                    models.map(|model| model.track_rod),
-                    &gather,
-                ),
+                size: number(&|model| model.size),
+                lower_front: Distance::gather(|model| model.lower_front, number),
+                upper_front: Distance::gather(|model| model.upper_front, number),
+                upper_rear: Distance::gather(|model| model.upper_rear, number),
+                lower_rear: Distance::gather(|model| model.lower_rear, number),
+                track_rod: Distance::gather(|model| model.track_rod, number),
                 knuckle_lower_front_outer_upper_front_outer: Distance::gather(
-                    models
-                        .map(|model| model.knuckle_lower_front_outer_upper_front_outer),
-                    &gather,
+                    |model| model.knuckle_lower_front_outer_upper_front_outer,
+                    number,
                 ),
                 knuckle_lower_front_outer_upper_rear_outer: Distance::gather(
-                    models.map(|model| model.knuckle_lower_front_outer_upper_rear_outer),
-                    &gather,
+                    |model| model.knuckle_lower_front_outer_upper_rear_outer,
+                    number,
                 ),
                 knuckle_upper_front_outer_upper_rear_outer: Distance::gather(
-                    models.map(|model| model.knuckle_upper_front_outer_upper_rear_outer),
-                    &gather,
+                    |model| model.knuckle_upper_front_outer_upper_rear_outer,
+                    number,
                 ),
-                knuckle_frame: Frame::gather(
-                    models.map(|model| model.knuckle_frame),
-                    &gather,
-                ),
+                knuckle_frame: Frame::gather(|model| model.knuckle_frame, number),
                 knuckle_lower_rear_outer: Carried::gather(
-                    models.map(|model| model.knuckle_lower_rear_outer),
-                    &gather,
+                    |model| model.knuckle_lower_rear_outer,
+                    number,
                 ),
                 knuckle_track_rod_outer: Carried::gather(
-                    models.map(|model| model.knuckle_track_rod_outer),
-                    &gather,
+                    |model| model.knuckle_track_rod_outer,
+                    number,
                 ),
-                wheel_centre: Carried::gather(
-                    models.map(|model| model.wheel_centre),
-                    &gather,
-                ),
+                wheel_centre: Carried::gather(|model| model.wheel_centre, number),
             }
         }
     }

@@ -13,7 +13,7 @@ use super::method::ALL_OUTPUTS;
 use super::reference::Reference;
 use super::timing::Batch;
 use super::trial::{Candidate, Failed, Label, Trial};
-use suspension::lanes::{Lane, Lanes};
+use suspension_lanes::{Lane, Lanes};
 
 /// Makes lanes at motions of one model each.
 type Make<G, T, const N: usize, const LANES: usize> =

@@ -14,8 +14,8 @@ use super::method::Method;
 use super::newton::{Nalgebra, Newton, Own};
 use super::tracked::{InSweeps, ToTolerance, Tracked};
 use super::trial::{Candidate, Entry};
-use suspension::lanes::{Lane, Lanes};
 use suspension_double_double::DoubleDouble;
+use suspension_lanes::{Lane, Lanes};
 
 /// The methods of the chart, for drives `D` and `N` coordinates.
 pub struct Methods<'a, D, const N: usize> {

@@ -36,12 +36,12 @@ token!(Avx2);
 token!(Avx512);
 
 /// Lanes of `f32` or `f64`, and one alone.
-pub(super) trait Vector: Copy + Send + Sync + std::fmt::Debug + 'static {
+pub(crate) trait Vector: Copy + Send + Sync + std::fmt::Debug + 'static {
     /// A lane.
     type Lane: Copy;
 
     /// What proves that the processor has the instructions for it. An
-    /// [`Engine`](super::engine::Engine) is made of such a proof, and no vector is made without an
+    /// [`Engine`](crate::engine::Engine) is made of such a proof, and no vector is made without an
     /// engine.
     type Proof: Token;
 
@@ -115,7 +115,7 @@ vector!(f64x4, f64);
 
 /// One number that rounds `a + b c` once: fast only in code for processors that do.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Fused<S, T>(T, PhantomData<S>);
+pub(crate) struct Fused<S, T>(T, PhantomData<S>);
 
 macro_rules! fused {
     ($lane:ty) => {
@@ -169,7 +169,7 @@ fused!(f64);
 
 /// A vector with the operators of a number.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Number<V>(pub(super) V);
+pub(crate) struct Number<V>(pub(crate) V);
 
 macro_rules! operator {
     ($operator:ident, $method:ident, $of_vector:ident, $assign:ident, $assign_method:ident) => {

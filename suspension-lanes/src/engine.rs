@@ -6,7 +6,7 @@ use suspension_core::bounded::{Measures, Step};
 use suspension_core::motion::Prescribed;
 use suspension_core::{Inputs, Listing, Motion, Outputs, Real, Signal, Still, Values};
 
-use super::number::{Number, Vector};
+use crate::number::{Number, Vector};
 
 /// Models and motions in lanes, whatever the instructions.
 pub trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>: Send + Sync {
@@ -32,7 +32,7 @@ pub trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>: Se
 }
 
 /// Lanes as vectors of numbers `V`, in code for the instructions that they need.
-pub(super) struct Vectors<
+pub(crate) struct Vectors<
     G: Listing<N>,
     V: Vector,
     const N: usize,
@@ -52,13 +52,13 @@ where
     V: Vector<Lane: Real>,
 {
     /// Of one model a lane, at rest.
-    pub(super) fn new<const LANES: usize>(
+    pub(crate) fn new<const LANES: usize>(
         proof: V::Proof,
         models: [&G::Model<V::Lane>; LANES],
     ) -> Self {
         let at_rest = Motion::at_rest(SVector::from([Number::default(); N]));
         Self {
-            model: G::gather(models, packed),
+            model: G::gather(models[0], |read| packed(models.map(read))),
             motions: [at_rest; 2],
             last: 0,
             proof,
@@ -184,7 +184,7 @@ where
 }
 
 /// Lanes in two halves: for vectors that are half as long.
-pub(super) struct Halves<E>(pub(super) [E; 2]);
+pub(crate) struct Halves<E>(pub(crate) [E; 2]);
 
 macro_rules! halves {
     ($lanes:literal, $half:literal) => {

@@ -3,8 +3,8 @@
 use fearless_simd::{f32x4, f32x8, f64x4};
 use suspension_core::{Listing, Real};
 
-use super::engine::{Engine, Halves, Vectors};
-use super::number::{Fused, Token};
+use crate::engine::{Engine, Halves, Vectors};
+use crate::number::{Fused, Token};
 
 type Boxed<G, T, const N: usize, const LANES: usize> = Box<dyn Engine<G, T, N, LANES>>;
 

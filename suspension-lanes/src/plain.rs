@@ -4,10 +4,10 @@ use suspension_core::bounded::{Measures, Step};
 use suspension_core::motion::Prescribed;
 use suspension_core::{Inputs, Listing, Motion, Outputs, Real, Signal, Still};
 
-use super::engine::Engine;
+use crate::engine::Engine;
 
 /// Lanes of plain numbers.
-pub(super) struct Plain<
+pub(crate) struct Plain<
     G: Listing<N>,
     T: Real,
     const N: usize,
@@ -29,7 +29,7 @@ impl<
     const ORDER: usize,
 > Plain<G, T, N, LANES, SWEEPS, ORDER>
 {
-    pub(super) fn new(models: [G::Model<T>; LANES]) -> Self {
+    pub(crate) fn new(models: [G::Model<T>; LANES]) -> Self {
         let at_rest = Motion::at_rest(nalgebra::SVector::zeros());
         Self {
             models,
