@@ -9,6 +9,7 @@ mod branch;
 mod certificate;
 mod chassis;
 mod cli;
+mod corner;
 mod derivatives;
 mod elimination;
 mod f32;

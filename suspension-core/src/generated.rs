@@ -5,11 +5,12 @@ pub use suspension_macros::linkage as expand;
 
 pub use crate::assemble::best_rigid_fit;
 pub use crate::constraint::{Along, Carried, Distance, Frame, Stretch, angle_to_coordinate};
+pub use crate::corner;
 pub use crate::error::GeometryError;
 pub use crate::handedness::Linked;
 pub use crate::linkage::{
-    Build, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage, Listing as AnyNumber, Named,
-    Values,
+    Build, Designed, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage,
+    Listing as AnyNumber, Named, Values,
 };
 pub use crate::listing::{DriveKind, Kind, MeasureKind, Names, Part, Parts};
 pub use crate::magnitude::sum_of_squares;

@@ -1,12 +1,41 @@
 //! Suspension kinematics in point coordinates, `no_std` and without heap.
 //!
-//! A suspension is a list of at-most-quadratic constraints over points. [`linkage!`] expands the
-//! list at compile time into straight-line, stack-only code (an implementation of [`Linkage`]);
-//! this crate runs Newton's method on it ([`Newton`]), takes velocities and accelerations from
-//! one factorisation ([`Tangent`]), follows a motion in time to a tolerance ([`Tracker`]), at a fixed
-//! cost ([`Bounded`]), through the turning points of its drives ([`path`]) or by its Taylor series ([`Series`]), looks up a motion that was baked
-//! ([`baked`]), and reads off the wheel what engineers want to know ([`wheel`]). How to put it on a
-//! controller, and what it costs there, is told at [`controller`].
+//! A suspension is a list of at-most-quadratic constraints over points. [`linkage!`] expands the list at
+//! compile time into straight-line, stack-only code; this crate solves it. The front door is [`Corner`], a
+//! suspension that moves:
+//!
+//! ```
+//! use suspension_core::Signal;
+//!
+//! suspension_core::linkage! {
+//!     /// A wishbone that carries a wheel.
+//!     mod arm {
+//!         fixed: front at [0.2, 0.3, 0.2], rear at [-0.2, 0.3, 0.2];
+//!         free:  hub at [0.0, 0.7, 0.3], spring_outer at [0.0, 0.55, 0.25];
+//!         hinge wishbone: front, rear -> hub, spring_outer;
+//!         point inner: wishbone at [0.0, 0.6, 0.3];
+//!         fixed: spring_inner at [0.0, 0.4, 0.6];
+//!         drive bump: hub.z;
+//!         measure spring: length(spring_inner -> spring_outer);
+//!         wheel: inner -> hub;
+//!     }
+//! }
+//! use arm::{Corner, Drives};
+//!
+//! let mut corner: Corner = Corner::design()?;
+//! let start = corner.drives();
+//! corner.advance(1.0, |time| Signal::line(start, Drives { bump: 0.05 }, time))?;
+//! let camber = corner.wheel().map_or(0.0, |wheel| wheel.camber.to_degrees());
+//! let motion_ratio = corner.per(Drives { bump: 1.0 })?.measures.rate.spring;
+//! assert_eq!(format!("{camber:.3} deg, {motion_ratio:.3}"), "-7.298 deg, -0.661");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Below it are the parts: Newton's method ([`Newton`]) and [`assemble`]; velocities and accelerations from
+//! one factorisation ([`Tangent`]); the ways to step ([`Stepper`]): to a tolerance ([`Tracker`]), at a fixed
+//! cost ([`Bounded`]), by Taylor series ([`Series`]); through the turning points of the drives ([`path`]);
+//! motions that were [`baked`]; the [`wheel`]; and a proof that the root is the one near by ([`Certifier`]).
+//! How to put it on a controller, and what it costs there, is told at [`controller`].
 #![no_std]
 #![forbid(unsafe_code)]
 // Nothing on the solving path may panic.
@@ -27,6 +56,7 @@ pub mod bounded;
 pub mod certificate;
 pub mod chassis;
 pub mod constraint;
+pub mod corner;
 #[doc = include_str!("../docs/controller.md")]
 pub mod controller {}
 mod entrywise;
@@ -65,8 +95,9 @@ pub use assemble::assemble;
 pub use bounded::{Bounded, Outputs};
 pub use certificate::{Certificate, Certifier, Unproved};
 pub use chassis::RigidMotion;
+pub use corner::Corner;
 pub use error::{GeometryError, SolveError};
-pub use linkage::{Build, HasKingpin, HasWheel, Linkage, Listing, Named, Values};
+pub use linkage::{Build, Designed, HasKingpin, HasWheel, Linkage, Listing, Named, Values};
 pub use listing::{DriveKind, Kind, MeasureKind, Part, Parts};
 pub use local::LocalOrigin;
 pub use motion::{Motion, Tangent};

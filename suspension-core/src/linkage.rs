@@ -301,6 +301,12 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     fn fit(&self, q: &SVector<Self::Scalar, N>, fixed: &Self::Fixed) -> SVector<Self::Scalar, N>;
 }
 
+/// A linkage whose listing states where every point is in the design (`at [x, y, z]`).
+pub trait Designed<const N: usize>: Build<N> {
+    /// Where the points are.
+    fn design() -> Self::Points;
+}
+
 /// Points among which a wheel is. Positions, velocities or accelerations alike.
 pub trait HasWheel<T> {
     /// Two points on the spin axis, the wheel centre last.

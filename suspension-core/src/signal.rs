@@ -1,5 +1,8 @@
 //! What is prescribed from outside: drives and chassis points, each with its rates.
 
+use crate::linkage::Values;
+use crate::scalar::Real;
+
 /// A prescribed quantity at one instant, with its first and second time derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Signal<V> {
@@ -19,6 +22,31 @@ impl<V> Signal<V> {
             value: linear(&self.value),
             rate: linear(&self.rate),
             second_rate: linear(&self.second_rate),
+        }
+    }
+}
+
+impl<V: Default> Signal<V> {
+    /// At rest.
+    pub fn still(value: V) -> Self {
+        Self {
+            value,
+            rate: V::default(),
+            second_rate: V::default(),
+        }
+    }
+
+    /// What starts at a value and changes at a constant rate, after a time.
+    pub fn line<T: Real>(start: V, rate: V, time: T) -> Self
+    where
+        V: Values<T>,
+    {
+        let pairs = start.values().zip(rate.values());
+        let value = V::from_values(pairs.map(|(start, rate)| start + rate * time));
+        Self {
+            value,
+            rate,
+            second_rate: V::default(),
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Suspension listings from text, solved without a Rust compiler.
 //!
-//! [`Listing::parse`] reads what stands inside the braces of `linkage!`; [`Listing::model`] makes a [`Model`] of it and of
-//! hardpoints. A model is a list of equations, and an order in which their Jacobian is eliminated, that are walked: it
+//! [`Listing::parse`] reads what stands inside the braces of `linkage!`; [`Listing::corner`] makes a suspension that
+//! moves of it and of hardpoints, [`Listing::model`] a [`Model`] alone. A model is a list of equations, and an order in which their Jacobian is eliminated, that are walked: it
 //! computes what the code that `linkage!` writes does, to the bit, two to four times as slowly. It implements the
 //! core's [`Linkage`](suspension_core::Linkage) and [`Build`](suspension_core::Build), so that every solver works on
 //! it; names are looked up once, and nothing on the solving path allocates.
 //!
 //! ```
-//! use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker, Values};
+//! use suspension_core::{Signal, Values};
 //! use suspension_runtime::Listing;
 //!
 //! let listing = Listing::parse(
@@ -18,17 +18,12 @@
 //!      drive along: tip.x;",
 //! )?;
 //! let (tip, turn) = (listing.point("tip").unwrap(), listing.drive("turn").unwrap());
-//! let hardpoints = listing.design().unwrap();
-//! let model = listing.model::<15>(&hardpoints)?;
+//! let mut corner = listing.corner::<15>(&listing.design().unwrap())?;
 //!
-//! let design = Values::from_values(hardpoints);
-//! let start = model.drives_at(&design);
-//! let swung = start.values().nth(turn).unwrap() + 0.01;
-//! let inputs = Inputs::still(Signal { value: start.with(turn, swung), ..Signal::default() });
-//! let mut motion = Motion::at_rest(model.unknowns(&design));
-//! Tracker::default().step(&model, &inputs, 1e-3, &mut motion)?;
-//! let at = motion.points(&model, &inputs).value.values().nth(tip).unwrap();
-//! assert!((at.z - 0.5 * swung.cos()).abs() < 1e-15);
+//! let angle = 1.0;
+//! corner.step(1e-3, Signal::still(corner.drives().with(turn, angle))).unwrap();
+//! let at = corner.points().value.values().nth(tip).unwrap();
+//! assert!((at.z - 0.5 * angle.cos()).abs() < 1e-15);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 #![forbid(unsafe_code)]

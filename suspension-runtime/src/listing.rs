@@ -3,7 +3,7 @@
 use core::fmt;
 
 use nalgebra::Vector3;
-use suspension_core::{DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
+use suspension_core::{Corner, DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
 use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Equation, Site, System};
@@ -181,6 +181,22 @@ impl Listing {
         };
         let points = Points::<Vector3<f64>, N>::from_values(hardpoints.iter().copied());
         Model::from_points(listing, &points).map_err(ModelError::Geometry)
+    }
+
+    /// A suspension at rest with these hardpoints, to be moved.
+    ///
+    /// # Errors
+    ///
+    /// [`ModelError`].
+    pub fn corner<const N: usize>(
+        &self,
+        hardpoints: &[Vector3<f64>],
+    ) -> Result<Corner<Model<'_, f64, N>, N>, ModelError>
+    where
+        Room<N>: Size,
+    {
+        let points = Points::from_values(hardpoints.iter().copied());
+        Ok(Corner::of(self.model(hardpoints)?, &points))
     }
 
     /// The place of a point among all: chassis points, free points, markers.

@@ -19,6 +19,7 @@ pub(super) fn build_impl(system: &System) -> TokenStream {
         fit(system),
     ];
     let sized = sized(system);
+    let designed = designed(system);
     quote! {
         #sized
 
@@ -27,7 +28,33 @@ pub(super) fn build_impl(system: &System) -> TokenStream {
 
             #(#methods)*
         }
+
+        #designed
     }
+}
+
+/// `impl Designed`, where the listing states every point.
+fn designed(system: &System) -> Option<TokenStream> {
+    let n = Literal::usize_unsuffixed(system.size());
+    let points = system.fixed.iter().chain(&system.free);
+    let markers = system.markers.iter();
+    let points = points
+        .map(|point| (&point.named.name, point.at))
+        .chain(markers.map(|marker| (&marker.named.name, marker.at)));
+    let fields: Option<Vec<TokenStream>> = points
+        .map(|(name, at)| {
+            let [x, y, z] = at?.map(Literal::f64_unsuffixed);
+            Some(quote!(#name: Vector3::new(#x, #y, #z).map(T::constant)))
+        })
+        .collect();
+    let fields = fields?;
+    Some(quote! {
+        impl<T: Real> Designed<#n> for Model<T> {
+            fn design() -> Points<T> {
+                Points { #(#fields),* }
+            }
+        }
+    })
 }
 
 fn new(system: &System) -> TokenStream {

@@ -73,8 +73,11 @@ fn all(module: &Module, system: &System, names: &[(Name, Kind)]) -> TokenStream 
     let structs = structs
         .into_iter()
         .map(|(name, value, fields)| types::named(name, "", value, module, &fields));
+    let corner = types::corner(system);
     quote! {
         #(#structs)*
+
+        #corner
 
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Model<T> {

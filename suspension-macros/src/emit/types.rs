@@ -1,6 +1,6 @@
 //! Named structs: points, drives, lengths, and the model.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::Ident;
 
@@ -51,7 +51,17 @@ pub(super) fn all(module: &Module, system: &System) -> TokenStream {
     );
     let free = free(system);
     let model = model(system);
-    quote!(#points #fixed #drives #measures #lengths #free #model)
+    let corner = corner(system);
+    quote!(#points #fixed #drives #measures #lengths #free #model #corner)
+}
+
+/// The model with its motion and drives.
+pub(super) fn corner(system: &System) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    quote! {
+        /// A suspension of this listing that moves.
+        pub type Corner<T = f64> = corner::Corner<Model<T>, #n>;
+    }
 }
 
 /// A struct with one value for each name, which an editor finds in the listing.

@@ -485,6 +485,8 @@ pub mod attia2003 {
         p6_p7_p8_p10: Linked<T>,
     }
 
+    /// A suspension of this listing that moves.
+    pub type Corner<T = f64> = corner::Corner<Model<T>, 15>;
     /// Rows of the residual and the Jacobian.
     #[allow(missing_docs)]
     pub mod equation {

@@ -551,6 +551,8 @@ pub mod five_link {
         wheel_centre: Carried<T>,
     }
 
+    /// A suspension of this listing that moves.
+    pub type Corner<T = f64> = corner::Corner<Model<T>, 15>;
     /// Rows of the residual and the Jacobian.
     #[allow(missing_docs)]
     pub mod equation {

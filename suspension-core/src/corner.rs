@@ -1,0 +1,208 @@
+//! A suspension that moves: its model, configuration, drives and time in one value.
+
+use crate::error::{Failure, GeometryError, SolveError};
+use crate::linkage::{Build, Designed, Linkage};
+use crate::motion::{Motion, Tangent};
+use crate::report::Report;
+use crate::scalar::Real;
+use crate::signal::{Inputs, Signal, Still};
+use crate::substeps::Stopped;
+use crate::tracker::Tracker;
+use crate::wheel::{Kingpin, Wheel};
+
+/// A suspension that moves on a chassis at rest: its model, configuration, drives and time.
+///
+/// `linkage!` names it after each listing, so that a program says `double_wishbone::Corner`. Failures name
+/// the parts concerned; after one the corner stands where the last good step has led it. Points and rates
+/// have the unit and the axes of the hardpoints, angles are in radians, time is in seconds.
+///
+/// ```
+/// use suspension_core::Signal;
+/// use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives};
+///
+/// let mut corner: Corner = Corner::design()?; // the hardpoints that the listing states
+/// let start = corner.drives();
+/// let rate = Drives { bump: 0.05, ..Drives::default() };
+/// corner.advance(0.5, |time| Signal::line(start, rate, time))?;
+/// let camber = corner.wheel().map(|wheel| wheel.camber);
+/// assert!(camber.is_some_and(|camber| camber < 0.0)); // the top of the wheel leans inboard in bump
+/// let per_bump = corner.per(Drives { bump: 1.0, ..Drives::default() })?;
+/// assert!(per_bump.measures.rate.damper < 0.0); // the motion ratio: the damper gets shorter
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Corner<L: Linkage<N>, const N: usize>
+where
+    L::Scalar: Real,
+{
+    /// How the corner steps.
+    pub tracker: Tracker<L::Scalar>,
+    model: L,
+    motion: Motion<L::Scalar, N>,
+    drives: Signal<L::Drives>,
+    time: L::Scalar,
+}
+
+/// What follows the drives: points and measures, and in place of time derivatives those with respect to
+/// what [`Corner::per`] was given.
+#[derive(Clone, Copy)]
+pub struct Derivatives<L: Linkage<N>, const N: usize> {
+    /// Value, first and second derivative of every point.
+    pub points: Signal<L::Points>,
+    /// Value, first and second derivative of every measure.
+    pub measures: Signal<L::Measures>,
+}
+
+impl<L: Designed<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
+    /// At rest as the listing states its points.
+    ///
+    /// # Errors
+    ///
+    /// See [`Build::of`].
+    pub fn design() -> Result<Self, Failure<GeometryError, L::Listing>> {
+        Self::new(&L::design())
+    }
+}
+
+impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
+    /// At rest as the points stand.
+    ///
+    /// # Errors
+    ///
+    /// See [`Build::of`].
+    pub fn new(points: &L::Points) -> Result<Self, Failure<GeometryError, L::Listing>> {
+        match L::new(points) {
+            Ok(model) => Ok(Self::of(model, points)),
+            Err(error) => Err(error.named(L::Listing::default())),
+        }
+    }
+}
+
+impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
+    /// At rest as the points stand, of a model that was built of them: with other lengths, with other
+    /// numbers, or of a listing that was read at run time.
+    pub fn of(model: L, points: &L::Points) -> Self {
+        Self {
+            tracker: Tracker::default(),
+            motion: Motion::at_rest(model.unknowns(points)),
+            drives: Signal::still(model.drives_at(points)),
+            time: T::zero(),
+            model,
+        }
+    }
+}
+
+impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
+    /// One step of length `dt`, not zero, to the values and rates of the drives at its end. However far
+    /// they lie from the last ones, no step crosses a lock.
+    ///
+    /// # Errors
+    ///
+    /// See [`Stopped`], with times from the start of the step; the corner is then unchanged.
+    pub fn step(
+        &mut self,
+        dt: T,
+        drives: Signal<L::Drives>,
+    ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
+        let ends = [&Inputs::still(self.drives), &Inputs::still(drives)];
+        let stepped = self
+            .tracker
+            .step_between(&self.model, ends, dt, &mut self.motion);
+        let report = stepped.map_err(|stopped| stopped.named(self.model.listing()))?;
+        self.drives = drives;
+        self.time += dt;
+        Ok(report)
+    }
+
+    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed.
+    ///
+    /// # Errors
+    ///
+    /// See [`Stopped`]; the corner then stands at [`Stopped::reached`], where a drive locks.
+    pub fn advance(
+        &mut self,
+        to: T,
+        drives: impl Fn(T) -> Signal<L::Drives>,
+    ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
+        let (from, start) = (self.time, self.drives);
+        let at = |time: T| if time == from { start } else { drives(time) };
+        let inputs = |time| Inputs::still(at(time));
+        let advanced = self
+            .tracker
+            .advance(&self.model, inputs, from, to, &mut self.motion);
+        self.time = match &advanced {
+            Ok(_) => to,
+            Err(stopped) => stopped.reached,
+        };
+        self.drives = at(self.time);
+        advanced.map_err(|stopped| stopped.named(self.model.listing()))
+    }
+
+    /// Points and measures with their derivatives where the drives change as `change` says, the others
+    /// staying: motion ratios, and their change, where one of them is 1 and the rest are 0. At rest too.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Singular`] where the drives lock.
+    pub fn per(
+        &self,
+        change: L::Drives,
+    ) -> Result<Derivatives<L, N>, Failure<SolveError<T>, L::Listing>> {
+        let inputs = Inputs::still(Signal {
+            rate: change,
+            ..Signal::still(self.drives.value)
+        });
+        let tangent = Tangent::new(&self.model, &inputs, &self.motion.position);
+        let motion = tangent.and_then(|tangent| tangent.motion());
+        let motion = motion.map_err(|error| error.named(self.model.listing()))?;
+        let points = motion.points(&self.model, &inputs);
+        Ok(Derivatives {
+            measures: self.model.measures(&points),
+            points,
+        })
+    }
+
+    /// Positions, velocities and accelerations of all points, by name.
+    pub fn points(&self) -> Signal<L::Points> {
+        let inputs: Inputs<Still, _> = Inputs::still(self.drives);
+        self.motion.points(&self.model, &inputs)
+    }
+
+    /// What the listing measures, by name, with its time derivatives.
+    pub fn measures(&self) -> Signal<L::Measures> {
+        self.model.measures(&self.points())
+    }
+
+    /// The wheel; `None` where the listing states none.
+    pub fn wheel(&self) -> Option<Wheel<T>> {
+        let axis = self.model.wheel_axis(&self.points().value)?;
+        Wheel::of(axis)
+    }
+
+    /// The kingpin; `None` where the listing states none, or no wheel.
+    pub fn kingpin(&self) -> Option<Kingpin<T>> {
+        let points = self.points().value;
+        let axis = self.model.wheel_axis(&points)?;
+        Some(Kingpin::of(self.model.kingpin(&points)?, axis))
+    }
+
+    /// The drives' values.
+    pub fn drives(&self) -> L::Drives {
+        self.drives.value
+    }
+
+    /// The time, from zero where the corner was made.
+    pub fn time(&self) -> T {
+        self.time
+    }
+
+    /// The geometry.
+    pub fn model(&self) -> &L {
+        &self.model
+    }
+
+    /// The unknowns with their rates.
+    pub fn motion(&self) -> &Motion<T, N> {
+        &self.motion
+    }
+}

@@ -1,0 +1,137 @@
+//! The front door: a suspension that moves, in one value.
+
+use nalgebra::Vector3;
+use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Model, Points};
+use suspension_core::{Designed, Signal, Values};
+use suspension_runtime::Listing;
+
+fn design() -> Corner {
+    Corner::design().expect("a regular design")
+}
+
+/// Some way from the design, by bump and rack.
+fn moved(bump: f64, steer: f64) -> Corner {
+    let mut corner = design();
+    let start = corner.drives();
+    let to = Drives {
+        bump: start.bump + bump,
+        steer: start.steer + steer,
+    };
+    corner.step(0.1, Signal::still(to)).expect("within reach");
+    corner
+}
+
+#[test]
+fn the_design_is_at_rest_where_the_listing_has_it() {
+    let stated: Points<f64> = Model::design();
+    let corner = design();
+    let points = corner.points();
+    for (point, at) in points.value.values().zip(stated.values()) {
+        assert!((point - at).norm() < 1e-15);
+    }
+    assert_eq!(points.rate, Points::default());
+    assert_eq!(corner.drives().bump, stated.wheel_centre.z);
+    assert_eq!(corner.time(), 0.0);
+    assert!(corner.wheel().is_some() && corner.kingpin().is_some());
+}
+
+#[test]
+fn derivatives_per_drive_are_those_of_differences() {
+    const H: f64 = 1e-3;
+    let corner = moved(0.03, 0.01);
+    for change in [
+        Drives {
+            bump: 1.0,
+            steer: 0.0,
+        },
+        Drives {
+            bump: 0.0,
+            steer: 1.0,
+        },
+    ] {
+        let per = corner.per(change).expect("regular");
+        let along = |h: f64| {
+            let corner = moved(0.03 + h * change.bump, 0.01 + h * change.steer);
+            [
+                corner.measures().value.damper,
+                corner.measures().value.bar_arm,
+            ]
+        };
+        let values = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| along(k * H));
+        let analytic = [
+            [per.measures.rate.damper, per.measures.second_rate.damper],
+            [per.measures.rate.bar_arm, per.measures.second_rate.bar_arm],
+        ];
+        for (measure, [first, second]) in analytic.into_iter().enumerate() {
+            let [a, b, c, d, e] = values.map(|measures| measures[measure]);
+            let difference = (8.0 * (d - b) - (e - a)) / (12.0 * H);
+            assert!((first - difference).abs() < 1e-8, "{first} {difference}");
+            let difference = (16.0 * (b + d) - (a + e) - 30.0 * c) / (12.0 * H * H);
+            assert!((second - difference).abs() < 1e-6, "{second} {difference}");
+        }
+    }
+}
+
+#[test]
+fn a_lock_is_named_and_the_corner_stands_before_it() {
+    let mut corner = design();
+    let start = corner.drives();
+    let rate = Drives {
+        bump: 1.0,
+        steer: 0.0,
+    };
+    let stopped = corner.advance(2.0, |time| Signal::line(start, rate, time));
+    let told = stopped
+        .expect_err("the wheel does not rise by two metres")
+        .to_string();
+    assert!(told.starts_with("stopped at time 0."), "{told}");
+    assert!(told.contains('`'), "a name: {told}");
+    let time = corner.time();
+    assert!(time > 0.05 && time < 1.0, "{time}");
+    assert!((corner.drives().bump - start.bump - time).abs() < 1e-15);
+    assert!((corner.points().value.wheel_centre.z - corner.drives().bump).abs() < 1e-12);
+}
+
+#[test]
+fn a_refused_step_changes_nothing() {
+    let mut corner = moved(0.02, 0.0);
+    let before = (corner.time(), corner.drives(), *corner.motion());
+    let far = Drives {
+        steer: 1.2,
+        ..corner.drives()
+    };
+    corner
+        .step(1e-3, Signal::still(far))
+        .expect_err("beyond the reach of the tie rod");
+    assert_eq!((corner.time(), corner.drives(), *corner.motion()), before);
+}
+
+#[test]
+fn a_listing_read_at_run_time_has_the_same_corner() {
+    let listings = suspension_core::linkages::LISTINGS;
+    let (_, text) = listings
+        .iter()
+        .find(|(name, _)| *name == "double_wishbone_pushrod")
+        .expect("in the catalogue");
+    let listing = Listing::parse(text).expect("a listing");
+    let hardpoints: Vec<Vector3<f64>> = listing.design().expect("all points are stated");
+    let mut read = listing.corner::<30>(&hardpoints).expect("a geometry");
+    let mut written = design();
+    let start = written.drives();
+    let rate = Drives {
+        bump: 0.05,
+        steer: 0.01,
+    };
+    let at = |time: f64| Signal::line(start, rate, time);
+    written.advance(1.0, at).expect("within reach");
+    read.advance(1.0, |time| {
+        at(time).map(|drives| Values::from_values(drives.values()))
+    })
+    .expect("within reach");
+    let [written, read] = [
+        written.points(),
+        read.points()
+            .map(|points| Points::from_values(points.values())),
+    ];
+    assert_eq!(written, read);
+}
