@@ -4,6 +4,7 @@ mod design;
 mod led;
 mod listing;
 mod loaded;
+mod notes;
 mod prepare;
 mod start;
 mod task;

@@ -14,6 +14,8 @@ pub(super) struct Design<L: Linkage<N>, const N: usize> {
     pub(super) model: L,
     pub(super) q: SVector<f64, N>,
     pub(super) drives: L::Drives,
+    /// All points there.
+    pub(super) points: L::Points,
 }
 
 impl<L: Suspension<N>, const N: usize> Design<L, N> {
@@ -61,6 +63,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
         model,
         q,
         drives,
+        points,
     })
 }
 

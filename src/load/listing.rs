@@ -87,6 +87,9 @@ impl<W: Work> suspension_runtime::Work for Walked<'_, W> {
         } = self;
         let mechanism: Mechanism<Model<'_, f64, N>, N> =
             prepare(source, file, instants, name, listing)?;
+        for note in &mechanism.notes {
+            eprintln!("note: {note}");
+        }
         work.on(&mechanism)
     }
 }

@@ -6,6 +6,7 @@ use suspension_core::{GeometryError, LocalOrigin, Values, parts};
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
 use crate::load::design::at_design;
+use crate::load::notes::notes;
 use crate::load::task::Task;
 use crate::load::{led, start};
 use crate::mechanism::{Instants, Mechanism, Names, Suspension};
@@ -52,6 +53,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         ..task
     };
     let design = at_design(&task, model, origin, &guess)?;
+    let notes = notes(&task, &guess, &design.points);
     let drives = task.drive_laws(design.drives.values());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &file.drives)?;
@@ -77,6 +79,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         drives,
         lead,
         names,
+        notes,
     })
 }
 

@@ -30,6 +30,8 @@ pub struct Mechanism<L, const N: usize> {
     pub drives: DriveLaws,
     /// The measure that leads in place of a drive.
     pub lead: Option<Lead<N>>,
+    /// What the file says that its author may not have meant, a sentence each.
+    pub notes: Vec<String>,
 }
 
 /// Work on a mechanism, whatever its linkage: what a command is.
