@@ -2,6 +2,7 @@
 
 mod back_ends;
 mod committed;
+mod pose;
 mod random;
 mod twins;
 mod walked;
