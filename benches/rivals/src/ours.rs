@@ -1,11 +1,11 @@
 //! Our solver, as the macro writes it: iterated to a tolerance, and in a fixed number of
 //! operations.
 
-use suspension_lanes::Lanes;
 use suspension_core::bounded::{Bounded, Outputs};
 use suspension_core::factored::with_factors;
 use suspension_core::linkages::attia2003::Listing;
 use suspension_core::{Linkage, Newton, Tracker};
+use suspension_lanes::Lanes;
 
 use crate::{Mechanism, Method, STEP, Stopwatch};
 
