@@ -54,8 +54,8 @@ macro_rules! export {
             use $listing as listing;
             use $crate::private::{
                 Build as _, HasKingpin as _, HasWheel as _, In, InOut, Linkage as _, Names, Object, Out, PhantomData, Rates, Status,
-                Text, Trouble, Values, answer, fill, kingpin_of, named, named_points, outputs_of, respond,
-                room, rotation_of, shared, signal, solver, values, values_of_points, wheel_of,
+                Text, Trouble, Values, answer, fill, kingpin_of, named, named_points, of, outputs_of, respond,
+                room, rotation_of, signal, solver, values, values_of_points, wheel_of,
             };
 
             /// The number type.
@@ -79,7 +79,7 @@ macro_rules! export {
 
             $crate::structures_of_a_linkage!($prefix);
 
-            use shared::of::$number::{
+            use of::$number::{
                 Assembly, CarrierRotation, Certificate, Failure, Kingpin, Outputs, Report, RigidMotion,
                 Wheel,
             };

@@ -3,7 +3,7 @@
 use core::fmt::{self, Display, Formatter};
 
 use crate::describe::{Function, Interface, Shape, Structure};
-use crate::shared;
+use crate::of;
 use crate::status::{self, Status};
 
 mod naming;
@@ -56,11 +56,7 @@ impl Display for Common {
                 "};\n\n/** What a bounded step solves for. */\ntypedef int32_t susp_outputs;\n",
             )?;
             f.write_str("enum { SUSP_POSITION = 0, SUSP_VELOCITY = 1, SUSP_ACCELERATION = 2 };\n")?;
-            for interface in [
-                &status::INTERFACE,
-                &shared::of::f32::INTERFACE,
-                &shared::of::f64::INTERFACE,
-            ] {
+            for interface in [&status::INTERFACE, &of::f32::INTERFACE, &of::f64::INTERFACE] {
                 body(f, interface)?;
             }
             Ok(())

@@ -50,6 +50,7 @@ mod functions;
 pub mod header;
 mod linkage;
 mod names;
+pub mod of;
 mod pointer;
 pub mod shared;
 mod status;
@@ -68,8 +69,8 @@ pub mod private {
     pub use crate::describe::{Function, Interface, Names, Shape, Structure};
     pub use crate::failure::{Trouble, answer, respond};
     pub use crate::names::{Table, Text, terminated, terminated_length};
+    pub use crate::of;
     pub use crate::pointer::{In, InOut, Object, Out, tag};
-    pub use crate::shared;
     pub use crate::status::Status;
     pub use crate::values::{
         Rates, Values, named, named_points, outputs_of, room, signal, unknowns, values,

@@ -10,7 +10,7 @@ use five_link::{DESIGN, at_rest, inputs, made, model};
 use suspension_c::catalogue::five_link_f32::{
     self, ChassisRates, Drives, Inputs, Lengths, Model, Motion, PointRates, Points,
 };
-use suspension_c::shared::of::f32::{Certificate, Failure, Kingpin, RigidMotion};
+use suspension_c::of::f32::{Certificate, Failure, Kingpin, RigidMotion};
 use suspension_c::{Out, Status, status_text};
 
 /// A text that lives as long as the program; `None` for NULL.

@@ -9,7 +9,7 @@ use std::mem::MaybeUninit;
 
 use five_link::{DESIGN, at_rest, inputs, made, model};
 use suspension_c::catalogue::five_link_f32::{self, Drives, PointRates};
-use suspension_c::shared::of::f32::{BakedWheelRates, Curve, Failure, look_up_wheel};
+use suspension_c::of::f32::{BakedWheelRates, Curve, Failure, look_up_wheel};
 use suspension_c::{In, InOut, Status};
 use suspension_core::baked;
 

@@ -31,7 +31,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Below it are the parts: Newton's method ([`Newton`]) and [`assemble`]; velocities and accelerations from
+//! Below it are the parts: Newton's method ([`Newton`]) and [`assemble()`]; velocities and accelerations from
 //! one factorisation ([`Tangent`]); the ways to step ([`Stepper`]): to a tolerance ([`Tracker`]), at a fixed
 //! cost ([`Bounded`]), by Taylor series ([`Series`]); through the turning points of the drives ([`path`]);
 //! motions that were [`baked`]; the [`wheel`]; and a proof that the root is the one near by ([`Certifier`]).
@@ -86,6 +86,7 @@ mod substeps;
 pub mod tolerance;
 pub mod tracker;
 pub mod trigonometry;
+pub mod values;
 mod vector;
 pub mod wheel;
 

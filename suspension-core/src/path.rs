@@ -22,6 +22,7 @@ mod course;
 mod curve;
 mod extreme;
 mod lead;
+mod leader;
 mod led;
 mod linear;
 mod place;
@@ -39,7 +40,8 @@ use crate::tracker::CORRECTION_OF_MOVE;
 
 pub use configuration::Configuration;
 pub use curve::Curve;
-pub use lead::{Leader, measured};
+pub use lead::measured;
+pub use leader::Leader;
 pub use led::Led;
 use linear::Linear;
 pub use place::{End, Place, Stretch, Turning};

@@ -1,7 +1,7 @@
 //! What is prescribed from outside: drives and chassis points, each with its rates.
 
-use crate::linkage::Values;
 use crate::scalar::Real;
+use crate::values::Values;
 
 /// A prescribed quantity at one instant, with its first and second time derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

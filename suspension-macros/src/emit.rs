@@ -13,6 +13,7 @@ mod indices;
 mod jacobian;
 mod lengths;
 mod measures;
+mod operations;
 mod quantity;
 mod rates;
 mod readout;
@@ -20,6 +21,7 @@ mod stub;
 mod substitution;
 mod terms;
 mod types;
+mod unrolled;
 
 use proc_macro2::TokenStream;
 use quote::quote;

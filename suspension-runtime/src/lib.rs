@@ -43,6 +43,7 @@ mod equations;
 mod factors;
 mod fitted;
 mod form;
+mod hardpoints;
 mod lengths;
 mod linkage;
 mod listing;
@@ -57,7 +58,8 @@ mod table;
 
 pub use factors::Factors;
 pub use fitted::{Fitted, Work};
-pub use listing::{Listing, ModelError};
+pub use hardpoints::ModelError;
+pub use listing::Listing;
 pub use model::Model;
 pub use size::{Room, Size};
 pub use suspension_listing::text::{Mistake, Mistakes};

@@ -1,18 +1,14 @@
 //! A listing read from text.
 
-use core::fmt;
-
 use nalgebra::Vector3;
-use suspension_core::{Corner, DriveKind, GeometryError, Kind, MeasureKind, Part, Parts, Values};
+use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts};
 use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Equation, Site, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 
-use crate::model::Model;
 use crate::names::Names;
 use crate::plan::Plan;
-use crate::size::{Points, Room, Size};
 
 /// A listing: parsed, checked, and ready to be made into models.
 #[derive(Clone, Debug)]
@@ -20,23 +16,6 @@ pub struct Listing {
     system: System,
     names: Names,
     plan: Plan,
-}
-
-/// Why there is no model of a listing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ModelError {
-    /// Models of this size have no room for the listing: it has `count` of something, of which there may be
-    /// `most`.
-    TooSmall {
-        /// How many the listing has.
-        count: usize,
-        /// How many there is room for.
-        most: usize,
-        /// Of what.
-        what: &'static str,
-    },
-    /// The hardpoints make no linkage.
-    Geometry(GeometryError),
 }
 
 impl Listing {
@@ -47,7 +26,7 @@ impl Listing {
     ///
     /// # Errors
     ///
-    /// All mistakes, those of size included: see [`Size`] for what models of 60 unknowns have room for.
+    /// All mistakes, those of size included: see [`Size`](crate::Size) for what models of 60 unknowns have room for.
     pub fn parse(text: &str) -> Result<Self, Mistakes> {
         Self::parse_file(text, "listing")
     }
@@ -160,45 +139,6 @@ impl Listing {
         before + site.index
     }
 
-    /// A model with these hardpoints: chassis points, free points and markers in the order of the listing.
-    ///
-    /// # Errors
-    ///
-    /// [`ModelError`].
-    pub fn model<const N: usize>(
-        &self,
-        hardpoints: &[Vector3<f64>],
-    ) -> Result<Model<'_, f64, N>, ModelError>
-    where
-        Room<N>: Size,
-    {
-        let Some(listing) = self.fitted() else {
-            let exceeded = self.plan.exceeded::<N>();
-            let (count, most, what) = exceeded.map_or((self.size(), N, "unknowns"), |exceeded| {
-                (exceeded.count, exceeded.most, exceeded.what)
-            });
-            return Err(ModelError::TooSmall { count, most, what });
-        };
-        let points = Points::<Vector3<f64>, N>::from_values(hardpoints.iter().copied());
-        Model::from_points(listing, &points).map_err(ModelError::Geometry)
-    }
-
-    /// A suspension at rest with these hardpoints, to be moved.
-    ///
-    /// # Errors
-    ///
-    /// [`ModelError`].
-    pub fn corner<const N: usize>(
-        &self,
-        hardpoints: &[Vector3<f64>],
-    ) -> Result<Corner<Model<'_, f64, N>, N>, ModelError>
-    where
-        Room<N>: Size,
-    {
-        let points = Points::from_values(hardpoints.iter().copied());
-        Ok(Corner::of(self.model(hardpoints)?, &points))
-    }
-
     /// The place of a point among all: chassis points, free points, markers.
     pub fn point(&self, name: &str) -> Option<usize> {
         place(self.names.points(), name)
@@ -258,17 +198,3 @@ impl Parts for Listing {
         quantity.map_or(MeasureKind::Length, |quantity| quantity.measure_kind())
     }
 }
-
-impl fmt::Display for ModelError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooSmall { count, most, what } => write!(
-                f,
-                "the listing has {count} {what}, and a model of this size has room for {most}; take a larger size"
-            ),
-            Self::Geometry(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for ModelError {}

@@ -15,15 +15,13 @@ use suspension_listing::system::{SiteMotion, System};
 
 use crate::form::{Along, Body, Distance, InputRates, Linear};
 use crate::site::Site;
+use crate::table::{SPARE, index};
 
 pub(crate) use clusters::Cluster;
 pub(crate) use elimination::{Elimination, Step};
 pub(crate) use lengths::{BodyPoint, Length, LengthNames, LineLength};
 pub(crate) use readout::{Drive, Measure, Roles};
 pub(crate) use substitution::{Carrier, Term};
-
-/// The last place of any table: what is not needed goes there.
-pub(crate) const SPARE: u16 = u16::MAX;
 
 /// The last place but one: zero among the numbers of the factors.
 pub(crate) const ZERO: u16 = u16::MAX - 1;
@@ -136,9 +134,4 @@ fn distance(system: &System, name: &Name) -> u16 {
     let equations = system.equations.iter();
     let kept = equations.filter(|equation| equation.form.equations().keeps().is_some());
     position(kept.map(|equation| &equation.named.name), name)
-}
-
-/// An index as plans hold it. Listings are held to far fewer of everything.
-pub(crate) fn index(index: usize) -> u16 {
-    u16::try_from(index).unwrap_or(SPARE)
 }

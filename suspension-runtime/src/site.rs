@@ -4,8 +4,8 @@ use nalgebra::{SVector, Vector3};
 use suspension_core::Scalar;
 use suspension_listing::system;
 
-use crate::plan::index;
 use crate::table::Table;
+use crate::table::index;
 
 /// A free or a chassis point: where its coordinates are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

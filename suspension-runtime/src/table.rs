@@ -4,6 +4,14 @@ use core::fmt::Debug;
 
 use suspension_core::Values;
 
+/// The last place of any table: what is not needed goes there.
+pub(crate) const SPARE: u16 = u16::MAX;
+
+/// An index as plans hold it. Listings are held to far fewer of everything.
+pub(crate) fn index(index: usize) -> u16 {
+    u16::try_from(index).unwrap_or(SPARE)
+}
+
 /// What a table holds.
 pub trait Value: Copy + Default + Debug + Send + Sync {}
 

@@ -12,7 +12,7 @@ use crate::newton::{rounding_at, within};
 use crate::path::configuration::Configuration;
 use crate::path::correct::finite;
 use crate::path::curve::Curve;
-use crate::path::lead::Leader;
+use crate::path::leader::Leader;
 use crate::path::led::Led;
 use crate::path::linear::Linear;
 use crate::report::Report;

@@ -13,15 +13,14 @@
 use crate::error::SolveError;
 use crate::linkage::{Linkage, Values};
 use crate::listing::Kind;
-use crate::newton::Newton;
 use crate::path::course::Course;
 use crate::path::curve::Curve;
+use crate::path::leader::Leader;
 use crate::path::led::Led;
 use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
-use crate::substeps::{MAX_STEPS, Stopped, in_steps};
-use crate::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
+use crate::substeps::{Stopped, in_steps};
 
 /// The measure of the listing with this index, as a quantity that leads: chosen at run time among
 /// [`Linkage::Measures`]. `None` where there is none.
@@ -38,30 +37,6 @@ where
         let measures = linkage.measures(points);
         measures.map(|measures| measures.values().nth(index).unwrap_or_default())
     })
-}
-
-/// How to follow a motion that a quantity leads.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Leader<T> {
-    /// How each step is solved.
-    pub newton: Newton<T>,
-    /// Steps that one advance may try, the refused ones included.
-    pub max_steps: usize,
-    /// See [`Tracker::correction_of_move`](crate::Tracker::correction_of_move).
-    pub correction_of_move: T,
-    /// See [`Tracker::correction_of_size`](crate::Tracker::correction_of_size).
-    pub correction_of_size: T,
-}
-
-impl<T: Real> Default for Leader<T> {
-    fn default() -> Self {
-        Self {
-            newton: Newton::near_by(),
-            max_steps: MAX_STEPS,
-            correction_of_move: T::constant(CORRECTION_OF_MOVE),
-            correction_of_size: T::constant(CORRECTION_OF_SIZE),
-        }
-    }
 }
 
 impl<T: Real> Leader<T> {

@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
-use super::elimination::Unrolled;
 use super::terms::ident;
+use super::unrolled::Unrolled;
 use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, Substituted, System, carried_name, frame_name};
 

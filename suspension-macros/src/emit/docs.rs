@@ -3,34 +3,11 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::operations::Operations;
 use super::{carried, form};
 use suspension_listing::eliminate::{self, Order};
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
-
-/// Operations of straight-line code. A change of sign is none.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Operations {
-    multiplications: usize,
-    additions: usize,
-    divisions: usize,
-}
-
-impl From<(usize, usize)> for Operations {
-    /// Multiplications and additions.
-    fn from((multiplications, additions): (usize, usize)) -> Self {
-        Self {
-            multiplications,
-            additions,
-            divisions: 0,
-        }
-    }
-}
-
-fn add(total: &mut Operations, multiplications: usize, additions: usize) {
-    total.multiplications += multiplications;
-    total.additions += additions;
-}
 
 /// Operations of residual, Jacobian and curvature.
 fn evaluations(system: &System) -> [Operations; 3] {
@@ -39,7 +16,7 @@ fn evaluations(system: &System) -> [Operations; 3] {
     let mut totals = [(0, 6 * frames), (0, 6 * frames), (0, 12 * frames)].map(Operations::from);
     for equation in &system.equations {
         for (total, cost) in totals.iter_mut().zip(form::of(equation).cost()) {
-            add(total, cost.multiplications, cost.additions);
+            total.add(cost.multiplications, cost.additions);
         }
     }
     totals
@@ -54,29 +31,25 @@ fn eliminations(system: &System, order: &Order, jacobian: Operations) -> [Operat
         factor.multiplications -= 6;
         factor.additions -= 5;
         let rows = point.rows(order).len();
-        add(&mut factor, 24 * rows, (18 + 9) * rows);
-        add(&mut solve, 21 + 3 * rows, 21 + 3 * rows);
+        factor.add(24 * rows, (18 + 9) * rows);
+        solve.add(21 + 3 * rows, 21 + 3 * rows);
     }
     // Each frame's change.
-    add(
-        &mut solve,
-        0,
-        6 * carried::frames(&system.substituted()).len(),
-    );
+    solve.add(0, 6 * carried::frames(&system.substituted()).len());
     for step in order.steps.iter().filter(|step| !step.carried) {
         let (right, below) = (step.right.len(), step.below.len());
         let scaled = usize::from(!step.unit);
         factor.divisions += scaled;
         let divided = scaled * (below + right);
-        add(&mut factor, below * right + divided, below * right);
-        add(&mut solve, below + right + scaled, below + right);
+        factor.add(below * right + divided, below * right);
+        solve.add(below + right + scaled, below + right);
     }
     // An entry that fills in starts from nothing.
     factor.additions -= order.fill.len();
     // The product of the pivots, whose sign is the determinant's, and the sum of their squares, in
     // four chains each.
     let pivots = factor.divisions;
-    add(&mut factor, 2 * pivots + 3, pivots + 3);
+    factor.add(2 * pivots + 3, pivots + 3);
     [factor, solve]
 }
 

@@ -14,12 +14,14 @@ use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, Equation, Site, SiteMotion, System};
 
-use super::docs::Operations;
 use super::indices;
-use super::jacobian::Write;
-use super::terms::{Binding, ident};
+use super::operations::Operations;
+use super::terms::{Rows, ident};
 
 pub(super) use linear::constant;
+
+/// Writes an entry: its row, its column, its value.
+pub(super) type Write<'a> = dyn Fn(&Name, &Name, TokenStream) -> TokenStream + 'a;
 
 /// What is written of the equations of a form, by the name of the first.
 pub(super) trait Emit {
@@ -65,21 +67,6 @@ pub(super) trait Emit {
 
     /// Operations of residual, Jacobian and curvature, as `suspension_core::constraint` writes them.
     fn cost(&self) -> [Operations; 3];
-}
-
-/// Rows of a vector, and a variable that they are read off.
-pub(super) struct Rows {
-    pub(super) variable: Option<Binding>,
-    pub(super) assignments: TokenStream,
-}
-
-impl From<TokenStream> for Rows {
-    fn from(assignments: TokenStream) -> Self {
-        Self {
-            variable: None,
-            assignments,
-        }
-    }
 }
 
 /// How the form of an equation is written.

@@ -3,13 +3,10 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::form::Write;
 use super::terms::{Binding, bind, frames, ident, parameter};
 use super::{form, indices, written_out};
-use suspension_listing::name::Name;
 use suspension_listing::system::System;
-
-/// Writes an entry: its row, its column, its value.
-pub(super) type Write<'a> = dyn Fn(&Name, &Name, TokenStream) -> TokenStream + 'a;
 
 pub(super) fn jacobian(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::elimination::Unrolled;
+use super::unrolled::Unrolled;
 use super::{carried, rates, written_out};
 use suspension_listing::eliminate::Step;
 use suspension_listing::system::System;

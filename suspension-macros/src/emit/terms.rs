@@ -4,7 +4,6 @@ use proc_macro2::{Literal, Spacing, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::Ident;
 
-use super::form::Rows;
 use super::indices;
 use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, Site, System, coordinate_name, frame_name};
@@ -137,4 +136,19 @@ pub(super) fn frames<'a>(
         let name = Name::made(format!("{}{suffix}", frame_name(&body.name)));
         Binding::new(&name, quote!(Frame::new(#(#points),*)))
     })
+}
+
+/// Rows of a vector, and a variable that they are read off.
+pub(super) struct Rows {
+    pub(super) variable: Option<Binding>,
+    pub(super) assignments: TokenStream,
+}
+
+impl From<TokenStream> for Rows {
+    fn from(assignments: TokenStream) -> Self {
+        Self {
+            variable: None,
+            assignments,
+        }
+    }
 }

@@ -7,9 +7,10 @@ use suspension_core::generated::difference;
 use suspension_listing::form;
 use suspension_listing::system::System;
 
-use crate::plan::{LengthNames, LineLength, index};
+use crate::plan::{LengthNames, LineLength};
 use crate::site::{Site, Sites};
 use crate::table::Table;
+use crate::table::index;
 
 /// A point on a line: three rows.
 #[derive(Clone, Debug)]

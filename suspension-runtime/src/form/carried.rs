@@ -6,9 +6,10 @@ use suspension_core::constraint::{self, Frame};
 use suspension_listing::form;
 use suspension_listing::system::{self, pair_name};
 
-use crate::plan::{LengthNames, index};
+use crate::plan::LengthNames;
 use crate::site::{Site, Sites};
 use crate::table::Table;
+use crate::table::index;
 
 /// A body: the frame of three points, and those that it carries.
 #[derive(Clone, Debug)]

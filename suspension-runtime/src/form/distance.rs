@@ -6,9 +6,9 @@ use suspension_core::constraint;
 use suspension_core::generated::difference;
 use suspension_listing::form;
 
-use crate::plan::index;
 use crate::site::{Site, Sites};
 use crate::table::Table;
+use crate::table::index;
 
 /// A constant length: one row.
 #[derive(Clone, Copy, Debug)]

@@ -4,9 +4,9 @@ use nalgebra::{SMatrix, Vector3};
 use suspension_core::Scalar;
 use suspension_listing::form;
 
-use crate::plan::index;
 use crate::site::{Site, Sites};
 use crate::table::Table;
+use crate::table::index;
 
 /// A sum of coordinates that a drive prescribes: one row.
 #[derive(Clone, Debug)]

@@ -5,8 +5,8 @@ use suspension_listing::name::Name;
 use suspension_listing::system::{self, SiteMotion, System};
 
 use super::linear::Term;
-use crate::plan::index;
 use crate::site::Site;
+use crate::table::index;
 
 /// The forms that chassis points of one motion, or drives, change.
 #[derive(Clone, Debug, Default)]

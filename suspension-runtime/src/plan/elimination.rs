@@ -10,8 +10,9 @@ use std::collections::BTreeMap;
 use suspension_listing::eliminate::{self, Order};
 use suspension_listing::system::System;
 
+use super::substitution;
 use super::substitution::{Carrier, Rows, Solution};
-use super::{SPARE, index, substitution};
+use crate::table::{SPARE, index};
 
 /// What factorisation and solutions walk.
 #[derive(Clone, Debug)]

@@ -1,0 +1,51 @@
+//! What needs no linkage, over one number: all types, and functions of baked curves.
+
+/// Functions that need no linkage, and all types, over one number.
+macro_rules! over {
+    ($number:ident, $prefix:literal) => {
+        /// Over this number type.
+        #[allow(unsafe_code, reason = "names for the linker")]
+        pub mod $number {
+            use crate::curve;
+            use crate::failure::answer;
+            use crate::pointer::{In, Out};
+            use crate::shared;
+            use crate::status::Status;
+
+            type Number = core::primitive::$number;
+            /// Which rates are solved for: see `SUSP_POSITION`.
+            pub type Outputs = i32;
+            over!(@types $number: Assembly, BakedWheel, BakedWheelRates, CarrierRotation, Certificate,
+                Curve, Failure, Kingpin, Numbers, Report, RigidMotion, Wheel);
+
+            crate::functions! { $prefix:
+                /// Looks a wheel up where the drive has a value and moves at a rate, per second, and a
+                /// second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach.
+                fn look_up_wheel(curve: In<Curve>, drive: Number, rate: Number, second_rate: Number, wheel: Out<BakedWheelRates>) -> Status {
+                    answer(|| {
+                        let (curve, wheel) = (curve.get()?, wheel.get()?);
+                        wheel.write(curve::wheel(curve, drive, rate, second_rate)?);
+                        Ok(())
+                    })
+                }
+            }
+
+            pub(crate) const INTERFACE: crate::describe::Interface = crate::describe::Interface {
+                prefix: $prefix,
+                number: stringify!($number),
+                docs: &[],
+                structures: &[&[shared::NUMBERS], shared::STRUCTURES],
+                functions: &[FUNCTIONS],
+            };
+        }
+    };
+    (@types $number:ident: $($name:ident),*) => {
+        $(
+            #[doc = concat!("See [`", stringify!($name), "`](shared::", stringify!($name), ").")]
+            pub type $name = shared::$name<Number>;
+        )*
+    };
+}
+
+over!(f32, "susp_f32");
+over!(f64, "susp_f64");

@@ -1,0 +1,30 @@
+//! How to follow a motion that a quantity leads.
+
+use crate::newton::Newton;
+use crate::scalar::Real;
+use crate::substeps::MAX_STEPS;
+use crate::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
+
+/// How to follow a motion that a quantity leads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leader<T> {
+    /// How each step is solved.
+    pub newton: Newton<T>,
+    /// Steps that one advance may try, the refused ones included.
+    pub max_steps: usize,
+    /// See [`Tracker::correction_of_move`](crate::Tracker::correction_of_move).
+    pub correction_of_move: T,
+    /// See [`Tracker::correction_of_size`](crate::Tracker::correction_of_size).
+    pub correction_of_size: T,
+}
+
+impl<T: Real> Default for Leader<T> {
+    fn default() -> Self {
+        Self {
+            newton: Newton::near_by(),
+            max_steps: MAX_STEPS,
+            correction_of_move: T::constant(CORRECTION_OF_MOVE),
+            correction_of_size: T::constant(CORRECTION_OF_SIZE),
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Values by name: points, drives, measures, lengths.
+
+/// A fixed number of values in a known order: points, drives, measures or lengths of a linkage.
+///
+/// There may be room for more values than a model has; those beyond are zero. What is what says the
+/// model: [`Parts::name`](crate::Parts::name), [`Parts::count`](crate::Parts::count).
+pub trait Values<V>: Copy {
+    /// Takes as many values as there is room for, and defaults where they run out.
+    fn from_values(values: impl IntoIterator<Item = V>) -> Self
+    where
+        V: Default;
+
+    /// The values in order.
+    fn values(&self) -> impl Iterator<Item = V>;
+
+    /// Other values in the same order.
+    #[inline(always)]
+    fn map(&self, value: impl Fn(V) -> V) -> Self
+    where
+        V: Default,
+    {
+        Self::from_values(self.values().map(value))
+    }
+
+    /// The same values but for the one with this index.
+    #[inline(always)]
+    fn with(&self, index: usize, value: V) -> Self
+    where
+        V: Copy + Default,
+    {
+        let each = self.values().enumerate();
+        Self::from_values(each.map(|(at, kept)| if at == index { value } else { kept }))
+    }
+}
+
+/// Values that are the fields of a struct which `linkage!` writes. Code over any linkage asks the
+/// model for names instead.
+pub trait Named<V>: Values<V> {
+    /// The fields' names, in order.
+    const NAMES: &'static [&'static str];
+
+    /// Fills each field from its name.
+    fn from_fn(value: impl FnMut(&'static str) -> V) -> Self;
+}

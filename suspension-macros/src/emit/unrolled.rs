@@ -1,0 +1,111 @@
+//! The elimination step by step, each entry under its name.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use syn::Ident;
+
+use super::indices;
+use suspension_listing::eliminate::{Order, Step};
+use suspension_listing::name::Name;
+use suspension_listing::system::System;
+
+/// Rows, columns and order of an elimination under their names.
+pub(super) struct Unrolled<'a> {
+    pub(super) system: &'a System,
+    pub(super) order: &'a Order,
+    rows: Vec<Name>,
+    columns: Vec<Name>,
+}
+
+/// An entry of the Jacobian, later of its factors: `row_by_column`.
+pub(super) fn entry(row: &Name, column: &Name) -> Ident {
+    format_ident!("{row}_by_{column}")
+}
+
+impl<'a> Unrolled<'a> {
+    pub(super) fn new(system: &'a System, order: &'a Order) -> Self {
+        Self {
+            system,
+            order,
+            rows: system.rows(),
+            columns: indices::unknowns(system),
+        }
+    }
+
+    pub(super) fn entry(&self, row: usize, column: usize) -> Ident {
+        entry(&self.rows[row], &self.columns[column])
+    }
+
+    /// `equation::ROW`.
+    pub(super) fn row(&self, row: usize) -> TokenStream {
+        indices::equation(&self.rows[row])
+    }
+
+    /// `unknown::COLUMN`.
+    pub(super) fn column(&self, column: usize) -> TokenStream {
+        indices::unknown(&self.columns[column])
+    }
+
+    /// The inverse of a step's pivot; `None` where that is 1.
+    pub(super) fn inverse(&self, step: &Step) -> Option<Ident> {
+        (!step.unit).then(|| self.entry(step.row, step.column))
+    }
+
+    /// Entries in the order of elimination, each once.
+    pub(super) fn fields(&self) -> Vec<Ident> {
+        let mut fields = Vec::new();
+        for step in &self.order.steps {
+            fields.extend(self.inverse(step));
+            let right = step.right.iter().filter(|_| !step.carried);
+            fields.extend(right.map(|&column| self.entry(step.row, column)));
+            fields.extend(step.below.iter().map(|&row| self.entry(row, step.column)));
+        }
+        fields
+    }
+
+    /// Whether an entry starts from nothing here.
+    pub(super) fn fills(
+        &self,
+        row: usize,
+        column: usize,
+        filled: &mut Vec<(usize, usize)>,
+    ) -> bool {
+        let is_new = self.order.fill.contains(&(row, column)) && !filled.contains(&(row, column));
+        if is_new {
+            filled.push((row, column));
+        }
+        is_new
+    }
+
+    /// One step: the pivot's inverse, the multipliers, and what they take from each row below.
+    pub(super) fn eliminate(&self, step: &Step, filled: &mut Vec<(usize, usize)>) -> TokenStream {
+        let inverse = self.inverse(step);
+        let invert = inverse
+            .iter()
+            .map(|pivot| quote!(let #pivot = T::one() / #pivot;));
+        let mut statements: Vec<TokenStream> = invert.collect();
+        for &row in &step.below {
+            let multiplier = self.entry(row, step.column);
+            statements.extend(
+                inverse
+                    .iter()
+                    .map(|pivot| quote!(let #multiplier = #multiplier * #pivot;)),
+            );
+            for &column in &step.right {
+                let (entry, of_pivot) = (self.entry(row, column), self.entry(step.row, column));
+                statements.push(if self.fills(row, column, filled) {
+                    quote!(let #entry = -(#multiplier * #of_pivot);)
+                } else {
+                    quote!(let #entry = #entry.minus_product(#multiplier, #of_pivot);)
+                });
+            }
+        }
+        statements.extend(inverse.iter().flat_map(|pivot| {
+            step.right.iter().map(move |&column| {
+                let entry = self.entry(step.row, column);
+                quote!(let #entry = #entry * #pivot;)
+            })
+        }));
+        quote!(#(#statements)*)
+    }
+}

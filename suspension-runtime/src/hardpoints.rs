@@ -1,0 +1,82 @@
+//! From hardpoints to a model, and to a suspension that moves.
+
+use core::fmt;
+
+use nalgebra::Vector3;
+use suspension_core::{Corner, GeometryError, Values};
+
+use crate::listing::Listing;
+use crate::model::Model;
+use crate::size::{Points, Room, Size};
+
+/// Why there is no model of a listing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModelError {
+    /// Models of this size have no room for the listing: it has `count` of something, of which there may be
+    /// `most`.
+    TooSmall {
+        /// How many the listing has.
+        count: usize,
+        /// How many there is room for.
+        most: usize,
+        /// Of what.
+        what: &'static str,
+    },
+    /// The hardpoints make no linkage.
+    Geometry(GeometryError),
+}
+
+impl Listing {
+    /// A model with these hardpoints: chassis points, free points and markers in the order of the listing.
+    ///
+    /// # Errors
+    ///
+    /// [`ModelError`].
+    pub fn model<const N: usize>(
+        &self,
+        hardpoints: &[Vector3<f64>],
+    ) -> Result<Model<'_, f64, N>, ModelError>
+    where
+        Room<N>: Size,
+    {
+        let Some(listing) = self.fitted() else {
+            let exceeded = self.plan().exceeded::<N>();
+            let (count, most, what) = exceeded.map_or((self.size(), N, "unknowns"), |exceeded| {
+                (exceeded.count, exceeded.most, exceeded.what)
+            });
+            return Err(ModelError::TooSmall { count, most, what });
+        };
+        let points = Points::<Vector3<f64>, N>::from_values(hardpoints.iter().copied());
+        Model::from_points(listing, &points).map_err(ModelError::Geometry)
+    }
+
+    /// A suspension at rest with these hardpoints, to be moved.
+    ///
+    /// # Errors
+    ///
+    /// [`ModelError`].
+    pub fn corner<const N: usize>(
+        &self,
+        hardpoints: &[Vector3<f64>],
+    ) -> Result<Corner<Model<'_, f64, N>, N>, ModelError>
+    where
+        Room<N>: Size,
+    {
+        let points = Points::from_values(hardpoints.iter().copied());
+        Ok(Corner::of(self.model(hardpoints)?, &points))
+    }
+}
+
+impl fmt::Display for ModelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooSmall { count, most, what } => write!(
+                f,
+                "the listing has {count} {what}, and a model of this size has room for {most}; take a larger size"
+            ),
+            Self::Geometry(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for ModelError {}
