@@ -17,7 +17,9 @@ use crate::statement::Kind;
 use crate::system::System;
 use crate::{checked, parse};
 
-pub use limits::{DEEPEST, MOST_BYTES, MOST_POINTS, MOST_STATEMENTS, MOST_UNKNOWNS};
+pub use limits::{
+    DEEPEST, LONGEST_NUMBER, MOST_BYTES, MOST_POINTS, MOST_STATEMENTS, MOST_UNKNOWNS,
+};
 
 /// What is wrong at one place of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,7 +66,7 @@ impl std::error::Error for Mistakes {}
 /// # Errors
 ///
 /// All mistakes, and what exceeds [`MOST_BYTES`], [`MOST_STATEMENTS`], [`MOST_POINTS`],
-/// [`MOST_UNKNOWNS`] or [`DEEPEST`].
+/// [`MOST_UNKNOWNS`], [`DEEPEST`] or [`LONGEST_NUMBER`].
 pub fn parse(text: &str, file: &str) -> Result<System, Mistakes> {
     let read = limits::length(text).map_or_else(
         |mistake| Err(vec![mistake]),
@@ -130,7 +132,7 @@ fn front(text: &str, bounded: bool) -> Read {
 
 fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
     let tokens: TokenStream = text.parse().map_err(|e| vec![unreadable(text, &e)])?;
-    match limits::too_deep(&tokens) {
+    match limits::tokens(&tokens) {
         Some(error) => Err(mistakes(text, error)),
         None => Ok(tokens),
     }

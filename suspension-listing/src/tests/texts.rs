@@ -2,7 +2,7 @@
 
 use super::catalogue_text;
 use crate::system::System;
-use crate::text::{self, MOST_BYTES, Mistake};
+use crate::text::{self, LONGEST_NUMBER, MOST_BYTES, Mistake};
 
 fn mistakes(text: &str) -> Vec<Mistake> {
     let found = text::parse(text, "corner.linkage").map(|_| ());
@@ -105,6 +105,22 @@ fn what_is_too_large_is_refused() {
     assert!(only_message(&names).starts_with("129 names in one statement"));
     let statements = format!("fixed: a; free: p; {}", "link rod: a -> p;".repeat(257));
     assert!(only_message(&statements).starts_with("257 statements"));
+}
+
+// The time that numbers take to read grows with the square of their length.
+#[test]
+fn a_number_that_would_take_long_is_refused() {
+    for digits in [LONGEST_NUMBER + 1, MOST_BYTES - 100] {
+        let number = "9".repeat(digits);
+        let text = format!("fixed: a at [0.0, {number}, 0.0]; free: b;");
+        let all = mistakes(&text);
+        let told = all.iter().map(|mistake| mistake.message.as_str());
+        assert_eq!(
+            told.collect::<Vec<_>>(),
+            ["a number of more than 100 characters"]
+        );
+        assert_eq!((all[0].column, all[0].length), (19, digits));
+    }
 }
 
 #[test]

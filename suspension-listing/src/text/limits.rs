@@ -1,7 +1,7 @@
 //! How large a text may be that is read at run time: enough for any corner of a vehicle, and little enough that
 //! no text takes long or much memory.
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Literal, TokenStream, TokenTree};
 use syn::Error;
 
 use super::Mistake;
@@ -22,6 +22,9 @@ pub const MOST_UNKNOWNS: usize = 60;
 /// The most brackets within each other; statements need one.
 pub const DEEPEST: usize = 8;
 
+/// The longest number, in characters.
+pub const LONGEST_NUMBER: usize = 100;
+
 /// Refuses a text that is too long.
 pub(super) fn length(text: &str) -> Result<(), Mistake> {
     if text.len() <= MOST_BYTES {
@@ -38,8 +41,9 @@ pub(super) fn length(text: &str) -> Result<(), Mistake> {
     })
 }
 
-/// Refuses brackets that the parser, which descends into them, might not come back from.
-pub(super) fn too_deep(tokens: &TokenStream) -> Option<Error> {
+/// Refuses brackets that the parser, which descends into them, might not come back from, and numbers that it takes
+/// long to read.
+pub(super) fn tokens(tokens: &TokenStream) -> Option<Error> {
     let mut open = vec![(tokens.clone().into_iter(), 0)];
     while let Some((tokens, depth)) = open.last_mut() {
         let depth = *depth;
@@ -54,10 +58,19 @@ pub(super) fn too_deep(tokens: &TokenStream) -> Option<Error> {
                 let message = format!("more than {DEEPEST} brackets within each other");
                 return Some(Error::new(group.span_open(), message));
             }
+            Some(TokenTree::Literal(literal)) if is_long_number(&literal) => {
+                let message = format!("a number of more than {LONGEST_NUMBER} characters");
+                return Some(Error::new(literal.span(), message));
+            }
             Some(_) => {}
         }
     }
     None
+}
+
+fn is_long_number(literal: &Literal) -> bool {
+    let text = literal.to_string();
+    text.len() > LONGEST_NUMBER && text.starts_with(|first: char| first.is_ascii_digit())
 }
 
 /// Refuses a listing that is too large.
