@@ -2,6 +2,7 @@
 
 pub mod check;
 mod leading;
+mod mark;
 mod motion_file;
 mod source;
 

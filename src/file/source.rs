@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::failure::Failure;
+use crate::file::mark;
 use crate::interrupt;
 
 /// The largest file that is read, in bytes: a motion takes a few thousand, and reading takes a
@@ -81,8 +82,41 @@ impl Source {
 
     /// The failure that names a place and what is wrong there.
     pub fn refuse(&self, span: &Range<usize>, message: impl std::fmt::Display) -> Failure {
-        let message = in_one_line(&message.to_string());
-        Failure::Input(format!("{}: {message}", self.place(span)))
+        Failure::Input(mark::message(
+            self,
+            span,
+            &in_one_line(&message.to_string()),
+        ))
+    }
+
+    /// All failures at once: each with the line and the column of a place, counted from one, the number of its
+    /// characters, and what is wrong there.
+    pub fn refuse_all<'a>(
+        &self,
+        mistakes: impl Iterator<Item = (usize, usize, usize, &'a str)>,
+    ) -> Failure {
+        let each = mistakes.map(|(line, column, length, message)| {
+            mark::message(self, &self.span(line, column, length), message)
+        });
+        Failure::Input(each.collect::<Vec<_>>().join("\n"))
+    }
+
+    /// The place of characters of a line; the end of the text where there is no such line.
+    fn span(&self, line: usize, column: usize, length: usize) -> Range<usize> {
+        let mut starts = self.text.split_inclusive('\n').scan(0, |next, line| {
+            let start = *next;
+            *next += line.len();
+            Some((start, line))
+        });
+        let Some((start, line)) = starts.nth(line.saturating_sub(1)) else {
+            return self.text.len()..self.text.len();
+        };
+        let at = |character: usize| {
+            let mut places = line.char_indices().map(|(place, _)| place);
+            start + places.nth(character).unwrap_or(line.len())
+        };
+        let first = column.saturating_sub(1);
+        at(first)..at(first + length)
     }
 }
 

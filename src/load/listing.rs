@@ -6,7 +6,7 @@ use std::path::Path;
 use nalgebra::Vector3;
 use suspension_core::linkages::LISTINGS;
 use suspension_core::{Kind, Part, Parts};
-use suspension_runtime::{Fitted, Listing, Mistakes, Model, Room, Size};
+use suspension_runtime::{Fitted, Listing, Mistake, Mistakes, Model, Room, Size};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -107,7 +107,8 @@ fn of_catalogue(
         let others = format!("{known}; `listing` names a file of your own statements");
         return Err(unknown(source, name, &others));
     };
-    let listing = Listing::parse_file(text, wanted).map_err(refused)?;
+    let listing = Listing::parse_file(text, wanted)
+        .map_err(|mistakes| refused(&Source::new(wanted, *text), &mistakes))?;
     let stated = file.points.get_ref();
     let all_are_stated = points(&listing).all(|point| stated.contains_key(point));
     if file.unit != Unit::Metre && !all_are_stated {
@@ -130,7 +131,8 @@ fn of_file(source: &Source, path: &Spanned<String>) -> Result<(String, Listing),
     let folder = Path::new(source.name()).parent().unwrap_or(Path::new(""));
     let path = folder.join(path.get_ref());
     let text = Source::read(&path)?;
-    let listing = Listing::parse_file(text.text(), text.name()).map_err(refused)?;
+    let listing = Listing::parse_file(text.text(), text.name())
+        .map_err(|mistakes| refused(&text, &mistakes))?;
     let name = path
         .file_stem()
         .map_or("listing".into(), |stem| stem.to_string_lossy());
@@ -150,13 +152,22 @@ fn of_text(source: &Source, text: &Spanned<String>) -> Result<Listing, Failure> 
         for mistake in &mut mistakes.mistakes {
             mistake.line += lines;
         }
-        refused(mistakes)
+        refused(source, &mistakes)
     })
 }
 
-/// All mistakes, one a line.
-fn refused(mistakes: Mistakes) -> Failure {
-    Failure::Input(mistakes.to_string())
+/// All mistakes in a text.
+fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
+    let mistakes = mistakes.mistakes.iter();
+    source.refuse_all(mistakes.map(|mistake| {
+        let Mistake {
+            line,
+            column,
+            length,
+            message,
+        } = mistake;
+        (*line, *column, *length, message.as_str())
+    }))
 }
 
 /// The points' names, in the order of the listing.
