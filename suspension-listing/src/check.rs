@@ -3,6 +3,7 @@
 mod determined;
 mod generated;
 mod lengths;
+mod reserved;
 mod uses;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,40 +11,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use syn::Ident;
 
 use crate::errors::{self, Errors};
-use crate::listing::Listing;
+use crate::kind::Kind;
+use crate::listing::{Check, Listing, Rank};
 use crate::name::Name;
-use crate::statement::{Kind, Rank};
 
 pub(crate) use determined::determined;
 pub(crate) use generated::generated_names;
+use reserved::{constant, is_reserved};
 pub(crate) use uses::chassis_points;
-
-/// Fields of the generated model and its factors, variables of its methods, and names that a pattern
-/// does not bind.
-const RESERVED: [&str; 13] = [
-    "fixed",
-    "size",
-    "drive_rate",
-    "fixed_rate",
-    "v_fixed",
-    "w_fixed",
-    "growth_squared",
-    "determinant_sign",
-    "None",
-    "Some",
-    "Ok",
-    "Err",
-    "Listing",
-];
-
-fn is_reserved(name: &str) -> bool {
-    RESERVED.contains(&name)
-}
-
-/// A name as the generated constants carry it: two names must differ in it.
-fn constant(name: &str) -> String {
-    name.to_uppercase()
-}
 
 /// Checks every name and operand of the listing.
 pub(crate) fn names(listing: &Listing, errors: &mut Errors) {
@@ -56,14 +31,6 @@ pub(crate) fn names(listing: &Listing, errors: &mut Errors) {
     for (index, statement) in listing.statements.iter().enumerate() {
         statement.check(&mut check, &listing.statements[..index]);
     }
-}
-
-/// What statements check their operands with.
-pub(crate) struct Check<'a> {
-    pub(crate) listing: &'a Listing,
-    /// What each name stands for.
-    taken: BTreeMap<Ident, Kind>,
-    errors: &'a mut Errors,
 }
 
 impl<'a> Check<'a> {

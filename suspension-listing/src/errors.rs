@@ -6,7 +6,7 @@ use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{Attribute, Error, Ident};
 
-use crate::statement::{Kind, STATEMENTS};
+use crate::kind::Kind;
 
 /// Errors gathered so that all of them are reported at once.
 #[derive(Default)]
@@ -43,15 +43,6 @@ pub(crate) fn not_a_doc_comment(attribute: &Attribute) -> Error {
     Error::new(
         attribute.span(),
         "only doc comments are allowed on statements; remove the attribute",
-    )
-}
-
-pub(crate) fn unknown_statement(word: &Ident) -> Error {
-    let words = STATEMENTS.iter().map(|other| format!("`{}`", other.word));
-    let words = words.collect::<Vec<_>>().join(", ");
-    at(
-        word,
-        format!("unknown statement `{word}`; write one of {words}"),
     )
 }
 

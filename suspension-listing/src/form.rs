@@ -10,7 +10,7 @@ mod linear;
 mod stretch;
 
 use crate::name::Name;
-use crate::system::Site;
+use crate::site::Site;
 use crate::vector::Vector;
 
 pub use along::Along;

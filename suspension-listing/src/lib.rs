@@ -8,11 +8,13 @@ mod cluster;
 pub mod eliminate;
 pub mod errors;
 pub mod form;
+mod kind;
 mod listing;
 mod lower;
 pub mod name;
 pub mod parse;
 mod sample;
+mod site;
 mod statement;
 pub mod system;
 #[cfg(test)]
@@ -24,8 +26,8 @@ use eliminate::Order;
 use errors::Errors;
 use system::{Positions, System};
 
+pub use kind::Kind;
 pub use listing::Listing;
-pub use statement::Kind;
 
 /// The system of a listing, and all that is wrong with it, `errors` of its statements included. Of a
 /// listing with mistakes the system has what can be told.

@@ -1,10 +1,17 @@
-//! What the user wrote: points, and the statements about them, with their places in the source.
+//! What the user wrote: points, and the statements about them, with their places in the source; and what
+//! each statement answers.
+
+mod lookup;
+
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Span;
 use syn::Ident;
 
+use crate::errors::Errors;
+use crate::kind::Kind;
 use crate::name::{self, Name};
-use crate::statement::{Kind, Rigid, Statement};
+use crate::system::System;
 use crate::vector::Vector;
 
 pub struct Listing {
@@ -56,88 +63,93 @@ impl Listing {
             incomplete: false,
         }
     }
+}
 
-    /// The names that it declares, and of what.
-    pub fn names(&self) -> Vec<(Name, Kind)> {
-        let declared = self.declared();
-        declared
-            .map(|(name, kind)| (Name::from(name), kind))
-            .collect()
+/// What each statement but those that declare points answers for itself.
+pub(crate) trait Statement {
+    /// Its name, and what that stands for.
+    fn named(&self) -> Option<(&Named, Kind)>;
+
+    /// The points that it names.
+    fn operands(&self) -> Vec<&Ident>;
+
+    /// Checks its operands, against the listing and the statements before.
+    fn check(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]);
+
+    /// When it is lowered.
+    fn rank(&self) -> Rank;
+
+    /// Adds to the system what it stands for.
+    fn lower(&self, lowering: &mut Lowering<'_>);
+
+    /// Checks what only the system shows.
+    fn check_lowered(&self, _listing: &Listing, _system: &System, _errors: &mut Errors) {}
+
+    /// The points that it keeps as they are to each other.
+    fn rigid(&self) -> Option<Rigid<'_>> {
+        None
     }
 
-    /// The names that it declares, and of what: points first, then in the order stated.
-    pub(crate) fn declared(&self) -> impl Iterator<Item = (&Ident, Kind)> {
-        let fixed = self.fixed.iter().map(|point| (point, Kind::CHASSIS_POINT));
-        let free = self.free.iter().map(|point| (point, Kind::FREE_POINT));
-        let points = fixed.chain(free);
-        let statements = self.statements.iter();
-        let statements = statements.filter_map(|statement| statement.named());
-        points
-            .map(|(point, kind)| (&point.named.name, kind))
-            .chain(statements.map(|(named, kind)| (&named.name, kind)))
+    /// A body, or three points, that it lets carry its name.
+    fn carriers(&self) -> Option<&[Ident]> {
+        None
     }
 
-    /// Where a statement is named, or an operand of it; where a point is declared, if the statement
-    /// is not of the listing.
-    pub fn place_of(&self, statement: &Name, operand: Option<&Name>) -> Span {
-        let is = |token: &Ident, name: &Name| Name::from(token) == *name;
-        let mut statements = self.statements.iter();
-        let stated = statements.find(|stated| {
-            let named = stated.named();
-            named.is_some_and(|(named, _)| is(&named.name, statement))
-        });
-        let operands = stated.into_iter().flat_map(|stated| stated.operands());
-        let mut tokens = operands.chain(self.declared().map(|(name, _)| name));
-        let sought = operand.unwrap_or(statement);
-        tokens
-            .find(|token| is(token, sought))
-            .map_or(self.span, Ident::span)
+    /// The point that it moves, if that is on the chassis.
+    fn moves(&self) -> Option<&Ident> {
+        None
     }
 
-    /// Whether a point is on the chassis and no drive moves it.
-    pub(crate) fn is_at_rest(&self, point: &Ident) -> bool {
-        let mut statements = self.statements.iter();
-        self.fixed.iter().any(|fixed| fixed.named.name == *point)
-            && !statements.any(|statement| statement.moves() == Some(point))
+    /// Whether it moves its point along a direction that is no axis.
+    fn is_skew(&self) -> bool {
+        false
     }
 
-    /// The bodies, each with its points.
-    pub(crate) fn bodies(&self) -> impl Iterator<Item = (&Ident, &[Ident])> {
-        let statements = self.statements.iter();
-        statements.filter_map(|statement| match (statement.named(), statement.rigid()) {
-            (Some((named, _)), Some(Rigid::Body(points))) => Some((&named.name, points)),
-            _ => None,
-        })
+    /// What no other statement may state too.
+    fn claim(&self) -> Option<String> {
+        None
     }
+}
 
-    /// The points of a body.
-    pub(crate) fn body(&self, name: &Ident) -> Option<&[Ident]> {
-        let (_, points) = self.bodies().find(|(other, _)| *other == name)?;
-        Some(points)
-    }
+/// Points that stay as they are to each other.
+pub(crate) enum Rigid<'a> {
+    Length(&'a [Ident; 2]),
+    Body(&'a [Ident]),
+}
 
-    /// The points that carry a point rigidly: of its marker statement, or of a body that lists it.
-    fn carriers(&self, point: &Ident) -> impl Iterator<Item = &[Ident]> {
-        let statements = self.statements.iter();
-        let carried_by = statements.filter_map(|statement| {
-            let (named, _) = statement.named()?;
-            let carriers = statement.carriers().filter(|_| named.name == *point)?;
-            Some(match carriers {
-                [body] => self.body(body).unwrap_or_default(),
-                points => points,
-            })
-        });
-        let bodies = self.bodies().map(|(_, points)| points);
-        carried_by.chain(bodies.filter(|points| points.contains(point)))
+impl<'a> Rigid<'a> {
+    pub(crate) fn points(&self) -> &'a [Ident] {
+        match self {
+            Self::Length(ends) => *ends,
+            Self::Body(points) => points,
+        }
     }
+}
 
-    /// The points of the body that carries both `a` and `b`: three or more.
-    pub(crate) fn carrier_of(&self, a: &Ident, b: &Ident) -> Option<&[Ident]> {
-        let carries = |points: &[Ident], point: &Ident| {
-            points.contains(point) || self.carriers(point).any(|carriers| carriers == points)
-        };
-        let mut candidates = self.carriers(a).chain(self.carriers(b));
-        let points = candidates.find(|points| carries(points, a) && carries(points, b))?;
-        (points.len() >= 3).then_some(points)
-    }
+/// Statements are lowered by rank, those of one rank as stated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Rank {
+    /// What joins points.
+    Constraint,
+    /// What is prescribed of them.
+    Drive,
+    /// What is read off them.
+    Reading,
+}
+
+/// What statements check their operands with.
+pub(crate) struct Check<'a> {
+    pub(crate) listing: &'a Listing,
+    /// What each name stands for.
+    pub(crate) taken: BTreeMap<Ident, Kind>,
+    pub(crate) errors: &'a mut Errors,
+}
+
+/// What statements lower themselves with.
+pub(crate) struct Lowering<'a> {
+    pub(crate) listing: &'a Listing,
+    pub(crate) system: System,
+    /// Pairs of points whose distance an equation keeps already, or a body carries.
+    pub(crate) rigid: BTreeSet<[Name; 2]>,
+    pub(crate) errors: &'a mut Errors,
 }

@@ -9,9 +9,9 @@ use syn::Ident;
 use crate::cluster;
 use crate::errors::Errors;
 use crate::form::{Distance, Form};
-use crate::listing::{self, Listing};
+use crate::kind::Kind;
+use crate::listing::{self, Listing, Lowering, Rank, Rigid, Statement};
 use crate::name::{Name, Named};
-use crate::statement::{Kind, Rank, Rigid, Statement};
 use crate::system::{Body, Equation, Origin, Point, Site, SiteMotion, System};
 
 /// Lowers a listing, of one with mistakes what can be told. What only shows on the way is reported.
@@ -54,14 +54,6 @@ fn points(stated: &[listing::Point]) -> Vec<Point> {
         at: point.at,
     };
     stated.iter().map(point).collect()
-}
-
-pub(crate) struct Lowering<'a> {
-    pub(crate) listing: &'a Listing,
-    pub(crate) system: System,
-    /// Pairs of points whose distance an equation keeps already, or a body carries.
-    rigid: BTreeSet<[Name; 2]>,
-    errors: &'a mut Errors,
 }
 
 impl Lowering<'_> {

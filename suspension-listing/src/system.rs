@@ -5,10 +5,11 @@ mod lengths;
 mod places;
 
 use crate::form::{Equations, Form};
+use crate::kind::Kind;
 use crate::name::{Name, Named};
-use crate::statement::Kind;
 use crate::vector::Vector;
 
+pub use crate::site::{Site, SiteMotion};
 pub use lengths::Length;
 pub use places::{Place, Substituted};
 
@@ -38,24 +39,6 @@ pub struct Point {
     pub named: Named,
     /// The design position, where it is stated.
     pub at: Option<Vector>,
-}
-
-/// A point of the mechanism and how it moves.
-#[derive(Clone, Debug)]
-pub struct Site {
-    pub name: Name,
-    /// Which of the chassis points, or of the free points, it is.
-    pub index: usize,
-    pub motion: SiteMotion,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SiteMotion {
-    Free,
-    /// On the chassis.
-    Anchor,
-    /// On the chassis, with a coordinate that a drive prescribes.
-    DrivenAnchor,
 }
 
 /// Named rows over a form.
@@ -168,17 +151,6 @@ pub fn distance_between<'a>(equations: &'a [Equation], a: &Name, b: &Name) -> Op
         })
     })?;
     Some(&equation.named.name)
-}
-
-impl Site {
-    pub fn is_free(&self) -> bool {
-        self.motion == SiteMotion::Free
-    }
-
-    /// The column of its first coordinate, where it is free.
-    pub fn first_column(&self) -> Option<usize> {
-        self.is_free().then_some(3 * self.index)
-    }
 }
 
 impl Body {

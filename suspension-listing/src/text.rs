@@ -12,8 +12,8 @@ use proc_macro2::{LexError, Span, TokenStream};
 use syn::Error;
 use syn::parse::{ParseStream, Parser};
 
+use crate::kind::Kind;
 use crate::name::Name;
-use crate::statement::Kind;
 use crate::system::System;
 use crate::{checked, parse};
 

@@ -4,8 +4,8 @@ use proc_macro2::Span;
 use syn::{Error, Ident};
 
 use crate::errors::{self, Errors};
+use crate::kind::Kind;
 use crate::listing::Listing;
-use crate::statement::Kind;
 use crate::system::{AXES, Equation, System};
 
 /// Checks that there are as many equations as unknowns, and that each equation can be given an unknown

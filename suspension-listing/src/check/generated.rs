@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 
 use super::determined::place_of;
-use super::{constant, is_reserved};
+use super::reserved::{constant, is_reserved};
 use crate::errors::{self, Errors};
 use crate::listing::Listing;
 use crate::name::Name;

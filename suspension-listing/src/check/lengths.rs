@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use syn::{Error, Ident};
 
-use super::Check;
 use crate::errors;
-use crate::statement::{Kind, Rigid, Statement};
+use crate::kind::Kind;
+use crate::listing::{Check, Rigid, Statement};
 
 impl Check<'_> {
     /// Checks that a statement keeps no distance that one before keeps, save the common edge of two

@@ -1,7 +1,7 @@
 //! Two points a constant length apart: `(|d|^2 - L^2) / (2 L)`.
 
 use super::{Dependence, Equations};
-use crate::system::Site;
+use crate::site::Site;
 use crate::vector::{Vector, dot, minus};
 
 /// Where one end is on the chassis, it is `from`.

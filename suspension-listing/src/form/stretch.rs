@@ -2,7 +2,7 @@
 
 use super::{Dependence, Equations};
 use crate::name::Name;
-use crate::system::Site;
+use crate::site::Site;
 use crate::vector::{Vector, dot, minus};
 
 #[derive(Clone, Debug)]

@@ -2,12 +2,13 @@
 
 use syn::{Error, Ident};
 
-use super::{Lowering, origin, pair};
+use super::{origin, pair};
 use crate::errors;
 use crate::form::{Carried, Form};
+use crate::kind::Kind;
 use crate::listing;
+use crate::listing::Lowering;
 use crate::name::{Name, Named};
-use crate::statement::Kind;
 use crate::system::{Body, Site, carried_name, pair_name};
 
 impl Lowering<'_> {

@@ -2,12 +2,11 @@
 
 use syn::{Error, Ident};
 
-use super::{Head, Kind, Rank, Rigid, Statement, Word};
-use crate::check::Check;
+use super::operands::names;
+use super::word::{Head, Word};
 use crate::errors;
-use crate::listing::Named;
-use crate::lower::Lowering;
-use crate::parse::names;
+use crate::kind::Kind;
+use crate::listing::{Check, Lowering, Named, Rank, Rigid, Statement};
 
 const KIND: Kind = Kind("body");
 

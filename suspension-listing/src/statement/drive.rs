@@ -6,12 +6,12 @@ mod kept;
 use syn::{Error, Ident};
 
 use super::quantity::Quantity;
-use super::{Head, Kind, Rank, Statement, Word};
-use crate::check::Check;
+use super::word::{Head, Word};
 use crate::errors::{self, Errors};
 use crate::form::{Form, Linear, Stretch};
-use crate::listing::{Listing, Named};
-use crate::lower::{Lowering, origin};
+use crate::kind::Kind;
+use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
+use crate::lower::origin;
 use crate::name::{self, Name};
 use crate::system::{self, System, distance_between, length_name};
 

@@ -3,12 +3,11 @@
 use proc_macro2::Span;
 use syn::{Error, Ident, Token};
 
-use super::{Head, Kind, Rank, Rigid, Statement, Word};
-use crate::check::Check;
+use super::operands::names;
+use super::word::{Head, Word};
 use crate::errors;
-use crate::listing::Named;
-use crate::lower::Lowering;
-use crate::parse::names;
+use crate::kind::Kind;
+use crate::listing::{Check, Lowering, Named, Rank, Rigid, Statement};
 
 const KIND: Kind = Kind("hinge");
 

@@ -2,12 +2,12 @@
 
 use syn::Ident;
 
-use super::{Head, Kind, Rank, Rigid, Statement, Word};
-use crate::check::Check;
-use crate::listing::Named;
-use crate::lower::{Lowering, origin};
+use super::operands::arrow;
+use super::word::{Head, Word};
+use crate::kind::Kind;
+use crate::listing::{Check, Lowering, Named, Rank, Rigid, Statement};
+use crate::lower::origin;
 use crate::name::Name;
-use crate::parse::arrow;
 
 const KIND: Kind = Kind("link");
 

@@ -3,14 +3,13 @@
 
 use syn::{Error, Ident};
 
+use super::operands::names;
 use super::points::position;
-use super::{Head, Kind, Rank, Statement, Word};
-use crate::check::Check;
+use super::word::{Head, Word};
 use crate::errors;
-use crate::listing::Named;
-use crate::lower::Lowering;
+use crate::kind::Kind;
+use crate::listing::{Check, Lowering, Named, Rank, Statement};
 use crate::name::Name;
-use crate::parse::names;
 use crate::system;
 use crate::vector::Vector;
 

@@ -3,10 +3,9 @@
 use syn::Ident;
 
 use super::quantity::Quantity;
-use super::{Head, Kind, Rank, Statement, Word};
-use crate::check::Check;
-use crate::listing::Named;
-use crate::lower::Lowering;
+use super::word::{Head, Word};
+use crate::kind::Kind;
+use crate::listing::{Check, Lowering, Named, Rank, Statement};
 use crate::system;
 
 const KIND: Kind = Kind("measure");

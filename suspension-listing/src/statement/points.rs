@@ -6,10 +6,10 @@ use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Error, Ident, Lit, Token, bracketed};
 
-use super::Word;
+use super::operands::{docs, in_brackets, name};
+use super::word::Word;
 use crate::errors;
 use crate::listing::{Named, Point};
-use crate::parse::{docs, in_brackets, name};
 use crate::vector::Vector;
 
 pub(crate) const FIXED: Word = Word {

@@ -4,12 +4,12 @@
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Token, parenthesized};
 
+use super::operands::{arrow, in_brackets, name};
 use super::points::vector;
-use crate::check::Check;
 use crate::errors;
 use crate::form::Term;
+use crate::listing::Check;
 use crate::name::Name;
-use crate::parse::{arrow, in_brackets, name};
 use crate::system::{self, AXES, Site};
 use crate::vector::{Vector, dot};
 

@@ -3,13 +3,12 @@
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Token};
 
-use super::{Head, Kind, Rank, Statement, Word};
-use crate::check::Check;
+use super::operands::arrow;
+use super::word::{Head, Word};
 use crate::errors;
-use crate::listing::{Listing, Named};
-use crate::lower::Lowering;
+use crate::kind::Kind;
+use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
 use crate::name::Name;
-use crate::parse::arrow;
 use crate::system;
 
 pub(crate) const WHEEL: Word = Word {

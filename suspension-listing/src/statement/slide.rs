@@ -3,14 +3,14 @@
 
 use syn::{Error, Ident};
 
-use super::{Head, Kind, Rank, Statement, Word};
-use crate::check::Check;
+use super::operands::{arrow, name};
+use super::word::{Head, Word};
 use crate::errors::{self, Errors};
 use crate::form::{Along, Form};
-use crate::listing::{Listing, Named};
-use crate::lower::{Lowering, origin};
+use crate::kind::Kind;
+use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
+use crate::lower::origin;
 use crate::name::Name;
-use crate::parse::{arrow, name};
 use crate::system::{Body, System, distance_between};
 
 const KIND: Kind = Kind("slide");

@@ -3,9 +3,9 @@
 use syn::{Error, Ident};
 
 use crate::errors;
+use crate::kind::Kind;
 use crate::listing::Listing;
 use crate::name::Name;
-use crate::statement::Kind;
 use crate::system::{Body, System, distance_between};
 
 /// What is wrong with an angle: an equation must keep the distance of its two points.

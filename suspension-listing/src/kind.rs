@@ -1,0 +1,26 @@
+//! What the names of a listing stand for.
+
+use std::fmt;
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Kind(pub(crate) &'static str);
+
+impl Kind {
+    pub const CHASSIS_POINT: Self = Self("chassis point");
+    pub const FREE_POINT: Self = Self("free point");
+    pub const MARKER: Self = Self("marker");
+
+    pub(crate) fn plural(self) -> String {
+        match self.0.strip_suffix('y') {
+            Some(stem) => format!("{stem}ies"),
+            None => format!("{self}s"),
+        }
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0)
+    }
+}

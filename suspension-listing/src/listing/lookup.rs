@@ -1,0 +1,94 @@
+//! What a listing declares, and where.
+
+use proc_macro2::Span;
+use syn::Ident;
+
+use super::{Listing, Rigid};
+use crate::kind::Kind;
+use crate::name::Name;
+
+impl Listing {
+    /// The names that it declares, and of what.
+    pub fn names(&self) -> Vec<(Name, Kind)> {
+        let declared = self.declared();
+        declared
+            .map(|(name, kind)| (Name::from(name), kind))
+            .collect()
+    }
+
+    /// The names that it declares, and of what: points first, then in the order stated.
+    pub(crate) fn declared(&self) -> impl Iterator<Item = (&Ident, Kind)> {
+        let fixed = self.fixed.iter().map(|point| (point, Kind::CHASSIS_POINT));
+        let free = self.free.iter().map(|point| (point, Kind::FREE_POINT));
+        let points = fixed.chain(free);
+        let statements = self.statements.iter();
+        let statements = statements.filter_map(|statement| statement.named());
+        points
+            .map(|(point, kind)| (&point.named.name, kind))
+            .chain(statements.map(|(named, kind)| (&named.name, kind)))
+    }
+
+    /// Where a statement is named, or an operand of it; where a point is declared, if the statement
+    /// is not of the listing.
+    pub fn place_of(&self, statement: &Name, operand: Option<&Name>) -> Span {
+        let is = |token: &Ident, name: &Name| Name::from(token) == *name;
+        let mut statements = self.statements.iter();
+        let stated = statements.find(|stated| {
+            let named = stated.named();
+            named.is_some_and(|(named, _)| is(&named.name, statement))
+        });
+        let operands = stated.into_iter().flat_map(|stated| stated.operands());
+        let mut tokens = operands.chain(self.declared().map(|(name, _)| name));
+        let sought = operand.unwrap_or(statement);
+        tokens
+            .find(|token| is(token, sought))
+            .map_or(self.span, Ident::span)
+    }
+
+    /// Whether a point is on the chassis and no drive moves it.
+    pub(crate) fn is_at_rest(&self, point: &Ident) -> bool {
+        let mut statements = self.statements.iter();
+        self.fixed.iter().any(|fixed| fixed.named.name == *point)
+            && !statements.any(|statement| statement.moves() == Some(point))
+    }
+
+    /// The bodies, each with its points.
+    pub(crate) fn bodies(&self) -> impl Iterator<Item = (&Ident, &[Ident])> {
+        let statements = self.statements.iter();
+        statements.filter_map(|statement| match (statement.named(), statement.rigid()) {
+            (Some((named, _)), Some(Rigid::Body(points))) => Some((&named.name, points)),
+            _ => None,
+        })
+    }
+
+    /// The points of a body.
+    pub(crate) fn body(&self, name: &Ident) -> Option<&[Ident]> {
+        let (_, points) = self.bodies().find(|(other, _)| *other == name)?;
+        Some(points)
+    }
+
+    /// The points that carry a point rigidly: of its marker statement, or of a body that lists it.
+    fn carriers(&self, point: &Ident) -> impl Iterator<Item = &[Ident]> {
+        let statements = self.statements.iter();
+        let carried_by = statements.filter_map(|statement| {
+            let (named, _) = statement.named()?;
+            let carriers = statement.carriers().filter(|_| named.name == *point)?;
+            Some(match carriers {
+                [body] => self.body(body).unwrap_or_default(),
+                points => points,
+            })
+        });
+        let bodies = self.bodies().map(|(_, points)| points);
+        carried_by.chain(bodies.filter(|points| points.contains(point)))
+    }
+
+    /// The points of the body that carries both `a` and `b`: three or more.
+    pub(crate) fn carrier_of(&self, a: &Ident, b: &Ident) -> Option<&[Ident]> {
+        let carries = |points: &[Ident], point: &Ident| {
+            points.contains(point) || self.carriers(point).any(|carriers| carriers == points)
+        };
+        let mut candidates = self.carriers(a).chain(self.carriers(b));
+        let points = candidates.find(|points| carries(points, a) && carries(points, b))?;
+        (points.len() >= 3).then_some(points)
+    }
+}

@@ -1,0 +1,32 @@
+//! The points of a mechanism, as equations name them.
+
+use crate::name::Name;
+
+/// A point of the mechanism and how it moves.
+#[derive(Clone, Debug)]
+pub struct Site {
+    pub name: Name,
+    /// Which of the chassis points, or of the free points, it is.
+    pub index: usize,
+    pub motion: SiteMotion,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SiteMotion {
+    Free,
+    /// On the chassis.
+    Anchor,
+    /// On the chassis, with a coordinate that a drive prescribes.
+    DrivenAnchor,
+}
+
+impl Site {
+    pub fn is_free(&self) -> bool {
+        self.motion == SiteMotion::Free
+    }
+
+    /// The column of its first coordinate, where it is free.
+    pub fn first_column(&self) -> Option<usize> {
+        self.is_free().then_some(3 * self.index)
+    }
+}

@@ -1,0 +1,68 @@
+//! What the texts of statements have in common: names, brackets, doc comments.
+
+use proc_macro2::TokenStream;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::punctuated::Punctuated;
+use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token};
+
+use crate::errors;
+
+/// Reads what stands in brackets, to its end. What is left of what cannot be read is taken too: the parser
+/// would report it in place of all other mistakes.
+pub(crate) fn in_brackets<T>(
+    content: ParseStream<'_>,
+    read: impl FnOnce(ParseStream<'_>) -> syn::Result<T>,
+) -> syn::Result<T> {
+    let read = read(content).and_then(|read| {
+        if content.is_empty() {
+            Ok(read)
+        } else {
+            Err(content.error("nothing may follow in these brackets; remove it"))
+        }
+    });
+    content.parse::<TokenStream>()?;
+    read
+}
+
+/// The lines of the doc comments that come next.
+pub(crate) fn docs(input: ParseStream<'_>) -> syn::Result<Vec<String>> {
+    lines(&input.call(Attribute::parse_outer)?)
+}
+
+/// The lines of doc comments.
+pub(crate) fn lines(attributes: &[Attribute]) -> syn::Result<Vec<String>> {
+    let line = |attribute: &Attribute| match &attribute.meta {
+        Meta::NameValue(meta) if meta.path.is_ident("doc") => match &meta.value {
+            Expr::Lit(ExprLit {
+                lit: Lit::Str(line),
+                ..
+            }) => Ok(line.value()),
+            _ => Err(errors::not_a_doc_comment(attribute)),
+        },
+        _ => Err(errors::not_a_doc_comment(attribute)),
+    };
+    attributes.iter().map(line).collect()
+}
+
+/// A name of the listing. `r#name` is the same name where it needs no `r#`.
+pub(crate) fn name(input: ParseStream<'_>) -> syn::Result<Ident> {
+    let name: Ident = input.parse()?;
+    let plain = syn::parse_str::<Ident>(&name.unraw().to_string());
+    Ok(plain.map_or(name.clone(), |plain| {
+        Ident::new(&plain.to_string(), name.span())
+    }))
+}
+
+/// `a, b, c`.
+pub(crate) fn names(input: ParseStream<'_>) -> syn::Result<Vec<Ident>> {
+    let names = Punctuated::<Ident, Token![,]>::parse_separated_nonempty_with(input, name)?;
+    Ok(names.into_iter().collect())
+}
+
+/// `from -> to`.
+pub(crate) fn arrow(input: ParseStream<'_>) -> syn::Result<[Ident; 2]> {
+    let from = name(input)?;
+    input.parse::<Token![->]>()?;
+    Ok([from, name(input)?])
+}
