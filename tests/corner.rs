@@ -1,8 +1,8 @@
 //! The front door: a suspension that moves, in one value.
 
 use nalgebra::Vector3;
-use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Model, Points};
-use suspension_core::{Designed, Signal, Values};
+use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Lengths, Model, Points};
+use suspension_core::{Build, Designed, Signal, Values};
 use suspension_runtime::Listing;
 
 fn design() -> Corner {
@@ -104,6 +104,40 @@ fn a_refused_step_changes_nothing() {
         .step(1e-3, Signal::still(far))
         .expect_err("beyond the reach of the tie rod");
     assert_eq!((corner.time(), corner.drives(), *corner.motion()), before);
+}
+
+#[test]
+fn a_step_of_no_length_or_none_that_is_a_number_is_refused() {
+    let mut corner = moved(0.02, 0.0);
+    let before = (corner.time(), corner.drives(), *corner.motion());
+    let to = Drives {
+        bump: before.1.bump + 1e-4,
+        steer: before.1.steer,
+    };
+    for dt in [0.0, -0.0, f64::NAN] {
+        let stopped = corner.step(dt, Signal::still(to)).expect_err("no length");
+        assert!(stopped.to_string().contains("not a finite number"));
+        assert_eq!((corner.time(), corner.drives(), *corner.motion()), before);
+    }
+}
+
+#[test]
+fn with_another_length_the_corner_is_assembled() {
+    let points = Model::design();
+    let model = Model::new(&points).expect("a regular design");
+    let mut lengths: Lengths<f64> = model.lengths();
+    lengths.tie_rod += 0.005;
+    let model = model.with_lengths(&lengths).expect("closed bodies");
+    let corner = Corner::assembled(model, &points).expect("near by");
+    let at = corner.points().value;
+    assert!(((at.tie_ball - at.rack).norm() - lengths.tie_rod).abs() < 1e-14);
+    assert_eq!(corner.drives().bump, points.wheel_centre.z);
+    assert!((at.wheel_centre.z - points.wheel_centre.z).abs() < 1e-14);
+
+    lengths.tie_rod += 2.0;
+    let model = model.with_lengths(&lengths).expect("closed bodies");
+    let refused = Corner::assembled(model, &points).err().expect("too long");
+    assert!(refused.to_string().contains('`'), "a name: {refused}");
 }
 
 #[test]

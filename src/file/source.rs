@@ -82,11 +82,13 @@ impl Source {
 
     /// The failure that names a place and what is wrong there.
     pub fn refuse(&self, span: &Range<usize>, message: impl std::fmt::Display) -> Failure {
-        Failure::Input(mark::message(
-            self,
-            span,
-            &in_one_line(&message.to_string()),
-        ))
+        Failure::Input(self.message(span, &in_one_line(&message.to_string())))
+    }
+
+    /// What is wrong at a place: drawn on a terminal, one line elsewhere.
+    fn message(&self, span: &Range<usize>, what: &str) -> String {
+        mark::drawn(&self.name, &self.text, span, what)
+            .unwrap_or_else(|| format!("{}: {what}", self.place(span)))
     }
 
     /// All failures at once: each with the line and the column of a place, counted from one, the number of its
@@ -96,7 +98,7 @@ impl Source {
         mistakes: impl Iterator<Item = (usize, usize, usize, &'a str)>,
     ) -> Failure {
         let each = mistakes.map(|(line, column, length, message)| {
-            mark::message(self, &self.span(line, column, length), message)
+            self.message(&self.span(line, column, length), message)
         });
         Failure::Input(each.collect::<Vec<_>>().join("\n"))
     }

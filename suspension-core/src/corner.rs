@@ -1,8 +1,10 @@
 //! A suspension that moves: its model, configuration, drives and time in one value.
 
+use crate::assemble::assemble;
 use crate::error::{Failure, GeometryError, SolveError};
 use crate::linkage::{Build, Designed, Linkage};
 use crate::motion::{Motion, Tangent};
+use crate::newton::Newton;
 use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::{Inputs, Signal, Still};
@@ -79,8 +81,8 @@ impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
 }
 
 impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
-    /// At rest as the points stand, of a model that was built of them: with other lengths, with other
-    /// numbers, or of a listing that was read at run time.
+    /// At rest as the points stand, of a model that was built of them. See [`Corner::assembled`] where it
+    /// was not.
     pub fn of(model: L, points: &L::Points) -> Self {
         Self {
             tracker: Tracker::default(),
@@ -90,11 +92,30 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
             model,
         }
     }
+
+    /// At rest with the drives as the points have them, of a model of other lengths than theirs: in the
+    /// configuration nearest to the points.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`assemble()`].
+    pub fn assembled(
+        model: L,
+        points: &L::Points,
+    ) -> Result<Self, Failure<SolveError<T>, L::Listing>> {
+        let mut corner = Self::of(model, points);
+        let inputs = Inputs::still(corner.drives);
+        let unknowns = &mut corner.motion.position;
+        match assemble(&Newton::from_afar(), &corner.model, &inputs, unknowns) {
+            Ok(_) => Ok(corner),
+            Err(error) => Err(error.named(corner.model.listing())),
+        }
+    }
 }
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
-    /// One step of length `dt`, not zero, to the values and rates of the drives at its end. However far
-    /// they lie from the last ones, no step crosses a lock.
+    /// One step of length `dt`, not zero, to the values and rates of the drives at its end. Between both
+    /// ends they follow cubics; however far they lie from the last ones, no step crosses a lock.
     ///
     /// # Errors
     ///
@@ -114,7 +135,9 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         Ok(report)
     }
 
-    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed.
+    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed. The
+    /// functions continue from where the corner stands: a jump at the start may be refused, which
+    /// [`Corner::step`] would follow.
     ///
     /// # Errors
     ///

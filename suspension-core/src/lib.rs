@@ -35,7 +35,7 @@
 //! one factorisation ([`Tangent`]); the ways to step ([`Stepper`]): to a tolerance ([`Tracker`]), at a fixed
 //! cost ([`Bounded`]), by Taylor series ([`Series`]); through the turning points of the drives ([`path`]);
 //! motions that were [`baked`]; the [`wheel`]; and a proof that the root is the one near by ([`Certifier`]).
-//! How to put it on a controller, and what it costs there, is told at [`controller`].
+//! The page [`controller`] shows how to run it on a controller, and what a step costs there.
 #![no_std]
 #![forbid(unsafe_code)]
 // Nothing on the solving path may panic.

@@ -97,8 +97,8 @@ impl<T: Real> Tracker<T> {
     ///
     /// # Errors
     ///
-    /// As [`advance`](Self::advance), with the times counted from the start of the step; the
-    /// motion is then unchanged.
+    /// As [`advance`](Self::advance), with the times counted from the start of the step, and
+    /// [`SolveError::NotFinite`] where `dt` is zero; the motion is then unchanged.
     pub fn step_between<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -111,7 +111,8 @@ impl<T: Real> Tracker<T> {
         C: Between<T, L::Fixed>,
     {
         let inputs = |t: T| {
-            if t == dt {
+            // A step of no length has no rates between its ends: those of the cubic are then NaN.
+            if t == dt && dt != T::zero() {
                 return *to;
             }
             let cubic = Cubic::at(t, dt);
