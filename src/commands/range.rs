@@ -48,7 +48,7 @@ impl Arguments {
         if let Some(Target::File(csv)) = &csv {
             refuse_input(csv, &self.file, "--csv")?;
         }
-        load(&source)?.run(Ranges {
+        load(&source)?.run_within_reach(Ranges {
             arguments: &self,
             csv,
             interrupted,
@@ -143,8 +143,10 @@ The table, one row a place, in the order along the curve:
   points             _x _y _z, in the unit
   kingpin, caster, camber, toe in rad; residual in the unit
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the first instant is out of
-reach, or is a bifurcation, 130 interrupted, what was found is kept.
+Where the first instant is out of reach the ranges are those from the design position, and a note says so.
+
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism does not assemble, or
+starts at a bifurcation, 130 interrupted, what was found is kept.
 
 Example:
   suspension range examples/five_link.toml --csv curve.csv --plots plots";

@@ -6,7 +6,7 @@ use suspension_core::parts;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::motion_file::{MotionFile, Offset, Position, Table, Time};
+use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position, Table, Time};
 use crate::file::source::Source;
 use crate::mechanism::Instants;
 use crate::number::number;
@@ -181,11 +181,12 @@ fn in_file_order<V>(table: &Table<V>) -> Vec<(&str, &Spanned<V>)> {
 /// # Errors
 ///
 /// [`Failure::Input`] at the first that is not.
-pub fn drives(source: &Source, table: &Table<Vec<f64>>) -> Result<(), Failure> {
+pub fn drives(source: &Source, table: &Table<Coefficients>) -> Result<(), Failure> {
     for (name, coefficients) in in_file_order(table) {
-        let fault = if coefficients.get_ref().is_empty() {
+        let Coefficients(numbers) = coefficients.get_ref();
+        let fault = if numbers.is_empty() {
             "needs at least one coefficient"
-        } else if coefficients.get_ref().iter().any(|c| !c.is_finite()) {
+        } else if numbers.iter().any(|c| !c.is_finite()) {
             "has a coefficient that is not a finite number"
         } else {
             continue;

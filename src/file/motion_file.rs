@@ -4,7 +4,10 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::Deserialize;
-use serde::de::{self, MapAccess, SeqAccess, Visitor, value::MapAccessDeserializer};
+use serde::de::{
+    self, MapAccess, SeqAccess, Visitor,
+    value::{MapAccessDeserializer, SeqAccessDeserializer},
+};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -36,8 +39,8 @@ pub struct MotionFile {
     pub design: Option<Table<f64>>,
     /// The instants.
     pub time: Spanned<Time>,
-    /// Each drive as a polynomial of time in seconds, constant first.
-    pub drives: Table<Vec<f64>>,
+    /// Each drive as a polynomial of time in seconds.
+    pub drives: Table<Coefficients>,
 }
 
 impl MotionFile {
@@ -74,7 +77,7 @@ impl MotionFile {
                 *value.get_mut() -= offset;
             }
             let law = self.drives.get_mut().get_mut(name);
-            if let Some(constant) = law.and_then(|law| law.get_mut().first_mut()) {
+            if let Some(constant) = law.and_then(|law| law.get_mut().0.first_mut()) {
                 *constant -= offset;
             }
         }
@@ -85,6 +88,10 @@ impl MotionFile {
 fn no_points() -> Table<Position> {
     Spanned::new(0..0, BTreeMap::new())
 }
+
+/// Coefficients of a polynomial, constant first; in the file a single number is a constant.
+#[derive(Clone, Debug)]
+pub struct Coefficients(pub Vec<f64>);
 
 /// Where a point is.
 #[derive(Clone, Debug)]
@@ -156,5 +163,33 @@ impl<'de> Visitor<'de> for PositionVisitor {
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Position, A::Error> {
         Offset::deserialize(MapAccessDeserializer::new(map)).map(Position::Off)
+    }
+}
+
+impl<'de> Deserialize<'de> for Coefficients {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(CoefficientsVisitor)
+    }
+}
+
+struct CoefficientsVisitor;
+
+impl<'de> Visitor<'de> for CoefficientsVisitor {
+    type Value = Coefficients;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number, or coefficients of a polynomial of time as [value, rate, ...]")
+    }
+
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Coefficients, E> {
+        Ok(Coefficients(vec![value]))
+    }
+
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Coefficients, E> {
+        Ok(Coefficients(vec![value as f64]))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Coefficients, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(entries)).map(Coefficients)
     }
 }

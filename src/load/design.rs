@@ -6,7 +6,7 @@ use suspension_core::{Linkage, LocalOrigin, Newton, Values, assemble};
 use crate::failure::Failure;
 use crate::file::{Offset, Position};
 use crate::load::task::Task;
-use crate::mechanism::{DriveLaws, Polynomial, Suspension, given};
+use crate::mechanism::{DriveLaws, Suspension, given};
 
 /// The configuration in which markers are attached.
 pub(super) struct Design<L: Linkage<N>, const N: usize> {
@@ -42,7 +42,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
         }
         None => model.drives_at(guess),
     };
-    let at_rest = DriveLaws::new(drives.values().map(|value| Polynomial::new(vec![value])));
+    let at_rest = DriveLaws::held(drives.values());
     let inputs = at_rest.inputs::<L::Drives>(0.0);
     let mut q = model.unknowns(guess);
     if file.lengths.is_some() || file.design.is_some() {

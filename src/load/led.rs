@@ -49,7 +49,7 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
             });
             let cause = stopped.refused;
             let cause = cause.map(|(_, error)| lead.cause(names, &error, unit));
-            Err(out_of_reach(task, [&first, &reached], cause))
+            Err(out_of_reach(task, [&first, &reached], cause, None))
         }
     }
 }
@@ -77,6 +77,7 @@ fn at_rest<L: Suspension<N>, const N: usize>(
 fn law(task: &Task<'_>, stand_in: &StandIn, offset: f64) -> Law {
     let mut coefficients = task.file.drives.get_ref()[stand_in.key.get_ref().as_str()]
         .get_ref()
+        .0
         .clone();
     if let Some(constant) = coefficients.first_mut() {
         *constant -= offset;

@@ -11,8 +11,8 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Position, Source};
-use crate::load::prepare::prepare;
-use crate::mechanism::{Instants, Mechanism, Unit, Work};
+use crate::load::prepare::{Request, prepare};
+use crate::mechanism::{Mechanism, Unit, Work};
 
 /// The listing of a motion file.
 #[derive(Clone, Debug)]
@@ -45,17 +45,9 @@ impl Chosen {
     }
 
     /// Does the work on the mechanism.
-    pub(super) fn run<W: Work>(
-        &self,
-        source: &Source,
-        file: &MotionFile,
-        instants: &Instants,
-        work: W,
-    ) -> Result<W::Answer, Failure> {
+    pub(super) fn run<W: Work>(&self, request: Request<'_>, work: W) -> Result<W::Answer, Failure> {
         self.listing.in_its_size(Walked {
-            source,
-            file,
-            instants,
+            request,
             name: &self.name,
             work,
         })
@@ -64,9 +56,7 @@ impl Chosen {
 
 /// Work on the mechanism of a listing that is walked.
 struct Walked<'a, W> {
-    source: &'a Source,
-    file: &'a MotionFile,
-    instants: &'a Instants,
+    request: Request<'a>,
     name: &'a str,
     work: W,
 }
@@ -79,14 +69,11 @@ impl<W: Work> suspension_runtime::Work for Walked<'_, W> {
         Room<N>: Size,
     {
         let Self {
-            source,
-            file,
-            instants,
+            request,
             name,
             work,
         } = self;
-        let mechanism: Mechanism<Model<'_, f64, N>, N> =
-            prepare(source, file, instants, name, listing)?;
+        let mechanism: Mechanism<Model<'_, f64, N>, N> = prepare(request, name, listing)?;
         for note in &mechanism.notes {
             eprintln!("note: {note}");
         }

@@ -5,7 +5,7 @@ use suspension_runtime::Listing;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, check};
 use crate::load::listing::{Chosen, unknown};
-use crate::load::prepare::prepare;
+use crate::load::prepare::{Request, prepare};
 use crate::mechanism::{Instants, Mechanism, Suspension, Work};
 
 /// A motion file that was read. Its mechanism is brought to the first instant when there is work on it.
@@ -97,7 +97,13 @@ where
         }
     }
     let instants = check::instants(source, &file.time)?;
-    prepare(source, &file, &instants, linkage, L::Listing::default())
+    let request = Request {
+        source,
+        file: &file,
+        instants: &instants,
+        or_design: false,
+    };
+    prepare(request, linkage, L::Listing::default())
 }
 
 impl Loaded<'_> {
@@ -132,9 +138,7 @@ impl Loaded<'_> {
     where
         L: Suspension<N, Listing: Default>,
     {
-        let Self { file, instants, .. } = self;
-        let listing = L::Listing::default();
-        prepare(self.source, file, instants, self.linkage(), listing)
+        prepare(self.request(), self.linkage(), L::Listing::default())
     }
 
     /// Brings the mechanism to the first instant and does the work on it.
@@ -143,8 +147,30 @@ impl Loaded<'_> {
     ///
     /// Those of [`mechanism`](Self::mechanism) and of the work.
     pub fn run<W: Work>(&self, work: W) -> Result<W::Answer, Failure> {
-        let Self { file, instants, .. } = self;
-        self.listing.run(self.source, file, instants, work)
+        self.listing.run(self.request(), work)
+    }
+
+    /// The same for a command that has an answer where the first instant is out of reach too: the mechanism then
+    /// stays at its design position, and a note on standard error says so.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`run`](Self::run).
+    pub fn run_within_reach<W: Work>(&self, work: W) -> Result<W::Answer, Failure> {
+        let request = Request {
+            or_design: true,
+            ..self.request()
+        };
+        self.listing.run(request, work)
+    }
+
+    fn request(&self) -> Request<'_> {
+        Request {
+            source: self.source,
+            file: &self.file,
+            instants: &self.instants,
+            or_design: false,
+        }
     }
 
     /// The same for a command whose motion drives must lead.

@@ -1,7 +1,7 @@
 //! From what a file says to a mechanism in the configuration of the first instant.
 
 use nalgebra::Vector3;
-use suspension_core::{GeometryError, LocalOrigin, Values, parts};
+use suspension_core::{GeometryError, LocalOrigin, Motion, Values, parts};
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
@@ -9,16 +9,30 @@ use crate::load::design::at_design;
 use crate::load::notes::notes;
 use crate::load::task::Task;
 use crate::load::{led, start};
-use crate::mechanism::{Instants, Mechanism, Names, Suspension};
+use crate::mechanism::{DriveLaws, Instants, Mechanism, Names, Suspension};
+
+/// What is to be prepared.
+#[derive(Clone, Copy)]
+pub(super) struct Request<'a> {
+    pub(super) source: &'a Source,
+    pub(super) file: &'a MotionFile,
+    pub(super) instants: &'a Instants,
+    /// Whether a mechanism that does not reach the first instant stays at its design position, with a note.
+    pub(super) or_design: bool,
+}
 
 /// The mechanism of a file, of a listing.
 pub(super) fn prepare<L: Suspension<N>, const N: usize>(
-    source: &Source,
-    file: &MotionFile,
-    instants: &Instants,
+    request: Request<'_>,
     linkage: &str,
     listing: L::Listing,
 ) -> Result<Mechanism<L, N>, Failure> {
+    let Request {
+        source,
+        file,
+        instants,
+        or_design,
+    } = request;
     let names = Names::of(&listing);
     let task = Task {
         source,
@@ -53,15 +67,20 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         ..task
     };
     let design = at_design(&task, model, origin, &guess)?;
-    let notes = notes(&task, &guess, &design.points);
+    let mut notes = notes(&task, &guess, &design.points);
     let drives = task.drive_laws(design.drives.values());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &file.drives)?;
     let (start, drives, lead) = match stand_in {
-        None => {
-            let start = start::to_first_instant(&task, &design, &drives)?;
-            (start, drives, None)
-        }
+        None => match start::to_first_instant(&task, &design, &drives) {
+            Ok(start) => (start, drives, None),
+            Err(unreached) if or_design => {
+                notes.push(format!("{unreached}; it stays at the design position"));
+                let drives = DriveLaws::held(design.drives.values());
+                (Motion::at_rest(design.q), drives, None)
+            }
+            Err(unreached) => return Err(unreached),
+        },
         Some(stand_in) => {
             let lead = led::to_first_instant(&task, &design, &drives, &stand_in)?;
             let there = lead.inputs(&design.model, &drives.inputs(task.first), &lead.start);

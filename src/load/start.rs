@@ -5,7 +5,7 @@ use suspension_core::{Motion, Values};
 use crate::failure::Failure;
 use crate::load::design::Design;
 use crate::load::task::Task;
-use crate::mechanism::{DriveLaws, Polynomial, Suspension, follow};
+use crate::mechanism::{DriveLaws, Misfit, Polynomial, Suspension, follow};
 use crate::number::number;
 
 /// The drives on a straight line from the design at time 0 to the first instant at time 1.
@@ -38,7 +38,10 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
                 names.drives_in_words(&design.given(&drives), unit, None)
             });
             let cause = stopped.refused.map(|(_, error)| names.cause(&error));
-            Err(out_of_reach(task, [&first, &reached], cause))
+            let times = [stopped.reached, FROM_DESIGN_TO_FIRST[1]];
+            let misfit = Misfit::between(&design.model, &way, times, &motion.position);
+            let misfit = misfit.and_then(|misfit| misfit.in_words(unit));
+            Err(out_of_reach(task, [&first, &reached], cause, misfit))
         }
     }
 }
@@ -48,10 +51,12 @@ pub(super) fn out_of_reach(
     task: &Task<'_>,
     [first, reached]: [&str; 2],
     cause: Option<String>,
+    misfit: Option<String>,
 ) -> Failure {
+    let misfit = misfit.map_or_else(String::new, |misfit| format!("; {misfit}"));
     Failure::Solver(format!(
         "{}: the first instant, t = {} s with {first}, is out of reach: driven there from the \
-         design position, the mechanism stops at {reached} ({})",
+         design position, the mechanism stops at {reached} ({}){misfit}",
         task.source.name(),
         number(task.first),
         cause.unwrap_or_default(),

@@ -55,7 +55,7 @@ impl Task<'_> {
         DriveLaws::new(each.map(|(drive, held)| {
             let stated = table
                 .get(drive.name.as_str())
-                .map(|law| law.get_ref().clone());
+                .map(|law| law.get_ref().0.clone());
             Polynomial::new(stated.unwrap_or_else(|| vec![held]))
         }))
     }

@@ -44,6 +44,11 @@ impl DriveLaws {
         }
     }
 
+    /// Drives that stay as they are.
+    pub fn held(values: impl Iterator<Item = f64>) -> Self {
+        Self::new(values.map(|value| Polynomial::new(vec![value])))
+    }
+
     /// Taylor coefficients of the drives at time `t`, order 1 first.
     pub fn terms<D: Values<f64>, const K: usize>(&self, t: f64) -> [D; K] {
         let mut derivatives: Vec<Polynomial> =

@@ -28,6 +28,8 @@ pub struct Stop {
     pub cause: String,
     /// The drive that turns there, where one does: led by it, the mechanism locks.
     pub turns: Option<String>,
+    /// The link that is too short or too long for what was asked for, in words.
+    pub misfit: Option<String>,
 }
 
 impl Stop {
@@ -40,6 +42,7 @@ impl Stop {
             drives_reached,
             cause,
             turns,
+            misfit,
         } = self;
         let locks = turns.as_ref().map_or_else(String::new, |drive| {
             format!(
@@ -47,9 +50,12 @@ impl Stop {
                  velocities grow without bound;"
             )
         });
+        let misfit = misfit
+            .as_ref()
+            .map_or_else(String::new, |misfit| format!(" {misfit};"));
         format!(
             "no configuration at t = {} s with {drives_asked}: the motion ends at \
-             t = {} s with {drives_reached} ({cause});{locks}",
+             t = {} s with {drives_reached} ({cause});{locks}{misfit}",
             number(*asked),
             number(*reached)
         )

@@ -7,6 +7,7 @@ use crate::mechanism::drives::follow;
 use crate::mechanism::end::Stop;
 use crate::mechanism::lead::Lead;
 use crate::mechanism::locking::turning_drive;
+use crate::mechanism::misfit::Misfit;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
 
@@ -76,6 +77,13 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             }
             Moving::Led(..) => None,
         };
+        let misfit = match moving {
+            Moving::Driven(last) => {
+                let times = [stopped.reached, asked];
+                Misfit::between(&self.model, &self.drives, times, &last.position)
+            }
+            Moving::Led(..) => None,
+        };
         Stop {
             asked,
             drives_asked: drives(asked),
@@ -85,6 +93,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
                 .refused
                 .map_or_else(|| "the time is too far away".to_owned(), cause),
             turns: turns.map(|drive| names.drives[drive].name.clone()),
+            misfit: misfit.and_then(|misfit| misfit.in_words(unit)),
         }
     }
 }

@@ -7,7 +7,7 @@ use super::program::{edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 61] = [
+const BAD: [Case; 62] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "ft"),
@@ -43,6 +43,7 @@ const BAD: [Case; 61] = [
     ("theta = [", "", ":53:", "`theta` is missing"),
     ("theta = [", "bump = [0.7]", ":55:1", "unknown drive `bump`"),
     ("theta = [", "theta = []", ":55:9", "coefficient"),
+    ("theta = [", "theta = \"far\"", ":55:9", "a number, or coefficients of a polynomial of time as [value, rate, ...]"),
     ("theta = [", "theta = [nan]", ":55:9", "finite"),
     ("theta = 1", "theta = nan", ":47:9", "finite"),
     ("theta = 1", "theta = -1.57", ":47:9", "between 0 and pi"),

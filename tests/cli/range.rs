@@ -89,19 +89,35 @@ fn the_whole_curve_as_a_table_and_a_plot() {
 }
 
 #[test]
+fn of_a_motion_that_begins_out_of_reach_the_ranges_are_those_from_the_design() {
+    let folder = folder();
+    let out_of_reach = edited("theta = [", "theta = [2.2]");
+    std::fs::write(folder.path().join("a.toml"), out_of_reach).expect("written");
+    let output = run(folder.path(), &["range", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let note = text(&output.stderr);
+    assert!(note.starts_with(
+        "note: a.toml: the first instant, t = 0 s with theta = 2.2 rad, is out of reach"
+    ));
+    assert!(note.contains("it stays at the design position"), "{note}");
+    let report = text(&output.stdout);
+    for (line, expected) in report.lines().filter(|l| l.contains(" end   ")).zip(ENDS) {
+        let value = number_after(line, "deg (");
+        assert!((value - expected).abs() <= 1e-12, "{line}");
+    }
+}
+
+#[test]
 fn refusals() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
-    let out_of_reach = edited("theta = [", "theta = [2.2]");
-    std::fs::write(folder.path().join("b.toml"), out_of_reach).expect("written");
-    let cases: [(&[&str], i32, &str); 3] = [
+    let cases: [(&[&str], i32, &str); 2] = [
         (&["range", "none.toml"], 2, "none.toml"),
         (
             &["range", "a.toml", "--csv", "a.toml"],
             2,
             "--csv would overwrite",
         ),
-        (&["range", "b.toml"], 3, "out of reach"),
     ];
     for (arguments, code, expected) in cases {
         let output = run(folder.path(), arguments);

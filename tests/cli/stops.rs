@@ -1,5 +1,8 @@
 //! A motion that ends before its last instant.
 
+use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Lengths, Model};
+use suspension_core::{Build, Designed, Signal};
+
 use super::program::{edited, folder, rows, run, text};
 use crate::support::Reference;
 
@@ -96,4 +99,56 @@ fn a_length_in_another_unit_is_hinted_at() {
             "{expected} is not in: {message}"
         );
     }
+}
+
+const RACK_TOO_FAR: &str = "\
+linkage = \"double_wishbone_pushrod\"
+unit = \"m\"
+time = { instants = [0.0, 1.0] }
+[drives]
+bump = 0.3
+steer = [0.34, RATE]
+";
+
+/// The link that a message names, the length that it has, and the length that it would need.
+fn misfit(message: &str) -> (&str, f64, f64) {
+    let (before, needs) = message
+        .split_once(" m long and would have to be ")
+        .unwrap_or_else(|| panic!("no link is named: {message}"));
+    let (before, has) = before.rsplit_once("` is ").expect("a length");
+    let (_, name) = before.rsplit_once('`').expect("a name");
+    let (needs, _) = needs.split_once(" m").expect("a unit");
+    let number = |text: &str| text.parse().expect("a number");
+    (name, number(has), number(needs))
+}
+
+#[test]
+fn the_link_that_cannot_reach_is_named_with_the_length_that_it_would_need() {
+    let folder = folder();
+    let path = folder.path().join("a.toml");
+    std::fs::write(path, RACK_TOO_FAR.replace("RATE", "0.17")).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let (name, has, needs) = misfit(text(&output.stderr));
+    let points = Model::<f64>::design();
+    let length = (points.tie_ball - points.rack).norm();
+    assert_eq!(name, "tie_rod");
+    assert!((has - length).abs() < 1e-6, "{has}");
+    let reaches = |tie_rod: f64| {
+        let model = Model::new(&points).expect("a regular design");
+        let lengths = Lengths {
+            tie_rod,
+            ..model.lengths()
+        };
+        let model = model.with_lengths(&lengths).expect("closed bodies");
+        let mut corner = Corner::assembled(model, &points).expect("near by");
+        let drives = Drives {
+            bump: 0.3,
+            steer: 0.51,
+        };
+        corner.step(1.0, Signal::still(drives)).is_ok()
+    };
+    // The rack pushes the ball joint as far as it goes: a shorter rod is needed.
+    assert!(!reaches(length), "{has}");
+    assert!(!reaches(needs + 1e-4) && reaches(needs - 1e-4), "{needs}");
 }

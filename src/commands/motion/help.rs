@@ -39,7 +39,8 @@ const FILE: &str = r#"The file:
   stop = 1.95                        # the last instant is the last multiple of step within stop
   step = 0.05
   [drives]                           # polynomials of time in seconds, constant first,
-  theta = [0.7, 0.5, 0.125]          # in rad (angles) or the unit (coordinates)
+  theta = [0.7, 0.5, 0.125]          # in rad (angles) or the unit (coordinates); a number alone
+                                     # holds the drive there
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
                                      # leads through turning points of the drive: both linkages
                                      # have height, that of the wheel centre, in place of theta

@@ -24,7 +24,7 @@ pub(super) fn text<L: Suspension<N>, const N: usize>(
         let [lower, upper] = &range.ends;
         let _ = write!(
             out,
-            "\nDrive {}, from {} at the first instant, the other drives held\n  \
+            "\nDrive {}, from {}, the other drives held\n  \
              lower end   {}: {}\n  upper end   {}: {}\n",
             range.name,
             in_words(range.start),

@@ -1,0 +1,145 @@
+//! Which link keeps a mechanism from following its drives, and how long it would have to be.
+
+use nalgebra::{SMatrix, SVector};
+use suspension_core::lu::Lu;
+use suspension_core::{Linkage, Values};
+
+use crate::mechanism::drives::DriveLaws;
+use crate::mechanism::names::{Names, Suspension};
+use crate::mechanism::unit::Unit;
+use crate::number::rounded;
+
+/// A link whose length does not allow a configuration.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Misfit {
+    name: String,
+    /// The length that it has.
+    has: f64,
+    /// The nearest to it with which there is a configuration.
+    needs: f64,
+}
+
+/// Instants on the way from the last configuration to the one that was asked for.
+const INSTANTS: i32 = 40;
+
+/// Corrections at each of them.
+const CORRECTIONS: usize = 30;
+
+/// How little the error of the link counts against those of all other equations.
+const WEIGHT: f64 = 1e-4;
+
+/// How far other equations may be off at the end, as a part of the mechanism's size.
+const CLOSED: f64 = 1e-6;
+
+/// Of the force that a mechanism at its lock bears within itself, the part that a link must bear to be
+/// the one that ends the motion.
+const BEARS: f64 = 0.1;
+
+impl Misfit {
+    /// The link that ends a motion between two times, of which the mechanism has a configuration, `q`, at the
+    /// first alone. `None` where it is no link's length.
+    pub(crate) fn between<L: Suspension<N>, const N: usize>(
+        model: &L,
+        drives: &DriveLaws,
+        [reached, asked]: [f64; 2],
+        q: &SVector<f64, N>,
+    ) -> Option<Self> {
+        let names = Names::of(model);
+        let place = Place::at(model, drives, reached);
+        let equation = place.bearing(&names, q)?;
+        let mut q = *q;
+        for instant in 1..=INSTANTS {
+            let part = f64::from(instant) / f64::from(INSTANTS);
+            let place = Place::at(model, drives, reached + (asked - reached) * part);
+            q = place.nearest(q, equation)?;
+        }
+        let off = Place::at(model, drives, asked).residual(&q);
+        let closed = CLOSED * model.size();
+        if (0..N).any(|row| row != equation && off[row].abs() > closed) {
+            return None;
+        }
+        let name = names.equations[equation].clone();
+        let length = names.lengths.iter().position(|length| *length == name)?;
+        let has = model.lengths().values().nth(length)?;
+        // The equation of a distance is (d^2 - L^2) / (2 L).
+        let needs = (has * (has + 2.0 * off[equation])).sqrt();
+        Some(Self { name, has, needs })
+    }
+
+    /// In words; `None` where the digits shown do not differ.
+    pub(crate) fn in_words(&self, unit: Unit) -> Option<String> {
+        const DIGITS: usize = 6;
+        let [has, needs] = [self.has, self.needs].map(|length| rounded(length, DIGITS));
+        let (name, symbol) = (&self.name, unit.symbol());
+        let words =
+            || format!("`{name}` is {has} {symbol} long and would have to be {needs} {symbol}");
+        (has != needs).then(words)
+    }
+}
+
+/// A model at an instant.
+struct Place<'a, L: Linkage<N>, const N: usize> {
+    model: &'a L,
+    fixed: L::Fixed,
+    drives: L::Drives,
+}
+
+impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
+    fn at(model: &'a L, drives: &DriveLaws, t: f64) -> Self {
+        let inputs = drives.inputs::<L::Drives>(t);
+        let drives = model.coordinates(&inputs.drives).value;
+        let fixed = model.drive_anchors(*model.fixed(), &drives);
+        Self {
+            model,
+            fixed,
+            drives,
+        }
+    }
+
+    fn residual(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
+        self.model.residual(q, &self.fixed, &self.drives)
+    }
+
+    /// Of the equations of links the one that bears most where the mechanism locks: there the rows of the
+    /// Jacobian depend on each other, with forces that balance within the mechanism as factors.
+    fn bearing(&self, names: &Names, q: &SVector<f64, N>) -> Option<usize> {
+        let factors = Lu::factor(&self.model.jacobian(q, &self.fixed)).ok()?;
+        let mut forces = SVector::<f64, N>::from_element(1.0);
+        for _ in 0..3 {
+            forces = factors
+                .solve_transposed(&factors.solve(&forces))
+                .normalize();
+        }
+        let is_link = |row: &usize| names.lengths.contains(&names.equations[*row]);
+        let links = (0..names.equations.len()).filter(is_link);
+        let bearing = links.max_by(|a, b| forces[*a].abs().total_cmp(&forces[*b].abs()))?;
+        (forces[bearing].abs() > BEARS * forces.amax()).then_some(bearing)
+    }
+
+    /// Where all equations but that of a link hold and this is off as little as can be: by the method of
+    /// Levenberg and Marquardt.
+    fn nearest(&self, mut q: SVector<f64, N>, link: usize) -> Option<SVector<f64, N>> {
+        let weighed = |q: &SVector<f64, N>| {
+            let mut residual = self.residual(q);
+            residual[link] *= WEIGHT;
+            residual
+        };
+        let mut damping = 1e-12;
+        let mut residual = weighed(&q);
+        for _ in 0..CORRECTIONS {
+            let mut jacobian = self.model.jacobian(&q, &self.fixed);
+            jacobian.row_mut(link).scale_mut(WEIGHT);
+            let transposed = jacobian.transpose();
+            let damped = transposed * jacobian + SMatrix::<f64, N, N>::identity() * damping;
+            let next = q - damped.cholesky()?.solve(&(transposed * residual));
+            let after = weighed(&next);
+            if after.norm() < residual.norm() {
+                (q, residual) = (next, after);
+                damping *= 0.1;
+            } else {
+                damping *= 10.0;
+            }
+        }
+        Some(q)
+    }
+}
