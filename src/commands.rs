@@ -6,3 +6,4 @@ pub mod draw;
 pub mod motion;
 pub mod published;
 pub mod range;
+pub mod sweep;

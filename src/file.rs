@@ -7,5 +7,5 @@ mod motion_file;
 mod source;
 
 pub use leading::{StandIn, stand_in};
-pub use motion_file::{Coefficients, MotionFile, Offset, Position, Table, Time};
+pub use motion_file::{Coefficients, MotionFile, Offset, Position, Table, Time, VehicleTable};
 pub use source::Source;

@@ -8,5 +8,6 @@ mod notes;
 mod prepare;
 mod start;
 mod task;
+mod vehicle;
 
 pub use loaded::{Loaded, load, load_own};

@@ -20,7 +20,7 @@ pub use end::{End, Stop};
 pub use instants::Instants;
 pub use lead::Lead;
 pub(crate) use misfit::Misfit;
-pub use names::{Drive, Measure, Names, Suspension, WheelPoints};
+pub use names::{Drive, Measure, Names, Suspension, Vehicle, WheelPoints};
 pub use polynomial::Polynomial;
 pub use ready::{Mechanism, Work};
 pub use state::State;

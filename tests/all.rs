@@ -31,6 +31,7 @@ mod rotation;
 mod series;
 mod stepper;
 mod support;
+mod wheel_on_ground;
 mod without_a_wheel;
 
 /// Or its tests would not run, and nobody would know.

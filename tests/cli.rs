@@ -14,6 +14,7 @@ mod range;
 mod results;
 mod signals;
 mod stops;
+mod sweep;
 
 /// The program that is run.
 const PROGRAM: &str = env!("CARGO_BIN_EXE_suspension");

@@ -21,7 +21,8 @@ pub struct Arguments {
     /// Write the SVG to PATH; without it to out/NAME.svg, NAME being that of the motion file.
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
-    /// The wheel's radius, in the unit of the file; without it 0.3 m.
+    /// The wheel's radius, in the unit of the file; without it that of the file, or
+    /// else 0.3 m.
     #[arg(long, value_name = "LENGTH")]
     wheel_radius: Option<f64>,
 }
@@ -76,7 +77,10 @@ impl Work for Drawn<'_> {
         let disc = model.wheel_axis(&points).map(|[inner, centre]| Disc {
             centre: centre.into(),
             axis: (centre - inner).into(),
-            radius: self.wheel_radius.unwrap_or(0.3 * mechanism.unit.metre()),
+            radius: self
+                .wheel_radius
+                .or(names.vehicle.wheel_radius)
+                .unwrap_or(0.3 * mechanism.unit.metre()),
         });
         let at = points.values().map(<[f64; 3]>::from);
         Ok(Drawing {

@@ -37,6 +37,8 @@ pub struct MotionFile {
     pub lengths: Option<Table<f64>>,
     /// The drives' values at which the mechanism is assembled and markers are attached.
     pub design: Option<Table<f64>>,
+    /// What the listing does not say of the vehicle.
+    pub vehicle: Option<VehicleTable>,
     /// The instants.
     pub time: Spanned<Time>,
     /// Each drive as a polynomial of time in seconds.
@@ -111,6 +113,18 @@ pub struct Offset {
     /// From there to the marker, along x, y, z.
     #[serde(deserialize_with = "coordinates")]
     pub offset: [f64; 3],
+}
+
+/// What quantities need beside the linkage.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct VehicleTable {
+    /// From the wheel centre to the ground, in the unit.
+    pub wheel_radius: Option<Spanned<f64>>,
+    /// The drive that moves the wheel up and down.
+    pub travel: Option<Spanned<String>>,
+    /// The drive that steers it.
+    pub steer: Option<Spanned<String>>,
 }
 
 /// The instants of the sweep, in one of two forms.

@@ -40,6 +40,19 @@ pub struct Names {
     pub wheel: Option<WheelPoints>,
     /// The kingpin's lower and upper point, by number, where the listing states one.
     pub kingpin: Option<[usize; 2]>,
+    /// What the motion file says of the vehicle.
+    pub vehicle: Vehicle,
+}
+
+/// What quantities need beside the linkage.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vehicle {
+    /// From the wheel centre to the ground, in the unit of lengths.
+    pub wheel_radius: Option<f64>,
+    /// The number of the drive that moves the wheel up and down.
+    pub travel: Option<usize>,
+    /// The number of the drive that steers it.
+    pub steer: Option<usize>,
 }
 
 /// A drive.
@@ -103,6 +116,7 @@ impl Names {
             unknowns: named(count(Kind::Unknown), Part::Unknown),
             wheel: None,
             kingpin: None,
+            vehicle: Vehicle::default(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The mechanism at one place of its motion, whatever its linkage.
 
-use nalgebra::Vector3;
-use suspension_core::{Signal, Values};
+use nalgebra::{SVector, Vector3};
+use suspension_core::{Inputs, Signal, Tangent, Values};
 
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
@@ -17,8 +17,13 @@ pub struct State {
     pub points: Signal<Vec<Vector3<f64>>>,
     /// What to add to a position for the file's coordinates.
     pub origin: Vector3<f64>,
-    /// What the linkage measures, in the file's coordinates.
-    pub measures: Vec<f64>,
+    /// What the linkage measures, in the file's coordinates, with its rates.
+    pub measures: Signal<Vec<f64>>,
+    /// All points with their first and second derivative with respect to the drive of travel, the other drives
+    /// held; `None` where the file has none, and where the mechanism locks.
+    pub travel: Option<Signal<Vec<Vector3<f64>>>>,
+    /// The same with respect to the drive of steering.
+    pub steer: Option<Signal<Vec<Vector3<f64>>>>,
     /// Iterations of Newton's method, steps in between included.
     pub iterations: usize,
     /// The largest residual, in the unit of lengths.
@@ -37,18 +42,64 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     pub fn state(&self, t: f64, drives: &L::Drives, points: &Signal<L::Points>) -> State {
         let Self { model, names, .. } = self;
         let offsets = self.origin.of_measures(model);
-        let measures = model.measures(points).value;
-        let measures = measures.values().zip(offsets.values());
-        let measures = measures.take(names.measures.len());
-        let listed = |points: &L::Points| points.values().take(names.points.len()).collect();
+        let count = names.measures.len();
+        let listed = |all: &L::Measures| all.values().take(count).collect::<Vec<f64>>();
+        let mut measures = model.measures(points).map(listed);
+        for (measure, offset) in measures.value.iter_mut().zip(offsets.values()) {
+            *measure += offset;
+        }
         State {
             t,
             drives: self.given(drives),
-            points: points.map(listed),
+            points: self.listed(points),
             origin: self.origin.position(),
-            measures: measures.map(|(local, offset)| local + offset).collect(),
+            measures,
+            travel: None,
+            steer: None,
             iterations: 0,
             residual: 0.0,
+        }
+    }
+
+    /// The points of the listing.
+    fn listed(&self, points: &Signal<L::Points>) -> Signal<Vec<Vector3<f64>>> {
+        let count = self.names.points.len();
+        points.map(|points: &L::Points| points.values().take(count).collect())
+    }
+
+    /// Points with their derivatives with respect to a drive, the others held, at local values of the drives;
+    /// `None` where the mechanism locks.
+    pub fn per(
+        &self,
+        drive: usize,
+        drives: &L::Drives,
+        position: &SVector<f64, N>,
+    ) -> Option<Signal<L::Points>> {
+        let inputs = Inputs::still(Signal {
+            rate: L::Drives::from_values([]).with(drive, 1.0),
+            ..Signal::still(*drives)
+        });
+        let tangent = Tangent::new(&self.model, &inputs, position).ok()?;
+        let motion = tangent.motion().ok()?;
+        Some(motion.points(&self.model, &inputs))
+    }
+
+    /// A state with the derivatives with respect to travel and steering.
+    pub fn with_directions(
+        &self,
+        state: State,
+        drives: &L::Drives,
+        position: &SVector<f64, N>,
+    ) -> State {
+        let vehicle = &self.names.vehicle;
+        let per = |drive: Option<usize>| {
+            let points = self.per(drive?, drives, position)?;
+            Some(self.listed(&points))
+        };
+        State {
+            travel: per(vehicle.travel),
+            steer: per(vehicle.steer),
+            ..state
         }
     }
 

@@ -50,10 +50,12 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         motion: &Motion<f64, N>,
         advanced: &Report<f64>,
     ) -> State {
-        State {
+        let drives = &inputs.drives.value;
+        let state = State {
             iterations: advanced.iterations,
             residual: advanced.residual(),
-            ..self.state(t, &inputs.drives.value, &motion.points(&self.model, inputs))
-        }
+            ..self.state(t, drives, &motion.points(&self.model, inputs))
+        };
+        self.with_directions(state, drives, &motion.position)
     }
 }

@@ -3,13 +3,20 @@
 
 use nalgebra::Vector3;
 use suspension_core::body::{angular_acceleration, angular_velocity};
-use suspension_core::wheel::{camber, camber_to_ground, caster, kingpin_angle, toe};
+use suspension_core::wheel::{
+    InstantCentre, SteeringAxis, camber, camber_to_ground, caster, kingpin_angle, toe,
+};
 
 use crate::mechanism::{Names, State, WheelPoints};
 use crate::quantities::kind::Kind;
-use crate::quantities::quantity::{Quantity, Reading, Shown};
+use crate::quantities::on_ground::{
+    Along, Moving, of_contact, of_kingpin_at_centre, of_kingpin_at_ground, of_moving,
+    of_moving_place,
+};
+use crate::quantities::quantity::{Axis, Quantity, Reading, Shown};
 use crate::quantities::readings::{
-    each, number, of_kingpin, of_kingpin_and_spin_axis, of_spin_axis, point, vector,
+    alone, at, each, number, of_kingpin, of_kingpin_and_spin_axis, of_spin_axis, place, point,
+    vector,
 };
 
 /// Makes a `static` of each row and the list of all.
@@ -43,7 +50,7 @@ catalogue! {
         read: |names| {
             let drives = names.drives.iter();
             let drives = drives.map(|drive| (drive.name.as_str(), drive.kind.into()));
-            each(drives, |state, drive| state.drives[drive])
+            each(drives, false, |state, drive| alone(state.drives[drive]))
         },
     }
     POSITIONS: "free points" {
@@ -105,8 +112,16 @@ catalogue! {
         source: "`wheel` of the listing",
         shown: Shown::InSummaries,
         read: |names| names.wheel.map_or_else(Vec::new, |WheelPoints { axis: [_, centre], .. }| {
-            vector(None, Kind::Length, move |state| state.position(centre))
+            place(None, move |state| at(state, centre))
         }),
+    }
+    CONTACT: "contact point" {
+        name: "contact",
+        sign: "x forward, y left, z up",
+        definition: "the lowest point of the circle of wheel_radius about the wheel centre, normal to the spin axis",
+        source: "flat, level ground; `wheel_radius` of the motion file",
+        shown: Shown::InTables,
+        read: of_contact,
     }
     KINGPIN: "kingpin angle" {
         name: "kingpin",
@@ -140,6 +155,161 @@ catalogue! {
         shown: Shown::InTables,
         read: |names| of_spin_axis(names, camber_to_ground),
     }
+    SCRUB_RADIUS: "scrub radius" {
+        name: "scrub_radius",
+        sign: "positive where the kingpin meets the ground inboard of the contact point",
+        definition: "from there to the contact point, along the horizontal part of the spin axis",
+        source: "ISO 8855, steering-axis offset at ground",
+        shown: Shown::InTables,
+        read: |names| of_kingpin_at_ground(names, SteeringAxis::inboard_of),
+    }
+    MECHANICAL_TRAIL: "mechanical trail" {
+        name: "mechanical_trail",
+        sign: "positive where the kingpin meets the ground ahead of the contact point",
+        definition: "from there to the contact point, along the heading of the wheel",
+        source: "ISO 8855, castor offset at ground",
+        shown: Shown::InTables,
+        read: |names| of_kingpin_at_ground(names, SteeringAxis::ahead_of),
+    }
+    KINGPIN_OFFSET: "kingpin offset at the wheel centre" {
+        name: "kingpin_offset",
+        sign: "positive where the kingpin passes inboard of the wheel centre",
+        definition: "at the height of the wheel centre, along the horizontal part of the spin axis",
+        source: "ISO 8855, steering-axis offset at wheel centre",
+        shown: Shown::InTables,
+        read: |names| of_kingpin_at_centre(names, SteeringAxis::inboard_of),
+    }
+    CASTER_OFFSET: "caster offset at the wheel centre" {
+        name: "caster_offset",
+        sign: "positive where the kingpin passes ahead of the wheel centre",
+        definition: "at the height of the wheel centre, along the heading of the wheel",
+        source: "ISO 8855, castor offset at wheel centre",
+        shown: Shown::InTables,
+        read: |names| of_kingpin_at_centre(names, SteeringAxis::ahead_of),
+    }
+    VIRTUAL_KINGPIN: "kingpin angle of the virtual steering axis" {
+        name: "virtual_kingpin",
+        sign: "positive where the top of the axis leans inboard",
+        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        source: "as kingpin",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Steer, Kind::Angle, false, |moving| {
+            kingpin_angle(&moving.screw().direction, &moving.axis)
+        }),
+    }
+    VIRTUAL_CASTER: "caster angle of the virtual steering axis" {
+        name: "virtual_caster",
+        sign: "positive where the top of the axis leans rearwards",
+        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        source: "as caster",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Steer, Kind::Angle, false, |moving| {
+            caster(&moving.screw().direction)
+        }),
+    }
+    VIRTUAL_SCRUB_RADIUS: "scrub radius of the virtual steering axis" {
+        name: "virtual_scrub_radius",
+        sign: "positive where the axis meets the ground inboard of the contact point",
+        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        source: "as scrub_radius",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Steer, Kind::Length, true, |moving| {
+            moving.screw().inboard_of(&moving.contact, &moving.heading())
+        }),
+    }
+    VIRTUAL_TRAIL: "mechanical trail of the virtual steering axis" {
+        name: "virtual_trail",
+        sign: "positive where the axis meets the ground ahead of the contact point",
+        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        source: "as mechanical_trail",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Steer, Kind::Length, true, |moving| {
+            moving.screw().ahead_of(&moving.contact, &moving.heading())
+        }),
+    }
+    VIRTUAL_PITCH: "pitch of the virtual steering axis" {
+        name: "virtual_pitch",
+        sign: "positive where the carrier moves up the axis as it turns left",
+        definition: "how far it moves along the screw axis for a radian about it; zero of a kingpin",
+        source: "omega . v / |omega|^2",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Steer, Kind::LengthPerAngle, false, Moving::pitch),
+    }
+    ROLL_CENTRE: "height of the roll centre" {
+        name: "roll_centre",
+        sign: "up, from z = 0",
+        definition: "of an axle that is symmetric about y = 0: where the normal to the velocity in travel of the \
+                     contact point, as a point of the carrier, meets that plane in the front view",
+        source: "kinematic roll centre; SAE J670",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Travel, Kind::Length, true, |moving| {
+            moving.carrier.roll_centre(&moving.contact)
+        }),
+    }
+    FRONT_CENTRE: "instant centre in the front view" {
+        name: "front_centre",
+        sign: "y left, z up",
+        definition: "of the wheel's carrier in travel, in the plane x = constant through the wheel centre",
+        source: "v + omega x r has no part in the plane",
+        shown: Shown::InTables,
+        read: |names| of_moving_place(names, Along::Travel, &[Axis::Y, Axis::Z], |moving| {
+            let InstantCentre { across, z, .. } = moving.carrier.front_view(&moving.axis);
+            Vector3::new(f64::NAN, across, z)
+        }),
+    }
+    FRONT_ARM: "swing arm in the front view" {
+        name: "front_arm",
+        sign: "positive where the instant centre lies inboard",
+        definition: "from the instant centre in the front view to the wheel centre, along y",
+        source: "front-view swing-arm length",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Travel, Kind::Length, false, |moving| {
+            moving.carrier.front_view(&moving.axis).arm
+        }),
+    }
+    SIDE_CENTRE: "instant centre in the side view" {
+        name: "side_centre",
+        sign: "x forward, z up",
+        definition: "of the wheel's carrier in travel, in the plane y = constant through the wheel centre",
+        source: "v + omega x r has no part in the plane",
+        shown: Shown::InTables,
+        read: |names| of_moving_place(names, Along::Travel, &[Axis::X, Axis::Z], |moving| {
+            let InstantCentre { across, z, .. } = moving.carrier.side_view();
+            Vector3::new(across, f64::NAN, z)
+        }),
+    }
+    SIDE_ARM: "swing arm in the side view" {
+        name: "side_arm",
+        sign: "positive where the instant centre lies behind",
+        definition: "from the instant centre in the side view to the wheel centre, along x",
+        source: "side-view swing-arm length",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Travel, Kind::Length, false, |moving| {
+            moving.carrier.side_view().arm
+        }),
+    }
+    BRAKE_ANGLE: "support angle of outboard brakes" {
+        name: "brake_angle",
+        sign: "positive where the contact point moves forward in bump",
+        definition: "of the path in travel of the contact point, as a point of the carrier, from the vertical in the \
+                     side view, atan2(v_x, |v_z|) with v_z upwards; its tangent is anti-dive or anti-lift without the car's share",
+        source: "side-view support angle, brake torque borne by the carrier",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Travel, Kind::Angle, true, |moving| {
+            forward_of_upward(&moving.carrier.velocity_of(&moving.contact))
+        }),
+    }
+    DRIVE_ANGLE: "support angle of inboard drive" {
+        name: "drive_angle",
+        sign: "positive where the wheel centre moves forward in bump",
+        definition: "of the path in travel of the wheel centre, from the vertical in the side view, atan2(v_x, |v_z|) \
+                     with v_z upwards; its tangent is anti-squat without the car's share",
+        source: "side-view support angle, drive torque borne by the chassis",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Travel, Kind::Angle, false, |moving| {
+            forward_of_upward(&moving.carrier.velocity)
+        }),
+    }
     TOE: "toe angle" {
         name: "toe",
         sign: "positive where the front of the wheel points inboard",
@@ -157,7 +327,9 @@ catalogue! {
         read: |names| {
             let measures = names.measures.iter();
             let measures = measures.map(|measure| (measure.name.as_str(), measure.kind.into()));
-            each(measures, |state, measure| state.measures[measure])
+            each(measures, true, |state, measure| {
+                state.measures.map(|measures| measures[measure])
+            })
         },
     }
     ITERATIONS: "iterations of Newton's method" {
@@ -195,7 +367,14 @@ fn of_carrier(
     let Some(WheelPoints { carrier, .. }) = names.wheel else {
         return Vec::new();
     };
-    vector(None, kind, move |state| which(rotation(state, carrier)))
+    vector(None, kind, &Axis::ALL, move |state| {
+        which(rotation(state, carrier))
+    })
+}
+
+/// The angle of a velocity from the vertical in the side view, whichever way the drive moves the wheel.
+fn forward_of_upward(velocity: &Vector3<f64>) -> f64 {
+    (velocity.x * velocity.z.signum()).atan2(velocity.z.abs())
 }
 
 /// Angular velocity and acceleration of the body of three points; not finite where they are in line.

@@ -21,6 +21,8 @@ pub enum Kind {
     AngularVelocity,
     /// The rate of that.
     AngularAcceleration,
+    /// A length for an angle.
+    LengthPerAngle,
     /// How many.
     Count,
 }
@@ -37,13 +39,14 @@ impl Kind {
             Self::Angle => "rad".to_owned(),
             Self::AngularVelocity => "rad/s".to_owned(),
             Self::AngularAcceleration => "rad/s^2".to_owned(),
+            Self::LengthPerAngle => format!("{length}/rad"),
             Self::Count => String::new(),
         }
     }
 
     /// Whether positions alone determine it.
     pub fn is_of_positions(self) -> bool {
-        matches!(self, Self::Length | Self::Angle)
+        matches!(self, Self::Length | Self::Angle | Self::LengthPerAngle)
     }
 
     /// In text and plots for people, angles are in degrees: what to multiply with, and the unit's symbol.
@@ -59,7 +62,9 @@ impl Kind {
         match self {
             Self::Count => 0,
             Self::Time => 4,
-            Self::Length | Self::Velocity | Self::Acceleration => unit.decimals(),
+            Self::Length | Self::Velocity | Self::Acceleration | Self::LengthPerAngle => {
+                unit.decimals()
+            }
             Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => 3,
         }
     }

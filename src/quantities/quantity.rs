@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use suspension_core::Signal;
+
 use crate::mechanism::{Names, State, Unit};
 use crate::quantities::kind::Kind;
 
@@ -39,7 +41,8 @@ pub(super) struct Reading {
     pub(super) name: Option<String>,
     pub(super) kind: Kind,
     pub(super) axis: Option<Axis>,
-    pub(super) value: Box<dyn Fn(&State) -> f64>,
+    pub(super) has_derivatives: bool,
+    pub(super) value: Box<dyn Fn(&State) -> Signal<f64>>,
 }
 
 /// A component of a vector.
@@ -78,12 +81,20 @@ pub struct Column {
     pub kind: Kind,
     /// The component, of a vector.
     pub axis: Option<Axis>,
-    value: Box<dyn Fn(&State) -> f64>,
+    /// Whether [`along`](Self::along) has derivatives: whether positions alone determine it.
+    pub has_derivatives: bool,
+    value: Box<dyn Fn(&State) -> Signal<f64>>,
 }
 
 impl Column {
     /// Its number in a state: lengths in the file's unit, angles in radians.
     pub fn value(&self, state: &State) -> f64 {
+        self.along(state).value
+    }
+
+    /// The number with its derivatives along the rates of the state's points: with respect to time, or to a drive. They are
+    /// NaN of what is not determined by positions.
+    pub fn along(&self, state: &State) -> Signal<f64> {
         (self.value)(state)
     }
 
@@ -135,6 +146,7 @@ pub fn columns(quantities: &[&'static Quantity], names: &Names) -> Vec<Column> {
                 name: reading.name.unwrap_or_else(|| quantity.name.to_owned()),
                 kind: reading.kind,
                 axis: reading.axis,
+                has_derivatives: reading.has_derivatives,
                 value: reading.value,
             })
     };

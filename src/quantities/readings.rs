@@ -1,102 +1,148 @@
 //! How the numbers of a quantity are read of a state.
 
 use nalgebra::Vector3;
+use suspension_core::Signal;
 
 use crate::mechanism::{Names, State};
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Axis, Reading};
 
-/// One number of any state.
+/// A number with its derivatives along the rates of a state.
+pub(super) type Number = Signal<f64>;
+
+/// A number whose derivatives are not known.
+pub(super) fn alone(value: f64) -> Number {
+    Signal {
+        value,
+        rate: f64::NAN,
+        second_rate: f64::NAN,
+    }
+}
+
+/// One number of any state, of which no derivatives are known.
 pub(super) fn number(kind: Kind, value: fn(&State) -> f64) -> Vec<Reading> {
     vec![Reading {
+        has_derivatives: false,
+        ..reading(kind, move |state| alone(value(state)))
+    }]
+}
+
+/// One number, by a formula of positions.
+pub(super) fn reading(kind: Kind, value: impl Fn(&State) -> Number + 'static) -> Reading {
+    Reading {
         name: None,
         kind,
         axis: None,
+        has_derivatives: true,
         value: Box::new(value),
-    }]
+    }
 }
 
 /// A number each of several things that the linkage names.
 pub(super) fn each<'a>(
     things: impl Iterator<Item = (&'a str, Kind)>,
-    value: fn(&State, usize) -> f64,
+    has_derivatives: bool,
+    value: fn(&State, usize) -> Number,
 ) -> Vec<Reading> {
-    let reading = |(index, (name, kind)): (usize, (&str, Kind))| Reading {
+    let of_one = |(index, (name, kind)): (usize, (&str, Kind))| Reading {
         name: Some(name.to_owned()),
-        kind,
-        axis: None,
-        value: Box::new(move |state| value(state, index)),
+        has_derivatives,
+        ..reading(kind, move |state| value(state, index))
     };
-    things.enumerate().map(reading).collect()
+    things.enumerate().map(of_one).collect()
 }
 
-/// The components of a vector.
+/// Components of a vector of which no derivatives are known.
 pub(super) fn vector(
     name: Option<&str>,
     kind: Kind,
+    axes: &[Axis],
     value: impl Fn(&State) -> Vector3<f64> + Clone + 'static,
 ) -> Vec<Reading> {
-    let component = |(index, axis)| {
-        let value = value.clone();
+    let component = |axis: &Axis| {
+        let (axis, value) = (*axis, value.clone());
         Reading {
             name: name.map(str::to_owned),
-            kind,
             axis: Some(axis),
-            value: Box::new(move |state: &State| value(state)[index]),
+            has_derivatives: false,
+            ..reading(kind, move |state| alone(value(state)[axis as usize]))
         }
     };
-    Axis::ALL.into_iter().enumerate().map(component).collect()
+    axes.iter().map(component).collect()
+}
+
+/// The coordinates of a place, by a formula of positions; in the file's coordinates.
+pub(super) fn place(
+    name: Option<&str>,
+    local: impl Fn(&State) -> Vector3<Number> + Clone + 'static,
+) -> Vec<Reading> {
+    let coordinate = |axis: Axis| {
+        let local = local.clone();
+        Reading {
+            name: name.map(str::to_owned),
+            axis: Some(axis),
+            ..reading(Kind::Length, move |state| {
+                let mut number = local(state)[axis as usize];
+                number.value += state.origin[axis as usize];
+                number
+            })
+        }
+    };
+    Axis::ALL.map(coordinate).into()
 }
 
 /// Positions, velocities or accelerations of a point.
 pub(super) fn point(names: &Names, point: usize, kind: Kind) -> Vec<Reading> {
     let name = Some(names.points[point].as_str());
-    vector(name, kind, move |state| match kind {
-        Kind::Velocity => state.points.rate[point],
-        Kind::Acceleration => state.points.second_rate[point],
-        _ => state.position(point),
-    })
+    match kind {
+        Kind::Velocity => vector(name, kind, &Axis::ALL, move |state| {
+            state.points.rate[point]
+        }),
+        Kind::Acceleration => vector(name, kind, &Axis::ALL, move |state| {
+            state.points.second_rate[point]
+        }),
+        _ => place(name, move |state| at(state, point)),
+    }
+}
+
+/// A point in local coordinates.
+pub(super) fn at(state: &State, point: usize) -> Vector3<Number> {
+    let of = |points: &Vec<Vector3<f64>>| points[point];
+    state.points.map(of).components()
+}
+
+/// From one point to another.
+pub(super) fn from_to(state: &State, [from, to]: [usize; 2]) -> Vector3<Number> {
+    let between = |points: &Vec<Vector3<f64>>| points[to] - points[from];
+    state.points.map(between).components()
 }
 
 /// An angle of the spin axis.
-pub(super) fn of_spin_axis(names: &Names, angle: fn(&Vector3<f64>) -> f64) -> Vec<Reading> {
-    let Some(wheel) = names.wheel else {
-        return Vec::new();
-    };
-    let value = move |state: &State| angle(&from_to(state, wheel.axis));
-    vec![angle_of(value)]
+pub(super) fn of_spin_axis(names: &Names, angle: fn(&Vector3<Number>) -> Number) -> Vec<Reading> {
+    let of = |axis| reading(Kind::Angle, move |state| angle(&from_to(state, axis)));
+    names
+        .wheel
+        .map(|wheel| of(wheel.axis))
+        .into_iter()
+        .collect()
 }
 
 /// An angle of the kingpin.
-pub(super) fn of_kingpin(names: &Names, angle: fn(&Vector3<f64>) -> f64) -> Vec<Reading> {
-    let Some(kingpin) = names.kingpin else {
-        return Vec::new();
-    };
-    let value = move |state: &State| angle(&from_to(state, kingpin));
-    vec![angle_of(value)]
+pub(super) fn of_kingpin(names: &Names, angle: fn(&Vector3<Number>) -> Number) -> Vec<Reading> {
+    let of = |kingpin| reading(Kind::Angle, move |state| angle(&from_to(state, kingpin)));
+    names.kingpin.map(of).into_iter().collect()
 }
 
 /// An angle of the kingpin whose sign rests on the side of the vehicle: kingpin first, then spin axis.
 pub(super) fn of_kingpin_and_spin_axis(
     names: &Names,
-    angle: fn(&Vector3<f64>, &Vector3<f64>) -> f64,
+    angle: fn(&Vector3<Number>, &Vector3<Number>) -> Number,
 ) -> Vec<Reading> {
-    let (Some(kingpin), Some(wheel)) = (names.kingpin, names.wheel) else {
-        return Vec::new();
+    let of = |(kingpin, axis)| {
+        reading(Kind::Angle, move |state| {
+            angle(&from_to(state, kingpin), &from_to(state, axis))
+        })
     };
-    let value = move |state: &State| angle(&from_to(state, kingpin), &from_to(state, wheel.axis));
-    vec![angle_of(value)]
-}
-
-fn angle_of(value: impl Fn(&State) -> f64 + 'static) -> Reading {
-    Reading {
-        name: None,
-        kind: Kind::Angle,
-        axis: None,
-        value: Box::new(value),
-    }
-}
-
-fn from_to(state: &State, [from, to]: [usize; 2]) -> Vector3<f64> {
-    state.points.value[to] - state.points.value[from]
+    let ends = names.kingpin.zip(names.wheel.map(|wheel| wheel.axis));
+    ends.map(of).into_iter().collect()
 }

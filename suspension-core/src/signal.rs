@@ -1,7 +1,11 @@
 //! What is prescribed from outside: drives and chassis points, each with its rates.
 
+mod number;
+
 use crate::scalar::Real;
 use crate::values::Values;
+
+pub use number::Number;
 
 /// A prescribed quantity at one instant, with its first and second time derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,8 +1,17 @@
 //! What engineers read off a wheel. Signs, units and definitions live here and nowhere else.
 //!
+//! Formulas take real numbers, or [`Signal`]s of them, and then give their derivatives too: with respect to time
+//! from positions, velocities and accelerations, with respect to a drive from what
+//! [`Corner::per`](crate::Corner::per) gives.
+//!
 //! Axes are those of ISO 8855: x forward, y to the left, z up. Angles are in radians, computed by
 //! `atan2`, and signed so that they mean the same on both sides of a vehicle: the side is that of
 //! the wheel's spin axis, which points outboard, from the first point of `wheel:` to the centre.
+
+mod angles;
+mod ground;
+mod steering;
+mod travel;
 
 use nalgebra::Vector3;
 
@@ -10,43 +19,10 @@ use crate::body;
 use crate::scalar::Real;
 use crate::signal::Signal;
 
-/// Camber, positive where the top of the wheel leans outboard: the angle in the y-z plane between
-/// the spin axis and the y axis, `atan2(-s_z, |s_y|)`.
-///
-/// Another definition in use (Adams/Car) is `asin` of the axis' vertical part,
-/// [`camber_to_ground`]; the two differ where the wheel is steered.
-pub fn camber<T: Real>(spin_axis: &Vector3<T>) -> T {
-    (-spin_axis.z).atan2(spin_axis.y.abs())
-}
-
-/// Camber as the angle between the spin axis and the ground, `asin(-s_z / |s|)`, positive where
-/// the top of the wheel leans outboard.
-pub fn camber_to_ground<T: Real>(spin_axis: &Vector3<T>) -> T {
-    let level = (spin_axis.x * spin_axis.x + spin_axis.y * spin_axis.y).sqrt();
-    (-spin_axis.z).atan2(level)
-}
-
-/// Toe, positive where the front of the wheel points inboard (toe-in): `atan2(s_x, |s_y|)`.
-pub fn toe<T: Real>(spin_axis: &Vector3<T>) -> T {
-    spin_axis.x.atan2(spin_axis.y.abs())
-}
-
-/// Kingpin angle (inclination), positive where the top of the kingpin leans inboard: its angle in
-/// the y-z plane from the vertical, `atan2(-k_y, k_z)` on the left. `kingpin` points upwards.
-pub fn kingpin_angle<T: Real>(kingpin: &Vector3<T>, spin_axis: &Vector3<T>) -> T {
-    let outboard = if spin_axis.y < T::zero() {
-        -kingpin.y
-    } else {
-        kingpin.y
-    };
-    (-outboard).atan2(kingpin.z)
-}
-
-/// Caster, positive where the top of the kingpin leans rearwards: its angle in the x-z plane from
-/// the vertical, `atan2(-k_x, k_z)`. `kingpin` points upwards.
-pub fn caster<T: Real>(kingpin: &Vector3<T>) -> T {
-    (-kingpin.x).atan2(kingpin.z)
-}
+pub use angles::{camber, camber_to_ground, caster, kingpin_angle, toe};
+pub use ground::{Heading, contact};
+pub use steering::SteeringAxis;
+pub use travel::{Carrier, InstantCentre};
 
 /// A wheel spinning about its axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -134,14 +134,15 @@ fn run<L: Suspension<N>, const N: usize>(
         .map_err(|error| Failure::Solver(format!("the curve has no start: {}", lost(error))))?;
     let at = |curve: &Curve<'_, L, N>, place: &Place<f64, N>, turns| {
         let drives = inputs.drives.value.with(index, place.value);
+        let state = State {
+            residual: place.residual,
+            ..mechanism.at_rest(first, &drives, curve.points(&place.configuration))
+        };
         Station {
             freed: index,
             turns,
             speed: speed(curve, place, turns),
-            state: State {
-                residual: place.residual,
-                ..mechanism.at_rest(first, &drives, curve.points(&place.configuration))
-            },
+            state: mechanism.with_directions(state, &drives, &place.configuration.unknowns),
         }
     };
     let mut run = Run {

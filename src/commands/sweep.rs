@@ -1,0 +1,119 @@
+//! `suspension sweep`: all quantities, and their derivatives, on a grid of the drives.
+
+mod grid;
+mod table;
+mod visit;
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::load::load;
+use crate::mechanism::{Mechanism, Suspension, Work};
+use crate::output::csv_file::Target;
+use crate::output::files::{announce, refuse_input};
+use grid::{Grid, Swept};
+
+/// What `suspension sweep` is given.
+#[derive(Args, Clone, Debug)]
+#[command(after_long_help = NOTES)]
+pub struct Arguments {
+    /// The motion file (TOML), see suspension motion --help.
+    file: PathBuf,
+    /// A drive and COUNT values of it, evenly spaced from FROM to TO, both included, or one value; from where it is at
+    /// the file's first instant, in rad (angles) or the file's unit. Given several times: a grid.
+    #[arg(long = "drive", value_name = "NAME=FROM:TO:COUNT", required = true)]
+    drives: Vec<Swept>,
+    /// The values are the drives' own, as the file has them.
+    #[arg(long)]
+    absolute: bool,
+    /// Derivatives of each quantity with respect to each drive: none, the first, or the second too.
+    #[arg(long, value_name = "0|1|2", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=2))]
+    derivatives: u8,
+    /// Write the rows as comma-separated values to PATH, or to standard output for `-`; else to out/NAME_sweep.csv,
+    /// NAME being the motion file's.
+    #[arg(long, value_name = "PATH")]
+    csv: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// Solves the mechanism at each place of the grid.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`]. Places that have no configuration have no rows; the others are written, also where the user
+    /// interrupts.
+    pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
+        let source = Source::read(&self.file)?;
+        let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
+        let beside = || Path::new("out").join(format!("{stem}_sweep.csv"));
+        let target = Target::from(self.csv.clone().unwrap_or_else(beside));
+        if let Target::File(csv) = &target {
+            refuse_input(csv, &self.file, "--csv")?;
+        }
+        load(&source)?.run_driven(
+            "sweep",
+            Sweep {
+                source: source.name(),
+                arguments: &self,
+                target,
+                interrupted,
+            },
+        )
+    }
+}
+
+struct Sweep<'a> {
+    source: &'a str,
+    arguments: &'a Arguments,
+    target: Target,
+    interrupted: &'a AtomicBool,
+}
+
+impl Work for Sweep<'_> {
+    type Answer = ();
+
+    fn on<L: Suspension<N>, const N: usize>(
+        self,
+        mechanism: &Mechanism<L, N>,
+    ) -> Result<(), Failure> {
+        let Arguments {
+            drives,
+            absolute,
+            derivatives,
+            ..
+        } = self.arguments;
+        let grid = Grid::new(mechanism, drives, *absolute).map_err(Failure::Input)?;
+        let columns = table::columns(&mechanism.names, *derivatives);
+        let visited = visit::visit(mechanism, &grid, &columns, self.interrupted);
+        table::write(mechanism, &columns, &visited.rows, &self.target)?;
+        if let Target::File(path) = &self.target {
+            announce(std::slice::from_ref(path));
+        }
+        visited.failure(self.source).map_or(Ok(()), Err)
+    }
+}
+
+const NOTES: &str = "\
+One row a place of the grid, the last drive given changing fastest, its columns: the drives, all quantities that
+positions determine (suspension motion --help says what they are), and what the [vehicle] table of the
+file makes known:
+
+  [vehicle]
+  wheel_radius = 0.3      # in the unit: contact point, scrub radius, mechanical trail, roll centre
+  travel = \"bump\"         # the drive that moves the wheel up and down; without a word the one named
+  steer = \"steer\"         # bump, and the one that steers it: the one named steer
+
+Derivatives follow: camber_rad_per_bump is that of camber with respect to the drive bump, the other drives held,
+camber_rad_per_bump2 the second. They come from the equations, not from differences.
+
+From the first instant the mechanism is driven to each place. Places beyond a lock have no rows.
+
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration,
+130 interrupted; what was solved is written.
+
+Example:
+  suspension sweep examples/double_wishbone.toml --drive bump=-0.08:0.08:161 --drive steer=-0.03:0.03:41 --csv -";

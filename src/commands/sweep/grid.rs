@@ -1,0 +1,140 @@
+//! The places of a grid.
+
+use std::str::FromStr;
+
+use suspension_core::Values;
+
+use crate::mechanism::{Mechanism, Suspension};
+
+/// The most places that a grid may have.
+const MOST_PLACES: usize = 1_000_000;
+
+/// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Swept {
+    name: String,
+    from: f64,
+    to: f64,
+    count: usize,
+}
+
+impl FromStr for Swept {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wanted = "write NAME=FROM:TO:COUNT, as bump=-0.08:0.08:161, or NAME=VALUE";
+        let (name, values) = text.split_once('=').ok_or(wanted)?;
+        let number = |text: &str| {
+            let number = text
+                .trim()
+                .parse()
+                .ok()
+                .filter(|value: &f64| value.is_finite());
+            number.ok_or_else(|| format!("`{text}` is not a finite number; {wanted}"))
+        };
+        let (from, to, count) = match values.split(':').collect::<Vec<_>>().as_slice() {
+            [value] => (number(value)?, number(value)?, 1),
+            [from, to, count] => {
+                let count = count.trim().parse().ok().filter(|count: &usize| *count > 1);
+                let count = count.ok_or("COUNT is a whole number, at least 2")?;
+                (number(from)?, number(to)?, count)
+            }
+            _ => return Err(wanted.to_owned()),
+        };
+        Ok(Self {
+            name: name.trim().to_owned(),
+            from,
+            to,
+            count,
+        })
+    }
+}
+
+impl Swept {
+    fn values(&self) -> Vec<f64> {
+        let last = self.count.saturating_sub(1).max(1) as f64;
+        let value = |index: usize| {
+            let part = index as f64 / last;
+            // Exact at both ends, and at zero in the middle.
+            self.from * (1.0 - part) + self.to * part
+        };
+        (0..self.count).map(value).collect()
+    }
+}
+
+/// A grid of drives in local coordinates.
+pub(super) struct Grid {
+    /// Each drive that is swept, by number, with its values; the last changes fastest.
+    pub(super) axes: Vec<(usize, Vec<f64>)>,
+    /// All drives at the first instant.
+    pub(super) start: Vec<f64>,
+}
+
+impl Grid {
+    /// Of a mechanism; `absolute` where the values are the drives' own and not from the first instant.
+    pub(super) fn new<L: Suspension<N>, const N: usize>(
+        mechanism: &Mechanism<L, N>,
+        swept: &[Swept],
+        absolute: bool,
+    ) -> Result<Self, String> {
+        let [first, _] = mechanism.instants.ends();
+        let inputs = mechanism.drives.inputs::<L::Drives>(first);
+        let start: Vec<f64> = inputs.drives.value.values().collect();
+        let mut axes: Vec<(usize, Vec<f64>)> = Vec::new();
+        for of_one in swept {
+            let drive = mechanism.names.chosen_drive(Some(&of_one.name))?;
+            if axes.iter().any(|(other, _)| *other == drive) {
+                return Err(format!("--drive {} is given twice", of_one.name));
+            }
+            let from = if absolute {
+                -mechanism.drive_offset(drive)
+            } else {
+                start[drive]
+            };
+            let values = of_one.values().into_iter().map(|value| from + value);
+            axes.push((drive, values.collect()));
+        }
+        let grid = Self { axes, start };
+        match grid.places() {
+            Some(1..=MOST_PLACES) => Ok(grid),
+            _ => Err(format!(
+                "a grid may have {MOST_PLACES} places at most; take fewer values"
+            )),
+        }
+    }
+
+    /// How many places there are; `None` where they are too many to count.
+    pub(super) fn places(&self) -> Option<usize> {
+        let mut counts = self.axes.iter().map(|(_, values)| values.len());
+        counts.try_fold(1_usize, usize::checked_mul)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_evenly_spaced_and_exact_at_the_ends() {
+        let swept: Swept = "bump=-0.08:0.08:161".parse().expect("a drive");
+        let values = swept.values();
+        assert_eq!((values[0], values[80], values[160]), (-0.08, 0.0, 0.08));
+        assert!((values[1] + 0.079).abs() < 1e-16);
+        let held: Swept = "steer = 0.01".parse().expect("a drive");
+        assert_eq!((held.name.as_str(), held.values()), ("steer", vec![0.01]));
+    }
+
+    #[test]
+    fn what_is_no_grid_is_refused_with_the_way_to_write_one() {
+        for (text, expected) in [
+            ("bump", "write NAME=FROM:TO:COUNT"),
+            ("bump=1:2", "write NAME=FROM:TO:COUNT"),
+            ("bump=a:2:3", "`a` is not a finite number"),
+            ("bump=0:inf:3", "`inf` is not a finite number"),
+            ("bump=0:1:1", "COUNT is a whole number, at least 2"),
+        ] {
+            let refused = text.parse::<Swept>().expect_err(text);
+            assert!(refused.contains(expected), "{refused}");
+        }
+    }
+}

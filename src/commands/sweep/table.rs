@@ -1,0 +1,91 @@
+//! The table of a sweep: quantities, then their derivatives with respect to each drive.
+
+use crate::failure::Failure;
+use crate::mechanism::{Mechanism, Names, State};
+use crate::output::csv_file::{CsvFile, Heading, Target};
+use crate::quantities::{self, CATALOGUE, Column, DRIVES, Shown};
+
+/// The numbers of a place.
+pub(super) type Row = Vec<f64>;
+
+/// What is read off a place.
+pub(super) struct Columns {
+    quantities: Vec<Column>,
+    drives: usize,
+    derivatives: u8,
+}
+
+/// All quantities that positions determine, with derivatives up to an order.
+pub(super) fn columns(names: &Names, derivatives: u8) -> Columns {
+    let all = quantities::columns(CATALOGUE, names).into_iter();
+    let of_positions = all.filter(|column| {
+        column.kind.is_of_positions() && column.quantity.shown != Shown::InSummaries
+    });
+    Columns {
+        quantities: of_positions.collect(),
+        drives: names.drives.len(),
+        derivatives,
+    }
+}
+
+impl Columns {
+    /// The numbers of a state; `per` is the state with derivatives with respect to a drive, `None` where the mechanism locks.
+    pub(super) fn row(&self, state: &State, per: impl Fn(usize) -> Option<State>) -> Row {
+        let mut row: Row = self
+            .quantities
+            .iter()
+            .map(|column| column.value(state))
+            .collect();
+        if self.derivatives == 0 {
+            return row;
+        }
+        let per: Vec<Option<State>> = (0..self.drives).map(per).collect();
+        for column in self.with_derivatives() {
+            for state in &per {
+                let along = state.as_ref().map(|state| column.along(state));
+                let [first, second] =
+                    along.map_or([f64::NAN; 2], |along| [along.rate, along.second_rate]);
+                row.extend([first, second].iter().take(self.derivatives.into()));
+            }
+        }
+        row
+    }
+
+    fn with_derivatives(&self) -> impl Iterator<Item = &Column> {
+        let columns = self.quantities.iter();
+        columns.filter(|column| column.has_derivatives && !column.is(&DRIVES))
+    }
+}
+
+/// Writes the rows of all places that have a configuration.
+pub(super) fn write<L, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    columns: &Columns,
+    rows: &[Row],
+    target: &Target,
+) -> Result<(), Failure> {
+    let Mechanism { names, unit, .. } = mechanism;
+    let values = columns
+        .quantities
+        .iter()
+        .map(|column| column.csv_name(*unit));
+    let derivatives = columns.with_derivatives().flat_map(|column| {
+        let name = column.csv_name(*unit);
+        let drives = names.drives.iter();
+        drives.flat_map(move |drive| {
+            let first = format!("{name}_per_{}", drive.name);
+            let second = format!("{first}2");
+            [first, second].into_iter().take(columns.derivatives.into())
+        })
+    });
+    let heading = |name| Heading {
+        name,
+        counts: false,
+    };
+    let headings: Vec<Heading> = values.chain(derivatives).map(heading).collect();
+    let mut file = CsvFile::create(target, &headings.iter().collect::<Vec<_>>())?;
+    for row in rows.iter().filter(|row| !row.is_empty()) {
+        file.row(row)?;
+    }
+    file.finish()
+}

@@ -1,0 +1,40 @@
+//! The wheel on flat ground: where it touches, and where it heads.
+
+use nalgebra::Vector3;
+
+use crate::signal::Number;
+
+/// The contact point with flat, level ground: the lowest point of the circle of `radius` about the wheel centre
+/// in the plane normal to the spin axis. Not finite where the spin axis is vertical.
+pub fn contact<N: Number>(centre: &Vector3<N>, spin_axis: &Vector3<N>, radius: N) -> Vector3<N> {
+    let up = Vector3::new(N::zero(), N::zero(), N::one());
+    let square = spin_axis.dot(spin_axis);
+    // The vertical less its part along the axis.
+    let radial = up - spin_axis * (spin_axis.z / square);
+    let length = radial.dot(&radial).square_root();
+    centre - radial * (radius / length)
+}
+
+/// Horizontal directions of a wheel, of unit length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heading<N> {
+    /// Where the wheel rolls to when the vehicle drives forward.
+    pub forward: Vector3<N>,
+    /// Away from the vehicle, normal to [`forward`](Self::forward).
+    pub outboard: Vector3<N>,
+}
+
+impl<N: Number> Heading<N> {
+    /// Of a spin axis that points outboard; not finite where it is vertical.
+    pub fn of(spin_axis: &Vector3<N>) -> Self {
+        let level = Vector3::new(spin_axis.x, spin_axis.y, N::zero());
+        let outboard = level / level.dot(&level).square_root();
+        let ahead = Vector3::new(outboard.y, -outboard.x, N::zero());
+        let forward = if spin_axis.y.is_below_zero() {
+            -ahead
+        } else {
+            ahead
+        };
+        Self { forward, outboard }
+    }
+}

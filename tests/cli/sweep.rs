@@ -1,0 +1,139 @@
+//! Grids of drives.
+
+use super::program::{folder, rows, run, text};
+
+const CORNER: &str = "\
+linkage = \"double_wishbone_pushrod\"
+unit = \"m\"
+vehicle = { wheel_radius = 0.3 }
+time = { instants = [0.0] }
+[drives]
+bump = 0.3
+steer = 0.34
+";
+
+#[test]
+fn a_row_a_place_with_derivatives_that_are_those_of_differences() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let (bump, steer) = ("bump=-0.004:0.004:5", "steer=0.006:0.014:5");
+    let arguments = [
+        "sweep",
+        "a.toml",
+        "--drive",
+        bump,
+        "--drive",
+        steer,
+        "--derivatives",
+        "2",
+        "--csv",
+        "-",
+    ];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let table = rows(&output.stdout);
+    assert_eq!(table.len(), 25);
+    assert!((table[12]["bump_m"] - 0.3).abs() < 1e-15);
+    assert!((table[12]["steer_m"] - 0.35).abs() < 1e-15);
+    assert!(
+        (table[13]["steer_m"] - 0.352).abs() < 1e-15,
+        "the last drive changes fastest"
+    );
+    let middle = &table[12];
+    let firsts = middle.keys().filter(|name| name.ends_with("_per_bump"));
+    let mut checked = 0;
+    for name in firsts {
+        let quantity = name.strip_suffix("_per_bump").expect("a suffix");
+        for (drive, stride) in [("bump", 5), ("steer", 1)] {
+            let [a, b, c, d, e] =
+                [-2, -1, 0, 1, 2].map(|k: isize| table[(12 + k * stride) as usize][quantity]);
+            let h = 0.002;
+            let first = (8.0 * (d - b) - (e - a)) / (12.0 * h);
+            let second = (16.0 * (b + d) - (a + e) - 30.0 * c) / (12.0 * h * h);
+            let per = middle[&format!("{quantity}_per_{drive}")];
+            assert!(
+                (per - first).abs() < 1e-6,
+                "{quantity} per {drive}: {per} {first}"
+            );
+            let per = middle[&format!("{quantity}_per_{drive}2")];
+            assert!(
+                (per - second).abs() < 1e-4,
+                "{quantity} per {drive}: {per} {second}"
+            );
+            checked += 1;
+        }
+    }
+    assert!(checked > 60, "{checked}");
+    for name in [
+        "roll_centre_m",
+        "virtual_caster_rad",
+        "front_centre_y",
+        "brake_angle_rad",
+    ] {
+        assert!(middle[name].is_finite(), "{name}");
+    }
+}
+
+#[test]
+fn places_beyond_a_lock_are_left_out_and_counted() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let arguments = ["sweep", "a.toml", "--drive", "steer=-0.2:0.2:5"];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr).lines().last().expect("a message");
+    assert!(
+        message.starts_with("a.toml: 3 of 5 places have no configuration"),
+        "{message}"
+    );
+    assert!(message.contains("0.501278167"), "{message}");
+    let table = std::fs::read(folder.path().join("out/a_sweep.csv")).expect("a table");
+    assert_eq!(rows(&table).len(), 2);
+}
+
+#[test]
+fn what_is_wrong_is_said_in_a_sentence() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let wrong_radius = CORNER.replace("0.3 }", "-0.3 }");
+    std::fs::write(folder.path().join("b.toml"), wrong_radius).expect("written");
+    let wrong_drive = CORNER.replace("wheel_radius = 0.3", "travel = \"heave\"");
+    std::fs::write(folder.path().join("c.toml"), wrong_drive).expect("written");
+    for (file, drives, expected) in [
+        (
+            "a.toml",
+            vec!["heave=0:1:2"],
+            "unknown drive `heave`; known are bump, steer",
+        ),
+        (
+            "a.toml",
+            vec!["bump=0:1:2", "bump=0:1:2"],
+            "--drive bump is given twice",
+        ),
+        (
+            "a.toml",
+            vec!["bump=0:1:2000", "steer=0:1:2000"],
+            "1000000 places at most",
+        ),
+        (
+            "b.toml",
+            vec!["bump=0"],
+            "b.toml:3:28: wheel_radius is not a positive finite number",
+        ),
+        (
+            "c.toml",
+            vec!["bump=0"],
+            "c.toml:3:22: unknown drive `heave`; known are bump, steer",
+        ),
+    ] {
+        let mut arguments = vec!["sweep", file];
+        for drive in drives {
+            arguments.extend(["--drive", drive]);
+        }
+        let output = run(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let message = text(&output.stderr);
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(message.contains(expected), "{message}");
+    }
+}
