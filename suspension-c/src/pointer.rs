@@ -124,6 +124,15 @@ impl<'a, T> InOut<'a, T> {
     pub unsafe fn from_raw(pointer: *mut T) -> Self {
         Self(pointer, PhantomData)
     }
+
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn get(self) -> Result<&'a mut T, Status> {
+        check(self.0)?;
+        // SAFETY: neither null nor misaligned, so by what `from_raw` and the header ask for it points
+        // to a T that is this call's alone for 'a.
+        Ok(unsafe { &mut *self.0 })
+    }
 }
 
 impl<'a, V, const TAG: u32> InOut<'a, Object<V, TAG>> {
