@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The C interface with the features that suspension-c has alone, as users build it. On this machine,
 # linked with no other library, and on a Cortex-M4F in QEMU the program in C prints the text that its
-# twin in Rust prints on this machine, checksums of all bits included. And what all its functions reach
-# has no writable memory, no panic, no formatting, no allocation. install.sh has brought what this needs.
+# twin in Rust prints on this machine, checksums of all bits included; so does, on this machine, the
+# program that reads a listing from text. And what all functions of a linkage reach has no writable
+# memory, no panic, no formatting, no allocation. install.sh has brought what this needs.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -16,6 +17,15 @@ cc -std=c11 -O2 -ffp-contract=off -I suspension-c/include examples/c/motion.c \
     target/debug/examples/libcatalogue.a -o target/c/motion_here
 if ! diff <(echo "$by_rust") <(target/c/motion_here); then
     echo "Rust (<) and C (>) on this machine differ"
+    exit 1
+fi
+
+by_rust_compiled=$(cargo run --quiet --locked --package suspension-c --example listing)
+cc -std=c11 -O2 -ffp-contract=off -I suspension-c/include examples/c/listing.c \
+    target/debug/examples/libcatalogue.a -o target/c/listing_here
+listing=suspension-core/src/linkages/double_wishbone_pushrod.linkage
+if ! diff <(echo "$by_rust_compiled") <(target/c/listing_here "$listing"); then
+    echo "a listing compiled for Rust (<) and read by C (>) differ"
     exit 1
 fi
 
