@@ -197,7 +197,8 @@ susp_status susp_five_link_f64_step_between(
 
 /** `step_between` that keeps what it has got to where it stops early, as at a lock: `inputs`, those of
  * `motion`, become `to`. If not, both are those of the last good sub-step, `failure->reached`
- * seconds from the start. `report` may be NULL. */
+ * seconds from the start; from a lock no step may lead on or back, as rates have no bound there.
+ * `report` may be NULL. */
 susp_status susp_five_link_f64_advance(
         const susp_five_link_f64_model *model,
         susp_five_link_f64_inputs *inputs,

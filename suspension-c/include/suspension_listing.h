@@ -112,7 +112,8 @@ susp_status susp_corner_step(
         susp_f64_failure *failure);
 
 /** `susp_corner_step` that keeps what it has got to where it stops early, as at a lock:
- * `failure->reached` seconds from its start. Time, drives and points are then those there. */
+ * `failure->reached` seconds from its start. Time, drives and points are then those there; from a lock
+ * no step may lead on or back, as rates have no bound there. */
 susp_status susp_corner_advance(
         susp_corner *corner,
         const double *drives,

@@ -102,7 +102,8 @@ macro_rules! functions_of_a_linkage {
 
         /// `step_between` that keeps what it has got to where it stops early, as at a lock: `inputs`, those of
         /// `motion`, become `to`. If not, both are those of the last good sub-step, `failure->reached`
-        /// seconds from the start. `report` may be NULL.
+        /// seconds from the start; from a lock no step may lead on or back, as rates have no bound there.
+        /// `report` may be NULL.
         fn advance(model: In<Model>, inputs: InOut<Inputs>, to: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, inputs, to) = (model.object()?, inputs.get()?, to.get()?);

@@ -138,7 +138,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         advanced.map_err(|stopped| stopped.named(self.model.listing()))
     }
 
-    /// [`step`](Self::step) that keeps what it has got to where a drive locks on the way.
+    /// [`step`](Self::step) that keeps what it has got to where a drive locks on the way. At the lock itself
+    /// velocities have no bound, so that no step may lead from there, back neither.
     ///
     /// # Errors
     ///

@@ -82,7 +82,8 @@ crate::functions! { "susp":
     }
 
     /// `susp_corner_step` that keeps what it has got to where it stops early, as at a lock:
-    /// `failure->reached` seconds from its start. Time, drives and points are then those there.
+    /// `failure->reached` seconds from its start. Time, drives and points are then those there; from a lock
+    /// no step may lead on or back, as rates have no bound there.
     fn corner_advance(corner: InOut<Corner>, drives: In<Number>, count: usize, dt: Number, report: Out<Report>, failure: Out<Failure>) -> Status {
         moved(corner, failure, |moving, parsed| {
             let (drives, report) = (drives.many(count)?, report.optional()?);
