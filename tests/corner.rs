@@ -106,6 +106,41 @@ fn a_refused_step_changes_nothing() {
     assert_eq!((corner.time(), corner.drives(), *corner.motion()), before);
 }
 
+/// The way of a step from rest to rest, as a function of time, leads to the same lock.
+#[test]
+fn what_is_beyond_reach_is_advanced_to_until_it_locks() {
+    const DT: f64 = 0.5;
+    let (mut corner, mut led) = (design(), design());
+    let start = corner.drives();
+    let rise = |bump| Drives { bump, steer: 0.0 };
+    let far = Drives {
+        bump: start.bump + 1.0,
+        ..start
+    };
+    let stopped = corner.advance_to(DT, Signal::still(far));
+    let stopped = stopped.expect_err("the wheel does not rise by a metre");
+    let cubic = |time: f64| {
+        let s = time / DT;
+        Signal {
+            value: Drives {
+                bump: start.bump + s * s * (3.0 - 2.0 * s),
+                ..start
+            },
+            rate: rise(6.0 * s * (1.0 - s) / DT),
+            second_rate: rise(6.0 * (1.0 - 2.0 * s) / (DT * DT)),
+        }
+    };
+    led.advance(DT, cubic).expect_err("the same");
+    assert_eq!(corner.time(), stopped.error.reached);
+    assert!((corner.time() - led.time()).abs() < 1e-9);
+    assert!((corner.drives().bump - led.drives().bump).abs() < 1e-9);
+    let points = corner.points();
+    let expected = cubic(corner.time());
+    assert!((points.value.wheel_centre.z - expected.value.bump).abs() < 1e-12);
+    assert!((points.rate.wheel_centre.z - expected.rate.bump).abs() < 1e-12);
+    assert!((points.second_rate.wheel_centre.z - expected.second_rate.bump).abs() < 1e-10);
+}
+
 #[test]
 fn a_step_of_no_length_or_none_that_is_a_number_is_refused() {
     let mut corner = moved(0.02, 0.0);

@@ -1,7 +1,7 @@
 //! The mechanism at one place of its motion, whatever its linkage.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::{Inputs, Signal, Tangent, Values};
+use suspension_core::{Motion, Signal, Values};
 
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
@@ -75,13 +75,9 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         drives: &L::Drives,
         position: &SVector<f64, N>,
     ) -> Option<Signal<L::Points>> {
-        let inputs = Inputs::still(Signal {
-            rate: L::Drives::from_values([]).with(drive, 1.0),
-            ..Signal::still(*drives)
-        });
-        let tangent = Tangent::new(&self.model, &inputs, position).ok()?;
-        let motion = tangent.motion().ok()?;
-        Some(motion.points(&self.model, &inputs))
+        let change = L::Drives::from_values([]).with(drive, 1.0);
+        let motion = Motion::at_rest(*position);
+        motion.derivatives(&self.model, *drives, change).ok()
     }
 
     /// A state with the derivatives with respect to travel and steering.

@@ -3,7 +3,8 @@
  * such as suspension_five_link_f32.h. Written from the functions' source: do not edit.
  *
  * Memory    The caller owns every object: on the stack, static, or wherever. Nothing is allocated, and
- *           nothing has to be freed. Objects may be copied by assignment or memcpy.
+ *           nothing has to be freed. Objects may be copied by assignment or memcpy. Listings from text
+ *           alone are on the heap: see suspension_listing.h.
  * Opaque    What is in `words` is the library's. An object must have been made by the function that
  *           takes its size before another function takes it; if not, SUSP_ERROR_OBJECT is answered
  *           (with any content but one that happens to begin with the right mark).
@@ -13,7 +14,7 @@
  *           alignment. What a pointer to const points to may be shared by arguments; no other
  *           memory may overlap.
  * Answers   SUSP_OK, or why nothing was done: then everything is as it was but for `*failure`, which is
- *           written only then.
+ *           written only then. Only those named `advance` keep what they have got to.
  * Numbers   Any unit of length, the same throughout; angles in rad, times in s. NaN and infinities are
  *           told by the answers of what makes a model and of what solves; what only reads, carries or
  *           looks up may pass them on. Axes: x forward, y left, z up (ISO 8855) where wheels are read off.
@@ -38,7 +39,7 @@ enum {
     SUSP_ERROR_NULL = 1,
     /** a pointer is not aligned for what it points to */
     SUSP_ERROR_MISALIGNED = 2,
-    /** the memory has another size than the library needs: header and library differ */
+    /** the memory has another size than the library needs: header and library differ, or an array has another count than the listing */
     SUSP_ERROR_SIZE = 3,
     /** the object was not made by the function that makes its kind, or not successfully */
     SUSP_ERROR_OBJECT = 4,
@@ -48,6 +49,10 @@ enum {
     SUSP_ERROR_OUTSIDE = 6,
     /** the points that give a direction coincide, lie in line or are not finite */
     SUSP_ERROR_NO_DIRECTION = 7,
+    /** the text is no listing that can be solved; the message says where and why */
+    SUSP_ERROR_LISTING = 8,
+    /** the listing has no such part */
+    SUSP_ERROR_ABSENT = 9,
     /** a coordinate of a point is not a finite number, or too large to compute with; give hardpoints in one unit and near the vehicle */
     SUSP_ERROR_POINT_NOT_FINITE = 20,
     /** a length is not positive, or too large or too small to compute with; keep points apart that a link or a body joins */
@@ -113,7 +118,7 @@ typedef struct {
     /** What the call answers. */
     susp_status status;
     /** The point, length, equation or unknown concerned, as the listing names it; NULL where there
-     * is none. Lives as long as the program. */
+     * is none. Lives as long as the program; of a listing from text as long as the object. */
     const char *culprit;
     /** What was found: the residual, correction, pivot or the like that `status` speaks of; in the
      * unit of the points. 0 where nothing is compared. */
@@ -261,7 +266,7 @@ typedef struct {
     /** What the call answers. */
     susp_status status;
     /** The point, length, equation or unknown concerned, as the listing names it; NULL where there
-     * is none. Lives as long as the program. */
+     * is none. Lives as long as the program; of a listing from text as long as the object. */
     const char *culprit;
     /** What was found: the residual, correction, pivot or the like that `status` speaks of; in the
      * unit of the points. 0 where nothing is compared. */

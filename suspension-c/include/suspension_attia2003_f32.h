@@ -195,6 +195,19 @@ susp_status susp_attia2003_f32_step_between(
         susp_f32_report *report,
         susp_f32_failure *failure);
 
+/** `step_between` that keeps what it has got to where it stops early, as at a lock: `inputs`, those of
+ * `motion`, become `to`. If not, both are those of the last good sub-step, `failure->reached`
+ * seconds from the start; from a lock no step may lead on or back, as rates have no bound there.
+ * `report` may be NULL. */
+susp_status susp_attia2003_f32_advance(
+        const susp_attia2003_f32_model *model,
+        susp_attia2003_f32_inputs *inputs,
+        const susp_attia2003_f32_inputs *to,
+        float dt,
+        susp_attia2003_f32_motion *motion,
+        susp_f32_report *report,
+        susp_f32_failure *failure);
+
 /** One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. Solved for:
  * SUSP_POSITION, SUSP_VELOCITY (position too) or SUSP_ACCELERATION (all three). Rates that are
  * not solved for are estimates, good for the next step. `report` may be NULL. A first step from
@@ -254,6 +267,18 @@ susp_status susp_attia2003_f32_read_measures(
         const susp_attia2003_f32_model *model,
         const susp_attia2003_f32_point_rates *points,
         susp_attia2003_f32_measure_rates *measures);
+
+/** Motion ratios: all points of a motion with their first and second derivative where the drives change
+ * as `change` says, say one of them by 1 and the rest by 0, at rest too. The members `rate` are per unit
+ * of that change, `second_rate` per unit squared; `read_measures` takes them on to the measures.
+ * The rates of `inputs` do not matter. SUSP_ERROR_SINGULAR where the drives lock. */
+susp_status susp_attia2003_f32_read_derivatives(
+        const susp_attia2003_f32_model *model,
+        const susp_attia2003_f32_inputs *inputs,
+        const susp_attia2003_f32_motion *motion,
+        const susp_attia2003_f32_drives *change,
+        susp_attia2003_f32_point_rates *points,
+        susp_f32_failure *failure);
 
 /** Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
  * position, and no other. Takes about as long as four steps to tolerance. */

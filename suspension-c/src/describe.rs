@@ -2,7 +2,7 @@
 
 use suspension_core::Part;
 
-use crate::names::{Table, Text};
+use crate::names::{Naming, Table, Text};
 
 /// A C function.
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +38,8 @@ pub enum Shape {
         /// Their alignment.
         align: usize,
     },
+    /// Not C's to look into, nor to make: it is known by its pointer.
+    Handle,
     /// Numbers, or vectors of three, under names.
     Named {
         /// The names.
@@ -83,9 +85,8 @@ pub struct Names {
     pub unknowns: Table,
 }
 
-impl Names {
-    /// The name of a part as C reads it; NULL where there is none.
-    pub fn of(&self, part: Part) -> Text {
+impl Naming for Names {
+    fn name(&self, part: Part) -> Text {
         let (table, index) = match part {
             Part::Equation(index) => (self.equations, index),
             Part::Unknown(index) => (self.unknowns, index),

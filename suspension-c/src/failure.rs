@@ -3,8 +3,7 @@
 use suspension_core::Real;
 use suspension_core::error::{Explain, Facts};
 
-use crate::describe::Names;
-use crate::names::Text;
+use crate::names::{Naming, Text};
 use crate::pointer::Out;
 use crate::shared::Failure;
 use crate::status::Status;
@@ -34,7 +33,7 @@ impl<E: Explain> From<E> for Trouble {
 #[inline(always)]
 pub fn respond<T: Real>(
     failure: Out<'_, Failure<T>>,
-    names: &Names,
+    names: &impl Naming,
     work: impl FnOnce() -> Result<(), Trouble>,
 ) -> Status {
     let failure = match failure.optional() {
@@ -64,7 +63,7 @@ pub fn answer(work: impl FnOnce() -> Result<(), Status>) -> Status {
 
 #[cold]
 #[inline(never)]
-fn tell<T: Real>(trouble: Trouble, names: &Names) -> Failure<T> {
+fn tell<T: Real>(trouble: Trouble, names: &impl Naming) -> Failure<T> {
     let facts = match trouble {
         Trouble::Argument(status) => return Failure::of(status),
         Trouble::Solver(facts) => facts,
@@ -75,7 +74,7 @@ fn tell<T: Real>(trouble: Trouble, names: &Names) -> Failure<T> {
         .map(T::constant);
     Failure {
         status: facts.cause.into(),
-        culprit: facts.part.map_or(Text::NONE, |part| names.of(part)),
+        culprit: facts.part.map_or(Text::NONE, |part| names.name(part)),
         value,
         bound,
         reached: T::constant(facts.reached.unwrap_or_default()),

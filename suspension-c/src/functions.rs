@@ -100,6 +100,23 @@ macro_rules! functions_of_a_linkage {
             })
         }
 
+        /// `step_between` that keeps what it has got to where it stops early, as at a lock: `inputs`, those of
+        /// `motion`, become `to`. If not, both are those of the last good sub-step, `failure->reached`
+        /// seconds from the start; from a lock no step may lead on or back, as rates have no bound there.
+        /// `report` may be NULL.
+        fn advance(model: In<Model>, inputs: InOut<Inputs>, to: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let (model, inputs, to) = (model.object()?, inputs.get()?, to.get()?);
+                let (motion, report) = (motion.object()?, report.optional()?);
+                let (mut reached, to) = (still(inputs), still(to));
+                let tracker = solver::Tracker::default();
+                let advanced = tracker.advance_between(model, &mut reached, &to, dt, motion);
+                *inputs = Rates::from_signal(&reached.drives, values);
+                fill(report, advanced?);
+                Ok(())
+            })
+        }
+
         /// One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. Solved for:
         /// SUSP_POSITION, SUSP_VELOCITY (position too) or SUSP_ACCELERATION (all three). Rates that are
         /// not solved for are estimates, good for the next step. `report` may be NULL. A first step from
@@ -145,6 +162,20 @@ macro_rules! functions_of_a_linkage {
                 let measures = measures.get()?;
                 let found = model.measures(&signal(points, points_of));
                 measures.write(Rates::from_signal(&found, values));
+                Ok(())
+            })
+        }
+
+        /// Motion ratios: all points of a motion with their first and second derivative where the drives change
+        /// as `change` says, say one of them by 1 and the rest by 0, at rest too. The members `rate` are per unit
+        /// of that change, `second_rate` per unit squared; `read_measures` takes them on to the measures.
+        /// The rates of `inputs` do not matter. SUSP_ERROR_SINGULAR where the drives lock.
+        fn read_derivatives(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, change: In<Drives>, points: Out<PointRates>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let (model, motion, points) = (model.object()?, motion.object()?, points.get()?);
+                let (inputs, change) = (inputs.get()?, change.get()?);
+                let found = motion.derivatives(model, named(&inputs.value), named(change))?;
+                points.write(Rates::from_signal(&found, values_of_points));
                 Ok(())
             })
         }

@@ -15,7 +15,8 @@ const RULES: &str = " * Suspension kinematics for C. This file has what all link
  * such as suspension_five_link_f32.h. Written from the functions' source: do not edit.
  *
  * Memory    The caller owns every object: on the stack, static, or wherever. Nothing is allocated, and
- *           nothing has to be freed. Objects may be copied by assignment or memcpy.
+ *           nothing has to be freed. Objects may be copied by assignment or memcpy. Listings from text
+ *           alone are on the heap: see suspension_listing.h.
  * Opaque    What is in `words` is the library's. An object must have been made by the function that
  *           takes its size before another function takes it; if not, SUSP_ERROR_OBJECT is answered
  *           (with any content but one that happens to begin with the right mark).
@@ -25,7 +26,7 @@ const RULES: &str = " * Suspension kinematics for C. This file has what all link
  *           alignment. What a pointer to const points to may be shared by arguments; no other
  *           memory may overlap.
  * Answers   SUSP_OK, or why nothing was done: then everything is as it was but for `*failure`, which is
- *           written only then.
+ *           written only then. Only those named `advance` keep what they have got to.
  * Numbers   Any unit of length, the same throughout; angles in rad, times in s. NaN and infinities are
  *           told by the answers of what makes a model and of what solves; what only reads, carries or
  *           looks up may pass them on. Axes: x forward, y left, z up (ISO 8855) where wheels are read off.
@@ -67,13 +68,38 @@ impl Display for Common {
 /// A header of its own, which includes `suspension.h`.
 impl Display for Interface {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str("/*\n")?;
-        for line in self.docs {
-            writeln!(f, " *{line}")?;
-        }
-        f.write_str(" *\n * What holds for every function is said in suspension.h.\n */\n")?;
-        guarded(f, self.prefix, &["\"suspension.h\""], |f| body(f, self))
+        own(f, self, self.prefix, "")
     }
+}
+
+/// The header of listings from text, `suspension_listing.h`.
+#[cfg(feature = "listings")]
+pub fn listing() -> impl Display {
+    ListingHeader
+}
+
+#[cfg(feature = "listings")]
+struct ListingHeader;
+
+#[cfg(feature = "listings")]
+impl Display for ListingHeader {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        use crate::listing::{INTERFACE, KINDS};
+        own(f, &INTERFACE, "susp_listing", KINDS)
+    }
+}
+
+/// A header that begins with some types of its own.
+fn own(f: &mut Formatter<'_>, interface: &Interface, guard: &str, types: &str) -> fmt::Result {
+    f.write_str("/*\n")?;
+    for line in interface.docs {
+        writeln!(f, " *{line}")?;
+    }
+    f.write_str(" *\n * What holds for every function is said in suspension.h.\n */\n")?;
+    guarded(f, guard, &["\"suspension.h\""], |f| {
+        f.write_str(types)?;
+        body(f, interface)
+    })
 }
 
 fn guarded(
@@ -130,6 +156,7 @@ fn structure(f: &mut Formatter<'_>, interface: &Interface, structure: &Structure
                 "typedef struct {{\n    uint{bits}_t words[{upper}_{kind}_SIZE / {word}];\n}} {name};"
             )
         }
+        Shape::Handle => writeln!(f, "typedef struct {name} {name};"),
         Shape::Named { names, vectors } => {
             let number = interface.number_type();
             let (upper, kind) = (Upper(interface.prefix), Upper(structure.name));
@@ -176,9 +203,11 @@ fn function(f: &mut Formatter<'_>, interface: &Interface, function: &Function) -
         } else {
             ",\n        "
         })?;
+        let of = interface.pointee(of);
         match *kind {
-            "In" => write!(f, "const {} *{argument}", interface.type_name(of))?,
-            "InOut" | "Out" => write!(f, "{} *{argument}", interface.type_name(of))?,
+            "In" => write!(f, "const {of} *{argument}")?,
+            "InOut" | "Out" | "Destroy" => write!(f, "{of} *{argument}")?,
+            "Create" => write!(f, "{of} **{argument}")?,
             kind => write!(f, "{}{argument}", interface.type_of(kind)?)?,
         }
     }

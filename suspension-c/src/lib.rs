@@ -26,7 +26,10 @@
 //! There is no state but in the caller's objects, so that threads need no lock as long as each
 //! object is written by one of them at a time. Every pointer is checked for null and alignment, every
 //! object for having been made by the function that makes its kind. `unsafe` is in
-//! `pointer.rs` alone.
+//! `pointer.rs` and below it, and where a suspension keeps the listing that it borrows.
+//!
+//! [`listing`] reads listings from text, with the feature `listings` and on the heap; nothing else
+//! allocates.
 #![no_std]
 #![cfg_attr(
     not(test),
@@ -49,6 +52,8 @@ mod failure;
 mod functions;
 pub mod header;
 mod linkage;
+#[cfg(feature = "listings")]
+pub mod listing;
 mod names;
 pub mod of;
 mod pointer;
@@ -68,7 +73,7 @@ pub mod private {
     pub use crate::convert::{fill, kingpin_of, rotation_of, wheel_of};
     pub use crate::describe::{Function, Interface, Names, Shape, Structure};
     pub use crate::failure::{Trouble, answer, respond};
-    pub use crate::names::{Table, Text, terminated, terminated_length};
+    pub use crate::names::{Naming, Table, Text, terminated, terminated_length};
     pub use crate::of;
     pub use crate::pointer::{In, InOut, Object, Out, tag};
     pub use crate::status::Status;
@@ -79,6 +84,8 @@ pub mod private {
 }
 
 pub use describe::{Function, Interface, Shape, Structure};
+#[cfg(feature = "listings")]
+pub use pointer::{Create, Destroy};
 pub use pointer::{In, InOut, Out};
 pub use status::{Status, status_text};
 

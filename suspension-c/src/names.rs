@@ -1,8 +1,11 @@
-//! Names as C reads them: closed by a zero, for ever.
+//! Names as C reads them: closed by a zero.
 
 use core::ffi::{CStr, c_char};
 
-/// `const char *`, NULL where there is no text. It points to what lives as long as the program.
+use suspension_core::Part;
+
+/// `const char *`, NULL where there is no text. It points to what lives as long as the program, or where a
+/// header says so as long as an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(transparent)]
 pub struct Text(*const c_char);
@@ -17,9 +20,22 @@ impl Text {
     }
 }
 
-impl From<&'static CStr> for Text {
-    fn from(text: &'static CStr) -> Self {
+impl From<&CStr> for Text {
+    fn from(text: &CStr) -> Self {
         Self(text.as_ptr())
+    }
+}
+
+/// What knows how a listing calls its parts.
+pub trait Naming {
+    /// The name of a part; NULL where there is none.
+    fn name(&self, part: Part) -> Text;
+}
+
+/// No listing, where there is none to ask.
+impl Naming for () {
+    fn name(&self, _: Part) -> Text {
+        Text::NONE
     }
 }
 

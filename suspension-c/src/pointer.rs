@@ -1,10 +1,18 @@
-//! Pointers from C become references here, and nowhere else.
+//! Pointers from C become references here and in the modules below, and nowhere else.
 #![allow(unsafe_code, reason = "what a pointer points to is C's promise")]
 
 use core::marker::PhantomData;
 use core::mem::MaybeUninit;
 
 use crate::status::Status;
+
+mod array;
+#[cfg(feature = "listings")]
+mod heap;
+
+pub use array::Numbers;
+#[cfg(feature = "listings")]
+pub use heap::{Create, Destroy};
 
 /// `const T *` of a call: null, misaligned, or to a `T` that nobody writes during the call.
 #[derive(Debug)]
@@ -20,15 +28,6 @@ pub struct InOut<'a, T>(*mut T, PhantomData<&'a mut T>);
 #[derive(Debug)]
 #[repr(transparent)]
 pub struct Out<'a, T>(*mut T, PhantomData<&'a mut MaybeUninit<T>>);
-
-/// Numbers of the caller's: a pointer to the first of `count`, which nobody writes as long as this
-/// is used.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct Numbers<T> {
-    numbers: *const T,
-    count: usize,
-}
 
 /// An object that C keeps but does not look into. It begins with a mark of its kind, so that memory
 /// which never held one is told.
@@ -124,6 +123,15 @@ impl<'a, T> InOut<'a, T> {
     pub unsafe fn from_raw(pointer: *mut T) -> Self {
         Self(pointer, PhantomData)
     }
+
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn get(self) -> Result<&'a mut T, Status> {
+        check(self.0)?;
+        // SAFETY: neither null nor misaligned, so by what `from_raw` and the header ask for it points
+        // to a T that is this call's alone for 'a.
+        Ok(unsafe { &mut *self.0 })
+    }
 }
 
 impl<'a, V, const TAG: u32> InOut<'a, Object<V, TAG>> {
@@ -213,27 +221,6 @@ impl<'a, T> From<Option<&'a mut MaybeUninit<T>>> for Out<'a, T> {
         match reference {
             Some(reference) => reference.into(),
             None => Self(core::ptr::null_mut(), PhantomData),
-        }
-    }
-}
-
-impl<T> Numbers<T> {
-    pub(crate) fn get(&self) -> Result<&[T], Status> {
-        check(self.numbers)?;
-        if self.count > isize::MAX as usize / size_of::<T>() {
-            return Err(Status::Size);
-        }
-        // SAFETY: neither null nor misaligned, so that by what the header asks for it points to `count`
-        // numbers which are only read meanwhile; they fit into the address space.
-        Ok(unsafe { core::slice::from_raw_parts(self.numbers, self.count) })
-    }
-}
-
-impl<T> From<&'static [T]> for Numbers<T> {
-    fn from(numbers: &'static [T]) -> Self {
-        Self {
-            numbers: numbers.as_ptr(),
-            count: numbers.len(),
         }
     }
 }

@@ -38,7 +38,7 @@ structures! {
         /// What the call answers.
         status: Status,
         /// The point, length, equation or unknown concerned, as the listing names it; NULL where there
-        /// is none. Lives as long as the program.
+        /// is none. Lives as long as the program; of a listing from text as long as the object.
         culprit: Text,
         /// What was found: the residual, correction, pivot or the like that `status` speaks of; in the
         /// unit of the points. 0 where nothing is compared.

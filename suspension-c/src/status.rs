@@ -55,11 +55,13 @@ suspension_core::causes! { statuses {
 
     Null = 1: "a pointer is NULL that must not be";
     Misaligned = 2: "a pointer is not aligned for what it points to";
-    Size = 3: "the memory has another size than the library needs: header and library differ";
+    Size = 3: "the memory has another size than the library needs: header and library differ, or an array has another count than the listing";
     Object = 4: "the object was not made by the function that makes its kind, or not successfully";
     Argument = 5: "an argument is none of the values that it may have";
     Outside = 6: "the drive is outside the range of the curve";
     NoDirection = 7: "the points that give a direction coincide, lie in line or are not finite";
+    Listing = 8: "the text is no listing that can be solved", "the message says where and why";
+    Absent = 9: "the listing has no such part";
 } }
 
 impl From<Cause> for Status {

@@ -25,6 +25,7 @@ static PREFIX_inputs inputs;
 static PREFIX_point_rates point_rates;
 static PREFIX_chassis_rates chassis_rates;
 static PREFIX_lengths lengths;
+static PREFIX_drives drives;
 static int checks;
 
 static void same(const void *a, const void *b, size_t size, const char *call)
@@ -53,11 +54,12 @@ static void set_up(void)
     expect(PREFIX_read_points(&model, &inputs, &motion, &point_rates), SUSP_OK, "set-up");
     expect(PREFIX_move_chassis(&model, &rigid_motion, &chassis_rates), SUSP_OK, "set-up");
     expect(PREFIX_model_lengths(&model, &lengths), SUSP_OK, "set-up");
+    expect(PREFIX_model_drives(&model, &points, &drives), SUSP_OK, "set-up");
 }
 "#;
 
 /// The types of those objects.
-const VALID: [&str; 8] = [
+const VALID: [&str; 9] = [
     "Points",
     "RigidMotion",
     "Model",
@@ -66,6 +68,7 @@ const VALID: [&str; 8] = [
     "PointRates",
     "ChassisRates",
     "Lengths",
+    "Drives",
 ];
 
 /// Attia 2003, tables 1 and 2, and a wheel centre.

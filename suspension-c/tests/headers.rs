@@ -12,6 +12,10 @@ fn are_what_the_functions_say() {
     let headers = [
         ("suspension.h", suspension_c::header::common().to_string()),
         (
+            "suspension_listing.h",
+            suspension_c::header::listing().to_string(),
+        ),
+        (
             "suspension_attia2003_f32.h",
             attia2003_f32::INTERFACE.to_string(),
         ),

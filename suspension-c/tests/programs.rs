@@ -31,6 +31,36 @@ fn c_and_rust_compute_the_same_bits() {
     }
 }
 
+/// A listing that C reads from a file moves as the same listing does that was compiled for Rust. The text
+/// that both print has a checksum of the bits of everything computed.
+#[test]
+fn c_moves_a_listing_from_text_as_rust_a_compiled_one() {
+    if !has("cc", "c_moves_a_listing_from_text_as_rust_a_compiled_one") {
+        return;
+    }
+    let built = example("listing");
+    example("catalogue");
+    let folder = tempfile::tempdir().expect("a folder");
+    let program = folder.path().join("listing");
+    let library = built.join("libcatalogue.a");
+    compile("listing.c", &[], &library, &program);
+    let text = "suspension-core/src/linkages/double_wishbone_pushrod.linkage";
+    let by_c = run(Command::new(&program).arg(root().join(text)));
+    let by_rust = run(&mut Command::new(built.join("listing")));
+    assert_eq!(by_c.lines().count(), 15);
+    assert_eq!(by_c, by_rust);
+
+    let wrong = folder.path().join("wrong.linkage");
+    std::fs::write(&wrong, "fixed: a;\nfree: p;\nlink rod a -> p;\n").expect("a file");
+    let output = Command::new(&program)
+        .arg(&wrong)
+        .output()
+        .expect("started");
+    assert!(!output.status.success());
+    let complaint = String::from_utf8(output.stderr).expect("text");
+    assert!(complaint.starts_with("listing:3:"), "{complaint}");
+}
+
 /// Headers are valid alone, in C99 with all that ISO asks for, and in C++.
 #[test]
 fn headers_compile_in_c99_and_in_cpp() {
@@ -53,6 +83,6 @@ fn headers_compile_in_c99_and_in_cpp() {
 fn headers(folder: &Path) -> Vec<std::path::PathBuf> {
     let files = std::fs::read_dir(folder).expect("the folder of headers");
     let paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
-    assert_eq!(paths.len(), 5);
+    assert_eq!(paths.len(), 6);
     paths
 }

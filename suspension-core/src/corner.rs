@@ -3,7 +3,7 @@
 use crate::assemble::assemble;
 use crate::error::{Failure, GeometryError, SolveError};
 use crate::linkage::{Build, Designed, Linkage};
-use crate::motion::{Motion, Tangent};
+use crate::motion::Motion;
 use crate::newton::Newton;
 use crate::report::Report;
 use crate::scalar::Real;
@@ -161,6 +161,31 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         advanced.map_err(|stopped| stopped.named(self.model.listing()))
     }
 
+    /// [`step`](Self::step) that keeps what it has got to where a drive locks on the way. At the lock itself
+    /// velocities have no bound, so that no step may lead from there, back neither.
+    ///
+    /// # Errors
+    ///
+    /// See [`Stopped`], with times from the start of the step; the corner then stands at
+    /// [`Stopped::reached`].
+    pub fn advance_to(
+        &mut self,
+        dt: T,
+        drives: Signal<L::Drives>,
+    ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
+        let (mut inputs, to) = (Inputs::still(self.drives), Inputs::still(drives));
+        let motion = &mut self.motion;
+        let advanced = self
+            .tracker
+            .advance_between(&self.model, &mut inputs, &to, dt, motion);
+        self.drives = inputs.drives;
+        self.time += match &advanced {
+            Ok(_) => dt,
+            Err(stopped) => stopped.reached,
+        };
+        advanced.map_err(|stopped| stopped.named(self.model.listing()))
+    }
+
     /// Points and measures with their derivatives where the drives change as `change` says, the others
     /// staying: motion ratios, and their change, where one of them is 1 and the rest are 0. At rest too.
     ///
@@ -171,14 +196,10 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         &self,
         change: L::Drives,
     ) -> Result<Derivatives<L, N>, Failure<SolveError<T>, L::Listing>> {
-        let inputs = Inputs::still(Signal {
-            rate: change,
-            ..Signal::still(self.drives.value)
-        });
-        let tangent = Tangent::new(&self.model, &inputs, &self.motion.position);
-        let motion = tangent.and_then(|tangent| tangent.motion());
-        let motion = motion.map_err(|error| error.named(self.model.listing()))?;
-        let points = motion.points(&self.model, &inputs);
+        let derived = self
+            .motion
+            .derivatives(&self.model, self.drives.value, change);
+        let points = derived.map_err(|error| error.named(self.model.listing()))?;
         Ok(Derivatives {
             measures: self.model.measures(&points),
             points,

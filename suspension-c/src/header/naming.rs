@@ -125,6 +125,18 @@ struct TypeName<'a> {
     name: &'a str,
 }
 
+/// The name of what a pointer points to: a plain type or a struct.
+struct Pointee<'a>(TypeName<'a>);
+
+impl Display for Pointee<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self.0.interface.type_of(self.0.name) {
+            Ok(plain) => f.write_str(plain.trim_end()),
+            Err(_) => self.0.fmt(f),
+        }
+    }
+}
+
 impl Display for TypeName<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Self { interface, name } = self;
@@ -146,6 +158,14 @@ impl Interface {
         }
     }
 
+    /// What C calls what a pointer points to.
+    pub(super) fn pointee<'a>(&'a self, name: &'a str) -> impl Display {
+        Pointee(TypeName {
+            interface: self,
+            name,
+        })
+    }
+
     pub(super) fn number_type(&self) -> &'static str {
         if self.number == "f32" {
             "float"
@@ -162,6 +182,8 @@ impl Interface {
             "*const T" if self.number == "f32" => "const float *",
             "*const T" => "const double *",
             "usize" => "size_t ",
+            "Char" => "char ",
+            "Kind" => "susp_kind ",
             "u32" => "uint32_t ",
             "Status" => "susp_status ",
             "Outputs" => "susp_outputs ",

@@ -98,7 +98,7 @@ impl<T: Real> Tracker<T> {
     /// # Errors
     ///
     /// As [`advance`](Self::advance), with the times counted from the start of the step, and
-    /// [`SolveError::NotFinite`] where `dt` is zero; the motion is then unchanged.
+    /// [`SolveError::NotFinite`](crate::SolveError::NotFinite) where `dt` is zero; the motion is then unchanged.
     pub fn step_between<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -110,7 +110,33 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: Between<T, L::Fixed>,
     {
-        let inputs = |t: T| {
+        let (mut inputs, mut next) = (*from, *motion);
+        let advanced = self.advance_between(linkage, &mut inputs, to, dt, &mut next)?;
+        *motion = next;
+        Ok(advanced)
+    }
+
+    /// [`step_between`](Self::step_between) that keeps what it has got to where it stops early: `inputs`,
+    /// those of `motion`, move with it.
+    ///
+    /// # Errors
+    ///
+    /// As [`advance`](Self::advance), with the times counted from the start; motion and inputs are then
+    /// those at [`Stopped::reached`].
+    pub fn advance_between<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        inputs: &mut Inputs<C, L::Drives>,
+        to: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, Stopped<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: Between<T, L::Fixed>,
+    {
+        let from = *inputs;
+        let at = |t: T| {
             // A step of no length has no rates between its ends: those of the cubic are then NaN.
             if t == dt && dt != T::zero() {
                 return *to;
@@ -121,9 +147,13 @@ impl<T: Real> Tracker<T> {
                 drives: cubic.between(&from.drives, &to.drives),
             }
         };
-        let mut next = *motion;
-        let advanced = self.advance(linkage, inputs, T::zero(), dt, &mut next)?;
-        *motion = next;
-        Ok(advanced)
+        let advanced = self.advance(linkage, at, T::zero(), dt, motion);
+        match &advanced {
+            Ok(_) => *inputs = *to,
+            // At the start the second rates are the caller's and not the cubic's.
+            Err(stopped) if stopped.reached == T::zero() => {}
+            Err(stopped) => *inputs = at(stopped.reached),
+        }
+        advanced
     }
 }

@@ -1,0 +1,72 @@
+//! Listings from text: read, given hardpoints and moved, by names that are looked up once.
+//!
+//! The one part of the interface that needs the heap, where objects are made, and a standard library.
+
+mod corner;
+mod moving;
+mod parsed;
+mod placed;
+mod text;
+
+use crate::describe::{Interface, Shape, Structure};
+use crate::pointer::{Object, tag};
+
+/// A kind of parts: points are 0, drives 1, measures 2.
+pub type Kind = i32;
+
+/// A listing that was read.
+pub type Listing = Object<parsed::Parsed, { tag("susp_listing") }>;
+
+/// A suspension that moves.
+pub type Corner = Object<placed::Placed, { tag("susp_corner") }>;
+
+pub use corner::{
+    corner_advance, corner_destroy, corner_drives, corner_new, corner_read_derivatives,
+    corner_read_kingpin, corner_read_measures, corner_read_points, corner_read_rotation,
+    corner_read_wheel, corner_step, corner_time,
+};
+pub use text::{
+    listing_count, listing_design, listing_destroy, listing_find, listing_name, listing_parse,
+};
+
+/// What parts may be asked for, in C.
+pub(crate) const KINDS: &str = "
+/** Parts of a listing that have numbers and names: points (on the chassis, free, markers), drives, measures. */
+typedef int32_t susp_kind;
+enum { SUSP_POINT = 0, SUSP_DRIVE = 1, SUSP_MEASURE = 2 };
+";
+
+const HANDLES: &[Structure] = &[
+    Structure {
+        name: "Listing",
+        docs: &[" A listing that was read. Never changes: threads may share it."],
+        shape: Shape::Handle,
+    },
+    Structure {
+        name: "Corner",
+        docs: &[" A suspension that moves: model, configuration, drives and time."],
+        shape: Shape::Handle,
+    },
+];
+
+/// What the header is written from.
+pub(crate) const INTERFACE: Interface = Interface {
+    prefix: "susp",
+    number: "f64",
+    docs: &[
+        " Listings of a suspension from text, as `linkage!` and motion files have them, in double: read, given",
+        " hardpoints and moved. For hosted systems.",
+        "",
+        " Memory    `susp_listing_parse` and `susp_corner_new` make objects on the heap, which the functions",
+        "           `_destroy` free: each object once, which is not checked, as an object that was destroyed is",
+        "           no object any more. No other function allocates or frees anything.",
+        " Arrays    of double in the order of the listing's names, with how many numbers they have: any other",
+        "           count is answered by SUSP_ERROR_SIZE. Points are x, y, z of each. With rates an array",
+        "           has all values, then all rates, per second, then all second rates, per second squared:",
+        "           double points[3][POINTS][3], drives[3][DRIVES], measures[3][MEASURES].",
+        " Units     as the listing has them: points in any unit of length, angles in rad, times in s.",
+        " Panics    would be a defect of the library. They end the program and never unwind into C.",
+    ],
+    structures: &[HANDLES],
+    functions: &[text::FUNCTIONS, corner::FUNCTIONS],
+};

@@ -1,0 +1,175 @@
+//! Functions of a suspension that moves.
+#![allow(unsafe_code, reason = "names for the linker")]
+
+use suspension_core::nalgebra::Vector3;
+
+use super::moving::Moving;
+use super::parsed::Parsed;
+use super::placed::Placed;
+use super::text::{Number, check_count};
+use super::{Corner, Listing};
+use crate::convert::{fill, kingpin_of, rotation_of, wheel_of};
+use crate::failure::{Trouble, answer, respond};
+use crate::of::f64::{CarrierRotation, Failure, Kingpin, Report, Wheel};
+use crate::pointer::{Create, Destroy, In, InOut, Object, Out};
+use crate::status::Status;
+
+/// Does the work of a call that moves a suspension.
+fn moved(
+    corner: InOut<'_, Corner>,
+    failure: Out<'_, Failure>,
+    work: impl FnOnce(&mut dyn Moving, &Parsed) -> Result<(), Trouble>,
+) -> Status {
+    match corner.object().map(Placed::parts) {
+        Ok((moving, parsed)) => respond(failure, parsed, || work(moving, parsed)),
+        Err(status) => respond(failure, &(), || Err(status.into())),
+    }
+}
+
+crate::functions! { "susp":
+    /// Makes a suspension at rest where the points are, `points[POINTS][3]`: those that `susp_listing_design`
+    /// gives, or others in their place. Where the listing states no positions the order of elimination is
+    /// chosen by these.
+    fn corner_new(listing: In<Listing>, points: In<Number>, count: usize, corner: Create<Corner>, failure: Out<Failure>) -> Status {
+        let parsed = match listing.object() {
+            Ok(parsed) => parsed,
+            Err(status) => return respond(failure, &(), || Err(status.into())),
+        };
+        respond(failure, parsed, || {
+            let (points, corner) = (points.many(count)?, corner.get()?);
+            check_count(count, 3 * parsed.counts().points)?;
+            let (points, _) = points.as_chunks();
+            let points: std::vec::Vec<_> = points.iter().copied().map(Vector3::from).collect();
+            corner.write(Object::on_heap(Placed::new(parsed, &points)?));
+            Ok(())
+        })
+    }
+
+    /// Frees a suspension; NULL is none.
+    fn corner_destroy(corner: Destroy<Corner>) -> Status {
+        answer(|| corner.end())
+    }
+
+    /// The time, s, from 0 where the suspension was made.
+    fn corner_time(corner: In<Corner>, time: Out<Number>) -> Status {
+        answer(|| {
+            let (corner, time) = (corner.object()?, time.get()?);
+            time.write(corner.moving().time());
+            Ok(())
+        })
+    }
+
+    /// The values of the drives, `drives[DRIVES]`.
+    fn corner_drives(corner: In<Corner>, drives: Out<Number>, count: usize) -> Status {
+        answer(|| {
+            let (corner, drives) = (corner.object()?, drives.many(count)?);
+            check_count(count, corner.parsed().counts().drives)?;
+            corner.moving().read_drives(drives);
+            Ok(())
+        })
+    }
+
+    /// A step of `dt` seconds, not zero, to the values and rates of the drives at its end,
+    /// `drives[3][DRIVES]`, however far: in as many sub-steps as it takes, 200 at most. In between the
+    /// drives follow the cubics that have their values and rates at both ends. `report` may be NULL.
+    fn corner_step(corner: InOut<Corner>, drives: In<Number>, count: usize, dt: Number, report: Out<Report>, failure: Out<Failure>) -> Status {
+        moved(corner, failure, |moving, parsed| {
+            let (drives, report) = (drives.many(count)?, report.optional()?);
+            check_count(count, 3 * parsed.counts().drives)?;
+            fill(report, moving.step(dt, drives).map_err(Trouble::Solver)?);
+            Ok(())
+        })
+    }
+
+    /// `susp_corner_step` that keeps what it has got to where it stops early, as at a lock:
+    /// `failure->reached` seconds from its start. Time, drives and points are then those there; from a lock
+    /// no step may lead on or back, as rates have no bound there.
+    fn corner_advance(corner: InOut<Corner>, drives: In<Number>, count: usize, dt: Number, report: Out<Report>, failure: Out<Failure>) -> Status {
+        moved(corner, failure, |moving, parsed| {
+            let (drives, report) = (drives.many(count)?, report.optional()?);
+            check_count(count, 3 * parsed.counts().drives)?;
+            fill(report, moving.advance_to(dt, drives).map_err(Trouble::Solver)?);
+            Ok(())
+        })
+    }
+
+    /// Positions, velocities and accelerations of all points, `points[3][POINTS][3]`.
+    fn corner_read_points(corner: In<Corner>, points: Out<Number>, count: usize) -> Status {
+        answer(|| {
+            let (corner, points) = (corner.object()?, points.many(count)?);
+            check_count(count, 9 * corner.parsed().counts().points)?;
+            corner.moving().read_points(points);
+            Ok(())
+        })
+    }
+
+    /// What the listing measures, `measures[3][MEASURES]`. A rate is NaN where a measured length is zero, or
+    /// a measured angle 0 or pi.
+    fn corner_read_measures(corner: In<Corner>, measures: Out<Number>, count: usize) -> Status {
+        answer(|| {
+            let (corner, measures) = (corner.object()?, measures.many(count)?);
+            check_count(count, 3 * corner.parsed().counts().measures)?;
+            corner.moving().read_measures(measures);
+            Ok(())
+        })
+    }
+
+    /// Motion ratios: points and measures with their first and second derivative where the drives change
+    /// as `change[DRIVES]` says, say one of them by 1 and the rest by 0, at rest too: per unit of that
+    /// change in place of per second. `points[3][POINTS][3]` and `measures[3][MEASURES]` may each be NULL.
+    /// SUSP_ERROR_SINGULAR where the drives lock.
+    fn corner_read_derivatives(corner: In<Corner>, change: In<Number>, drive_count: usize, points: Out<Number>, point_count: usize, measures: Out<Number>, measure_count: usize, failure: Out<Failure>) -> Status {
+        let corner = match corner.object() {
+            Ok(corner) => corner,
+            Err(status) => return respond(failure, &(), || Err(status.into())),
+        };
+        respond(failure, corner.parsed(), || {
+            let counts = corner.parsed().counts();
+            let change = change.many(drive_count)?;
+            let points = points.optional_many(point_count)?;
+            let measures = measures.optional_many(measure_count)?;
+            check_count(drive_count, counts.drives)?;
+            if points.is_some() {
+                check_count(point_count, 9 * counts.points)?;
+            }
+            if measures.is_some() {
+                check_count(measure_count, 3 * counts.measures)?;
+            }
+            let (points, measures) = (points.unwrap_or_default(), measures.unwrap_or_default());
+            let derived = corner.moving().read_per(change, points, measures);
+            derived.map_err(Trouble::Solver)
+        })
+    }
+
+    /// The wheel; SUSP_ERROR_ABSENT where the listing states none.
+    fn corner_read_wheel(corner: In<Corner>, wheel: Out<Wheel>) -> Status {
+        answer(|| {
+            let (corner, wheel) = (corner.object()?, wheel.get()?);
+            let axis = corner.moving().wheel_axis().ok_or(Status::Absent)?;
+            wheel.write(wheel_of(axis)?);
+            Ok(())
+        })
+    }
+
+    /// How the body that carries the wheel turns; SUSP_ERROR_ABSENT where the listing states no wheel.
+    fn corner_read_rotation(corner: In<Corner>, rotation: Out<CarrierRotation>) -> Status {
+        answer(|| {
+            let (corner, rotation) = (corner.object()?, rotation.get()?);
+            let carrier = corner.moving().wheel_carrier().ok_or(Status::Absent)?;
+            rotation.write(rotation_of(&carrier)?);
+            Ok(())
+        })
+    }
+
+    /// The kingpin; SUSP_ERROR_ABSENT where the listing states none, or no wheel.
+    fn corner_read_kingpin(corner: In<Corner>, kingpin: Out<Kingpin>) -> Status {
+        answer(|| {
+            let (corner, kingpin) = (corner.object()?, kingpin.get()?);
+            let moving = corner.moving();
+            let ends = moving.kingpin().zip(moving.wheel_axis());
+            let (ends, axis) = ends.ok_or(Status::Absent)?;
+            kingpin.write(kingpin_of(ends, axis)?);
+            Ok(())
+        })
+    }
+}

@@ -1,0 +1,142 @@
+//! A suspension that moves, whatever the size of its model, over rows of numbers.
+
+use core::mem::MaybeUninit;
+
+use suspension_core::error::{Explain, Facts};
+use suspension_core::nalgebra::Vector3;
+use suspension_core::{Corner, Linkage, Report, Signal, Values};
+use suspension_runtime::{Model, Room, Size};
+
+use super::parsed::Counts;
+
+/// Memory for numbers.
+pub(super) type Row<'a> = &'a mut [MaybeUninit<f64>];
+
+/// What C asks of a suspension. Rows have the counts of the listing; those of drives, points and measures
+/// with rates are values, rates and second rates, one after the other.
+pub(super) trait Moving: Send + Sync {
+    /// See [`Corner::step`].
+    fn step(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts>;
+
+    /// See [`Corner::advance_to`].
+    fn advance_to(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts>;
+
+    fn read_drives(&self, drives: Row<'_>);
+
+    fn time(&self) -> f64;
+
+    fn read_points(&self, points: Row<'_>);
+
+    fn read_measures(&self, measures: Row<'_>);
+
+    /// See [`Corner::per`].
+    fn read_per(&self, change: &[f64], points: Row<'_>, measures: Row<'_>) -> Result<(), Facts>;
+
+    fn wheel_axis(&self) -> Option<[Vector3<f64>; 2]>;
+
+    fn wheel_carrier(&self) -> Option<Signal<[Vector3<f64>; 3]>>;
+
+    fn kingpin(&self) -> Option<[Vector3<f64>; 2]>;
+}
+
+/// A corner of a listing that has so many parts.
+pub(super) struct Counted<'l, const N: usize>
+where
+    Room<N>: Size,
+{
+    pub(super) corner: Corner<Model<'l, f64, N>, N>,
+    pub(super) counts: Counts,
+}
+
+impl<const N: usize> Counted<'_, N>
+where
+    Room<N>: Size,
+{
+    fn write_points<P: Values<Vector3<f64>>>(&self, points: &Signal<P>, row: Row<'_>) {
+        let parts = [&points.value, &points.rate, &points.second_rate].into_iter();
+        let each = parts.flat_map(|points| points.values().take(self.counts.points));
+        write(each.flat_map(<[f64; 3]>::from), row);
+    }
+
+    fn write_measures<M: Values<f64>>(&self, measures: &Signal<M>, row: Row<'_>) {
+        let parts = [&measures.value, &measures.rate, &measures.second_rate].into_iter();
+        write(
+            parts.flat_map(|measures| measures.values().take(self.counts.measures)),
+            row,
+        );
+    }
+}
+
+impl<const N: usize> Moving for Counted<'_, N>
+where
+    Room<N>: Size,
+{
+    fn step(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts> {
+        let drives = signal(drives, self.counts.drives);
+        let stepped = self.corner.step(dt, drives);
+        stepped.map_err(|failure| failure.error.facts())
+    }
+
+    fn advance_to(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts> {
+        let drives = signal(drives, self.counts.drives);
+        let advanced = self.corner.advance_to(dt, drives);
+        advanced.map_err(|failure| failure.error.facts())
+    }
+
+    fn read_drives(&self, drives: Row<'_>) {
+        write(self.corner.drives().values(), drives);
+    }
+
+    fn time(&self) -> f64 {
+        self.corner.time()
+    }
+
+    fn read_points(&self, points: Row<'_>) {
+        self.write_points(&self.corner.points(), points);
+    }
+
+    fn read_measures(&self, measures: Row<'_>) {
+        self.write_measures(&self.corner.measures(), measures);
+    }
+
+    fn read_per(&self, change: &[f64], points: Row<'_>, measures: Row<'_>) -> Result<(), Facts> {
+        let derived = self.corner.per(Values::from_values(change.iter().copied()));
+        let derived = derived.map_err(|failure| failure.error.facts())?;
+        self.write_points(&derived.points, points);
+        self.write_measures(&derived.measures, measures);
+        Ok(())
+    }
+
+    fn wheel_axis(&self) -> Option<[Vector3<f64>; 2]> {
+        self.corner.model().wheel_axis(&self.corner.points().value)
+    }
+
+    fn wheel_carrier(&self) -> Option<Signal<[Vector3<f64>; 3]>> {
+        let (model, points) = (self.corner.model(), self.corner.points());
+        Some(Signal {
+            value: model.wheel_carrier(&points.value)?,
+            rate: model.wheel_carrier(&points.rate)?,
+            second_rate: model.wheel_carrier(&points.second_rate)?,
+        })
+    }
+
+    fn kingpin(&self) -> Option<[Vector3<f64>; 2]> {
+        self.corner.model().kingpin(&self.corner.points().value)
+    }
+}
+
+/// The drives of a row.
+fn signal<D: Values<f64>>(row: &[f64], count: usize) -> Signal<D> {
+    let part = |place| D::from_values(row.iter().copied().skip(place * count).take(count));
+    Signal {
+        value: part(0),
+        rate: part(1),
+        second_rate: part(2),
+    }
+}
+
+fn write(numbers: impl Iterator<Item = f64>, row: Row<'_>) {
+    for (place, number) in row.iter_mut().zip(numbers) {
+        place.write(number);
+    }
+}

@@ -1,0 +1,142 @@
+//! A listing that was read, and its names as C reads them.
+
+use core::mem::MaybeUninit;
+use std::borrow::ToOwned;
+use std::ffi::{CStr, CString};
+use std::format;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use suspension_core::nalgebra::Vector3;
+use suspension_core::{Kind, Part, Parts};
+use suspension_runtime::Listing;
+
+use crate::names::{Naming, Text};
+use crate::status::Status;
+
+/// See the [module](self).
+#[derive(Clone, Debug)]
+pub struct Parsed {
+    pub(super) listing: Listing,
+    points: Vec<CString>,
+    drives: Vec<CString>,
+    measures: Vec<CString>,
+    lengths: Vec<CString>,
+    equations: Vec<CString>,
+    unknowns: Vec<CString>,
+}
+
+impl Parsed {
+    /// Reads a text; if it is no listing, all mistakes in words.
+    pub(super) fn new(text: &[u8]) -> Result<Self, String> {
+        let text = core::str::from_utf8(text).map_err(|error| {
+            let good = error.valid_up_to();
+            format!("listing: after {good} bytes the text is not UTF-8")
+        })?;
+        let listing = Listing::parse(text).map_err(|mistakes| mistakes.to_string())?;
+        Ok(Self::of(listing))
+    }
+
+    fn of(listing: Listing) -> Self {
+        let names = |kinds: &[Kind], part: fn(usize) -> Part| {
+            let count = kinds.iter().map(|kind| listing.count(*kind)).sum();
+            let names = (0..count).map(|index| listing.name(part(index)).to_owned());
+            names
+                .map(|name| CString::new(name).unwrap_or_default())
+                .collect()
+        };
+        Self {
+            points: names(
+                &[Kind::ChassisPoint, Kind::FreePoint, Kind::Marker],
+                Part::Point,
+            ),
+            drives: names(&[Kind::Drive], Part::Drive),
+            measures: names(&[Kind::Measure], Part::Measure),
+            lengths: names(&[Kind::Length], Part::Length),
+            equations: names(&[Kind::Unknown], Part::Equation),
+            unknowns: names(&[Kind::Unknown], Part::Unknown),
+            listing,
+        }
+    }
+
+    /// The same, with the order of elimination that is good around these hardpoints.
+    pub(super) fn ordered_at(&self, hardpoints: &[Vector3<f64>]) -> Self {
+        let mut ordered = self.clone();
+        ordered.listing = ordered.listing.ordered_at(hardpoints);
+        ordered
+    }
+
+    /// How many points there are, drives and measures.
+    pub(super) fn counts(&self) -> Counts {
+        Counts {
+            points: self.points.len(),
+            drives: self.drives.len(),
+            measures: self.measures.len(),
+        }
+    }
+
+    /// The names of a kind of parts: `SUSP_POINT` and the like.
+    pub(super) fn names(&self, kind: super::Kind) -> Result<&[CString], Status> {
+        match kind {
+            0 => Ok(&self.points),
+            1 => Ok(&self.drives),
+            2 => Ok(&self.measures),
+            _ => Err(Status::Argument),
+        }
+    }
+
+    /// The number of a name.
+    pub(super) fn find(&self, kind: super::Kind, name: &CStr) -> Result<usize, Status> {
+        let mut names = self.names(kind)?.iter();
+        let place = names.position(|other| other.as_c_str() == name);
+        place.ok_or(Status::Absent)
+    }
+
+    /// The positions that the listing states; NaN where it states none.
+    pub(super) fn design(&self) -> Vec<Vector3<f64>> {
+        let mut design: Vec<_> = self.points.iter().map(|_| UNSTATED).collect();
+        for (place, at) in self.listing.stated() {
+            if let Some(point) = design.get_mut(place) {
+                *point = at;
+            }
+        }
+        design
+    }
+}
+
+const UNSTATED: Vector3<f64> = Vector3::new(f64::NAN, f64::NAN, f64::NAN);
+
+/// How many parts a listing has.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Counts {
+    pub(super) points: usize,
+    pub(super) drives: usize,
+    pub(super) measures: usize,
+}
+
+impl Naming for Parsed {
+    fn name(&self, part: Part) -> Text {
+        let table = match part {
+            Part::Equation(_) => &self.equations,
+            Part::Unknown(_) => &self.unknowns,
+            Part::Point(_) => &self.points,
+            Part::Drive(_) => &self.drives,
+            Part::Measure(_) => &self.measures,
+            Part::Length(_) => &self.lengths,
+        };
+        let name = table.get(part.index());
+        name.map_or(Text::NONE, |name| name.as_c_str().into())
+    }
+}
+
+/// Copies a text, closed by a zero and cut where the memory ends.
+pub(super) fn copy(text: &str, memory: &mut [MaybeUninit<u8>]) {
+    let Some(room) = memory.len().checked_sub(1) else {
+        return;
+    };
+    let mut cuts = (0..=room.min(text.len())).rev();
+    let kept = cuts.find_map(|end| text.get(..end)).unwrap_or_default();
+    for (place, byte) in memory.iter_mut().zip(kept.bytes().chain([0])) {
+        place.write(byte);
+    }
+}

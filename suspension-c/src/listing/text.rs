@@ -1,0 +1,92 @@
+//! Functions that read a listing and tell what is in it.
+#![allow(unsafe_code, reason = "names for the linker")]
+
+use super::parsed::{self, Parsed};
+use super::{Kind, Listing};
+use crate::convert::fill;
+use crate::failure::answer;
+use crate::names::Text;
+use crate::pointer::{Create, Destroy, In, Object, Out};
+use crate::status::Status;
+
+/// The number type.
+pub(super) type Number = f64;
+/// A byte of a text.
+type Char = u8;
+
+/// Whether an array has as many numbers as it must.
+pub(super) fn check_count(count: usize, expected: usize) -> Result<(), Status> {
+    if count == expected {
+        Ok(())
+    } else {
+        Err(Status::Size)
+    }
+}
+
+crate::functions! { "susp":
+    /// Reads a listing: `length` bytes of UTF-8, the statements as they stand in a `.linkage` file. If it
+    /// answers SUSP_ERROR_LISTING, `message` has every mistake on a line of its own, as
+    /// `listing:LINE:COLUMN: what is wrong and what to write instead`, closed by a zero and cut after
+    /// `size` bytes; `needed`, how many bytes the whole takes. Both may be NULL.
+    fn listing_parse(text: In<Char>, length: usize, listing: Create<Listing>, message: Out<Char>, size: usize, needed: Out<usize>) -> Status {
+        answer(|| {
+            let (text, listing) = (text.many(length)?, listing.get()?);
+            let (message, needed) = (message.optional_many(size)?, needed.optional()?);
+            match Parsed::new(text) {
+                Ok(parsed) => {
+                    listing.write(Object::on_heap(parsed));
+                    Ok(())
+                }
+                Err(mistakes) => {
+                    parsed::copy(&mistakes, message.unwrap_or_default());
+                    fill(needed, mistakes.len() + 1);
+                    Err(Status::Listing)
+                }
+            }
+        })
+    }
+
+    /// Frees a listing; NULL is none. Corners that were made of it stay good.
+    fn listing_destroy(listing: Destroy<Listing>) -> Status {
+        answer(|| listing.end())
+    }
+
+    /// How many parts of a kind a listing has.
+    fn listing_count(listing: In<Listing>, kind: Kind, count: Out<usize>) -> Status {
+        answer(|| {
+            let (listing, count) = (listing.object()?, count.get()?);
+            count.write(listing.names(kind)?.len());
+            Ok(())
+        })
+    }
+
+    /// The name of a part by its number, from 0: a text that lives as long as the listing. NULL beyond
+    /// the last, and where `listing` is none or there is no such kind.
+    fn listing_name(listing: In<Listing>, kind: Kind, index: usize) -> Text {
+        let names = listing.object().and_then(|listing| listing.names(kind));
+        let name = names.ok().and_then(|names| names.get(index));
+        name.map_or(Text::NONE, |name| name.as_c_str().into())
+    }
+
+    /// The number of a part by its name, which a zero closes; SUSP_ERROR_ABSENT where there is none.
+    fn listing_find(listing: In<Listing>, kind: Kind, name: In<Char>, index: Out<usize>) -> Status {
+        answer(|| {
+            let (listing, name, index) = (listing.object()?, name.text()?, index.get()?);
+            index.write(listing.find(kind, name)?);
+            Ok(())
+        })
+    }
+
+    /// The positions that the listing states, `points[POINTS][3]`; NaN where it states none.
+    fn listing_design(listing: In<Listing>, points: Out<Number>, count: usize) -> Status {
+        answer(|| {
+            let (listing, points) = (listing.object()?, points.many(count)?);
+            check_count(count, 3 * listing.counts().points)?;
+            let coordinates = listing.design().into_iter().flat_map(<[f64; 3]>::from);
+            for (place, coordinate) in points.iter_mut().zip(coordinates) {
+                place.write(coordinate);
+            }
+            Ok(())
+        })
+    }
+}

@@ -1,0 +1,140 @@
+//! Motion ratios, and drives that are followed as far as they lead: what the core computes, bit for bit.
+#![allow(unsafe_code, reason = "it takes what C would pass")]
+
+mod five_link;
+
+use std::mem::MaybeUninit;
+
+use five_link::{DESIGN, at_rest, inputs, made, model};
+use suspension_c::Status;
+use suspension_c::catalogue::five_link_f32::{self, Drives, Inputs, MeasureRates, PointRates};
+use suspension_c::of::f32::{Failure, Report};
+use suspension_core::linkages::five_link::{self as core_link, Corner};
+use suspension_core::nalgebra::Vector3;
+use suspension_core::{Signal, Values};
+
+fn corner() -> Corner<f32> {
+    let points = DESIGN.values.map(Vector3::from);
+    Corner::new(&core_link::Points::from_values(points)).expect("a regular design")
+}
+
+fn design_inputs() -> Inputs {
+    let model = model();
+    let drives =
+        made(|drives| five_link_f32::model_drives((&model).into(), (&DESIGN).into(), drives));
+    inputs(drives.expect("drives"), 0.0)
+}
+
+fn ratios(inputs: &Inputs, change: f32) -> Result<(PointRates, MeasureRates), Status> {
+    let (model, motion, change) = (model(), at_rest(), Drives { values: [change] });
+    let points = made(|points| {
+        let (motion, change) = ((&motion).into(), (&change).into());
+        let inputs = inputs.into();
+        five_link_f32::read_derivatives(
+            (&model).into(),
+            inputs,
+            motion,
+            change,
+            points,
+            None.into(),
+        )
+    })?;
+    let measures =
+        made(|measures| five_link_f32::read_measures((&model).into(), (&points).into(), measures))?;
+    Ok((points, measures))
+}
+
+#[test]
+fn motion_ratios_at_rest_are_those_of_the_corner() {
+    let (points, measures) = ratios(&design_inputs(), 1.0).expect("regular");
+    let expected = corner().per(core_link::Drives { theta: 1.0 });
+    let expected = expected.expect("regular");
+    for (found, expected) in [
+        (points.value, expected.points.value),
+        (points.rate, expected.points.rate),
+        (points.second_rate, expected.points.second_rate),
+    ] {
+        let expected: Vec<[f32; 3]> = expected.values().map(Into::into).collect();
+        assert_eq!(found.values.as_slice(), expected);
+    }
+    let [found] = measures.rate.values;
+    assert_eq!(found, expected.measures.rate.height);
+    assert!(found.abs() > 0.1, "{found}");
+    let [found] = measures.second_rate.values;
+    assert_eq!(found, expected.measures.second_rate.height);
+    assert_eq!(ratios(&design_inputs(), f32::NAN), Err(Status::Overflow));
+}
+
+/// The answer, the inputs that were reached, the report or the failure.
+fn advance(to: f32) -> (Status, Inputs, PointRates, Option<Report>, Option<Failure>) {
+    let (model, mut motion, mut reached) = (model(), at_rest(), design_inputs());
+    let to = inputs(Drives { values: [to] }, 0.5);
+    let mut report = MaybeUninit::uninit();
+    let mut failure = MaybeUninit::uninit();
+    let status = five_link_f32::advance(
+        (&model).into(),
+        (&mut reached).into(),
+        (&to).into(),
+        1.0,
+        (&mut motion).into(),
+        (&mut report).into(),
+        (&mut failure).into(),
+    );
+    let is_done = status == Status::Ok;
+    // SAFETY: an answer of `Ok` means that the report is made, any other that the failure is.
+    let report = is_done.then(|| unsafe { report.assume_init() });
+    // SAFETY: as above.
+    let failure = (!is_done).then(|| unsafe { failure.assume_init() });
+    let points = made(|points| {
+        let (inputs, motion) = ((&reached).into(), (&motion).into());
+        five_link_f32::read_points((&model).into(), inputs, motion, points)
+    });
+    (status, reached, points.expect("points"), report, failure)
+}
+
+#[test]
+fn drives_are_followed_to_the_end_or_as_far_as_they_lead() {
+    let rates = |to| Signal {
+        value: core_link::Drives { theta: to },
+        rate: core_link::Drives { theta: 0.5 },
+        ..Signal::default()
+    };
+    for (to, leads) in [(1.6, true), (3.0, false)] {
+        let mut corner = corner();
+        let expected = corner.advance_to(1.0, rates(to));
+        let (status, reached, points, report, failure) = advance(to);
+        assert_eq!(status == Status::Ok, leads, "{status:?}");
+        assert_eq!(expected.is_ok(), leads);
+        assert_eq!(reached.value.values, [corner.drives().theta]);
+        let expected: Vec<[f32; 3]> = corner.points().rate.values().map(Into::into).collect();
+        assert_eq!(points.rate.values.as_slice(), expected);
+        if leads {
+            assert_eq!(reached.value.values, [to]);
+            assert!(report.is_some_and(|report| report.steps >= 1));
+        } else {
+            let failure = failure.expect("a failure");
+            assert_eq!(failure.reached, corner.time());
+            assert!((0.1..0.9).contains(&failure.reached), "{failure:?}");
+            assert!(!failure.culprit.as_ptr().is_null());
+        }
+    }
+}
+
+/// Where nothing is reached nothing is changed, second rates included.
+#[test]
+fn what_cannot_begin_leaves_the_inputs() {
+    let (model, mut motion, mut reached) = (model(), at_rest(), design_inputs());
+    reached.second_rate.values = [0.25];
+    let (before, to) = (reached, inputs(reached.value, f32::NAN));
+    let status = five_link_f32::advance(
+        (&model).into(),
+        (&mut reached).into(),
+        (&to).into(),
+        1.0,
+        (&mut motion).into(),
+        None.into(),
+        None.into(),
+    );
+    assert_ne!(status, Status::Ok);
+    assert_eq!(reached, before);
+}

@@ -1,0 +1,56 @@
+//! No call on a suspension from text allocates but those that make it and free it.
+#![allow(unsafe_code, reason = "an allocator, and what C would pass")]
+
+#[path = "../../tests/counting/mod.rs"]
+mod counting;
+mod text;
+
+use counting::{Counting, allocations};
+use suspension_c::Status;
+use suspension_c::listing;
+use text::{from, made, pushrod, to};
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+#[test]
+fn what_moves_and_reads_does_not_allocate() {
+    let listing = pushrod();
+    let design = listing.design();
+    let before = allocations();
+    let mut corner = listing.place(&design).expect("a geometry");
+    assert!(allocations() > before, "an allocation is seen");
+
+    let before = allocations();
+    let [bump, steer] = corner.drives();
+    corner.step([bump + 0.02, steer], true).expect("a step");
+    corner.step([bump + 0.05, steer], false).expect("a step");
+    corner
+        .step([bump + 9.0, steer], true)
+        .expect_err("beyond reach");
+    corner
+        .step([bump + 9.0, steer], false)
+        .expect_err("beyond reach");
+    assert!(corner.time() > 1.0);
+    let (mut points, mut measures, change) = ([0.0; 9 * 20], [0.0; 6], [1.0, 0.0]);
+    let statuses = [
+        listing::corner_read_points(corner.get(), to(&mut points), 9 * 20),
+        listing::corner_read_measures(corner.get(), to(&mut measures), 6),
+        listing::corner_read_derivatives(
+            corner.get(),
+            from(&change),
+            2,
+            to(&mut points),
+            9 * 20,
+            to(&mut measures),
+            6,
+            None.into(),
+        ),
+    ];
+    made(|wheel| listing::corner_read_wheel(corner.get(), wheel)).expect("a wheel");
+    made(|kingpin| listing::corner_read_kingpin(corner.get(), kingpin)).expect("a kingpin");
+    made(|rotation| listing::corner_read_rotation(corner.get(), rotation)).expect("a wheel");
+    let made = allocations() - before;
+    assert_eq!(made, 0, "{made} allocations");
+    assert_eq!(statuses, [Status::Ok; 3]);
+}

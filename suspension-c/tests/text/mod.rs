@@ -1,0 +1,177 @@
+//! Listings from text, called as C does.
+#![allow(dead_code)]
+
+use std::ffi::CStr;
+use std::mem::MaybeUninit;
+
+use suspension_c::listing::{self, Corner, Listing};
+use suspension_c::of::f64::{Failure, Report};
+use suspension_c::{Create, Destroy, In, InOut, Out, Status};
+
+/// What `kind` may be.
+pub(crate) const POINT: i32 = 0;
+pub(crate) const DRIVE: i32 = 1;
+pub(crate) const MEASURE: i32 = 2;
+
+/// Numbers that are read.
+pub(crate) fn from<T>(numbers: &[T]) -> In<'_, T> {
+    // SAFETY: tests say how many there are as the slice does, or less.
+    unsafe { In::from_raw(numbers.as_ptr()) }
+}
+
+/// Numbers that are written.
+pub(crate) fn to<T>(numbers: &mut [T]) -> Out<'_, T> {
+    // SAFETY: as above.
+    unsafe { Out::from_raw(numbers.as_mut_ptr()) }
+}
+
+/// Memory, and what a call made in it.
+pub(crate) fn made<T>(call: impl FnOnce(Out<'_, T>) -> Status) -> Result<T, Status> {
+    let mut memory = MaybeUninit::uninit();
+    match call((&mut memory).into()) {
+        // SAFETY: an answer of `Ok` means that it is made.
+        Status::Ok => Ok(unsafe { memory.assume_init() }),
+        status => Err(status),
+    }
+}
+
+/// A listing, freed at the end.
+pub(crate) struct Read(pub(crate) *mut Listing);
+
+impl Read {
+    /// All mistakes in words where it is none.
+    pub(crate) fn new(text: &str) -> Result<Self, String> {
+        let (mut message, mut needed) = ([0_u8; 4096], MaybeUninit::new(0));
+        let read = made(|listing: Create<'_, Listing>| {
+            let (place, size) = (to(&mut message), 4096);
+            let needed = (&mut needed).into();
+            listing::listing_parse(
+                from(text.as_bytes()),
+                text.len(),
+                listing,
+                place,
+                size,
+                needed,
+            )
+        });
+        read.map(Self).map_err(|status| {
+            assert_eq!(status, Status::Listing);
+            let message = CStr::from_bytes_until_nul(&message).expect("closed");
+            // SAFETY: it was made, and a call writes numbers into it alone.
+            assert_eq!(unsafe { needed.assume_init() }, message.count_bytes() + 1);
+            message.to_str().expect("UTF-8").to_owned()
+        })
+    }
+
+    pub(crate) fn get(&self) -> In<'_, Listing> {
+        // SAFETY: it lives until `self` is dropped.
+        unsafe { In::from_raw(self.0) }
+    }
+
+    pub(crate) fn count(&self, kind: i32) -> usize {
+        made(|count| listing::listing_count(self.get(), kind, count)).expect("a kind")
+    }
+
+    pub(crate) fn find(&self, kind: i32, name: &CStr) -> Result<usize, Status> {
+        made(|index| listing::listing_find(self.get(), kind, from(name.to_bytes_with_nul()), index))
+    }
+
+    /// The positions that it states.
+    pub(crate) fn design(&self) -> Vec<f64> {
+        let count = 3 * self.count(POINT);
+        let mut points = vec![0.0; count];
+        let status = listing::listing_design(self.get(), to(&mut points), count);
+        assert_eq!(status, Status::Ok);
+        points
+    }
+
+    /// A suspension, or what is wrong with its points.
+    pub(crate) fn place(&self, points: &[f64]) -> Result<Moving, Failure> {
+        let mut failure = MaybeUninit::uninit();
+        let corner = made(|corner: Create<'_, Corner>| {
+            let failure = (&mut failure).into();
+            listing::corner_new(self.get(), from(points), points.len(), corner, failure)
+        });
+        // SAFETY: any answer but `Ok` means that the failure is made.
+        corner
+            .map(Moving)
+            .map_err(|_| unsafe { failure.assume_init() })
+    }
+}
+
+impl Drop for Read {
+    fn drop(&mut self) {
+        // SAFETY: nobody uses it any more.
+        let status = listing::listing_destroy(unsafe { Destroy::from_raw(self.0) });
+        assert_eq!(status, Status::Ok);
+    }
+}
+
+/// A suspension, freed at the end.
+pub(crate) struct Moving(pub(crate) *mut Corner);
+
+impl Moving {
+    pub(crate) fn get(&self) -> In<'_, Corner> {
+        // SAFETY: it lives until `self` is dropped.
+        unsafe { In::from_raw(self.0) }
+    }
+
+    pub(crate) fn get_mut(&mut self) -> InOut<'_, Corner> {
+        // SAFETY: as above, and it is nobody else's meanwhile.
+        unsafe { InOut::from_raw(self.0) }
+    }
+
+    pub(crate) fn time(&self) -> f64 {
+        made(|time| listing::corner_time(self.get(), time)).expect("a corner")
+    }
+
+    /// The values of two drives.
+    pub(crate) fn drives(&self) -> [f64; 2] {
+        let mut drives = [0.0; 2];
+        let status = listing::corner_drives(self.get(), to(&mut drives), 2);
+        assert_eq!(status, Status::Ok);
+        drives
+    }
+
+    /// A step to these values, at rest there.
+    pub(crate) fn step(&mut self, values: [f64; 2], stay: bool) -> Result<Report, Failure> {
+        let drives = [values, [0.0; 2], [0.0; 2]];
+        let drives = from(drives.as_flattened());
+        let (mut report, mut failure) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+        let (told, wrong) = ((&mut report).into(), (&mut failure).into());
+        let corner = self.get_mut();
+        let status = if stay {
+            listing::corner_step(corner, drives, 6, 0.5, told, wrong)
+        } else {
+            listing::corner_advance(corner, drives, 6, 0.5, told, wrong)
+        };
+        match status {
+            // SAFETY: an answer of `Ok` means that the report is made.
+            Status::Ok => Ok(unsafe { report.assume_init() }),
+            // SAFETY: any other that the failure is.
+            _ => Err(unsafe { failure.assume_init() }),
+        }
+    }
+}
+
+impl Drop for Moving {
+    fn drop(&mut self) {
+        // SAFETY: nobody uses it any more.
+        let status = listing::corner_destroy(unsafe { Destroy::from_raw(self.0) });
+        assert_eq!(status, Status::Ok);
+    }
+}
+
+/// The double wishbone with a pushrod: 20 points, two drives, two measures.
+const PUSHROD: &str =
+    include_str!("../../../suspension-core/src/linkages/double_wishbone_pushrod.linkage");
+
+pub(crate) fn pushrod() -> Read {
+    Read::new(PUSHROD).expect("a listing")
+}
+
+/// The same where its listing states the points.
+pub(crate) fn placed() -> Moving {
+    let listing = pushrod();
+    listing.place(&listing.design()).expect("a geometry")
+}
