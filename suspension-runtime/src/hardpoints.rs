@@ -3,7 +3,7 @@
 use core::fmt;
 
 use nalgebra::Vector3;
-use suspension_core::{Corner, GeometryError, Values};
+use suspension_core::{Build, Corner, GeometryError, Values};
 
 use crate::listing::Listing;
 use crate::model::Model;
@@ -31,7 +31,9 @@ impl Listing {
     ///
     /// # Errors
     ///
-    /// [`ModelError`].
+    /// [`ModelError`]. With [`GeometryError::SmallPivot`] the order of elimination does not suit the
+    /// hardpoints: [`ordered_at`](Self::ordered_at) gives one that does, and [`Build::of`] builds the model
+    /// all the same.
     pub fn model<const N: usize>(
         &self,
         hardpoints: &[Vector3<f64>],
@@ -47,7 +49,9 @@ impl Listing {
             return Err(ModelError::TooSmall { count, most, what });
         };
         let points = Points::<Vector3<f64>, N>::from_values(hardpoints.iter().copied());
-        Model::from_points(listing, &points).map_err(ModelError::Geometry)
+        let model = Model::from_points(listing, &points).map_err(ModelError::Geometry)?;
+        model.check_pivots(&points).map_err(ModelError::Geometry)?;
+        Ok(model)
     }
 
     /// A suspension at rest with these hardpoints, to be moved.

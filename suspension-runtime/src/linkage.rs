@@ -83,6 +83,10 @@ where
         self.jacobian_at(q, fixed)
     }
 
+    fn pivots(&self) -> &[[usize; 2]] {
+        &self.plan().elimination.pivots
+    }
+
     #[inline(always)]
     fn factor(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> Self::Factors {
         self.factored(q, fixed)

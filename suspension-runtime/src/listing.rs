@@ -1,12 +1,13 @@
 //! A listing read from text.
 
 use nalgebra::Vector3;
-use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts};
+use suspension_core::{DriveKind, GeometryError, Kind, MeasureKind, Part, Parts};
 use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Equation, Site, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 
+use crate::hardpoints::ModelError;
 use crate::names::Names;
 use crate::plan::Plan;
 
@@ -22,7 +23,8 @@ impl Listing {
     /// Reads a listing: its statements, as they stand inside the braces of `linkage!`.
     ///
     /// The order of elimination is chosen as `linkage!` chooses it: by the positions `at` which the listing
-    /// states its points, otherwise by structure alone; see [`ordered_at`](Self::ordered_at).
+    /// states its points, otherwise by designs as suspensions have them; see
+    /// [`ordered_at`](Self::ordered_at).
     ///
     /// # Errors
     ///
@@ -68,7 +70,7 @@ impl Listing {
     }
 
     /// The listing with the order of elimination chosen by the positions around these hardpoints, one for each
-    /// point; of a listing that states its design itself, unchanged.
+    /// point; of a listing that states its design itself, unchanged where its order suits them.
     #[must_use]
     pub fn ordered_at(self, hardpoints: &[Vector3<f64>]) -> Self {
         let (fixed, free) = (self.system.fixed.len(), self.system.free.len());
@@ -77,7 +79,7 @@ impl Listing {
         else {
             return self;
         };
-        if self.system.design().is_some() {
+        if self.system.design().is_some() && self.suits(hardpoints) {
             return self;
         }
         let design = self.system.positions(fixed.to_vec(), free.to_vec());
@@ -87,6 +89,18 @@ impl Listing {
             return self;
         }
         Self { plan, ..self }
+    }
+
+    /// Whether the order of elimination suits hardpoints, as far as those are a geometry.
+    fn suits(&self, hardpoints: &[Vector3<f64>]) -> bool {
+        let model = self.model::<60>(hardpoints);
+        let small = |error| {
+            matches!(
+                error,
+                ModelError::Geometry(GeometryError::SmallPivot { .. })
+            )
+        };
+        !model.is_err_and(small)
     }
 
     pub(crate) fn plan(&self) -> &Plan {
