@@ -26,7 +26,7 @@ where
     let mut by = by.iter().map(|by| T::constant(*by)).cycle();
     let mut next = || by.next().unwrap_or_default();
     let displaced = rough.map_each(|point| point + Vector3::new(next(), next(), next()));
-    let Ok(model) = L::new(&displaced) else {
+    let Ok(model) = L::of(L::Listing::default(), &displaced) else {
         return Ok(());
     };
     let q = model.unknowns(&displaced).map(|x| x + next());
@@ -117,7 +117,7 @@ proptest! {
 fn carried_points_are_eliminated_with_healthy_pivots() {
     fn growth<L: Build<N, Scalar = f64, Listing: Default>, const N: usize>() -> f64 {
         let design = carried::scattered();
-        let model = L::new(&design).expect("a geometry");
+        let model = L::of(L::Listing::default(), &design).expect("a geometry");
         let factors = model.factor(&model.unknowns(&design), model.fixed());
         factors.growth_squared().sqrt()
     }
@@ -134,13 +134,13 @@ fn carried_points_are_eliminated_with_healthy_pivots() {
 /// the pivot that the design chose.
 #[test]
 fn a_zero_pivot_is_seen_and_solved_with_pivoting() {
-    use suspension_core::linkages::attia2003::{Model, Points};
+    use suspension_core::linkages::attia2003::{Listing, Model, Points};
     let design = support::attia_rough::<f64>();
     let square_to = [Vector3::new(0.0, 0.3, 0.33), Vector3::new(0.3, 0.0, 0.33)];
     let pivoted = square_to.map(|link| {
         let p6 = design.p1 + link;
         let square = Points { p6, ..design };
-        let model = Model::new(&square).expect("a geometry");
+        let model = Model::of(Listing, &square).expect("a geometry");
         let q = model.unknowns(&square);
         let jacobian = model.jacobian(&q, model.fixed());
         let factored = Factored::new(&model, &q, model.fixed()).expect("regular");

@@ -27,7 +27,7 @@ fn check<T: Real, L: Build<15, Scalar = T, Listing: Default>>(
     theta: f64,
 ) -> Result<bool, TestCaseError> {
     let design = displaced(rough, by);
-    let model = match L::new(&design) {
+    let model = match L::of(L::Listing::default(), &design) {
         Ok(model) => model,
         Err(GeometryError::Collinear { .. } | GeometryError::Flat { .. }) => return Ok(false),
         Err(error) => return Err(TestCaseError::fail(error.to_string())),

@@ -41,6 +41,7 @@ impl Task<'_> {
                 .and_then(|lengths| lengths.get_ref().get(name))
                 .map(Spanned::span),
             GeometryError::NotClosed { .. } => lengths.map(Spanned::span),
+            GeometryError::SmallPivot { .. } => None,
         };
         source.refuse(
             &span.unwrap_or_else(|| file.points.span()),

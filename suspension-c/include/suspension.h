@@ -15,6 +15,7 @@
  *           memory may overlap.
  * Answers   SUSP_OK, or why nothing was done: then everything is as it was but for `*failure`, which is
  *           written only then. Only those named `advance` keep what they have got to.
+ *           SUSP_ERROR_SMALL_PIVOT alone comes with a model.
  * Numbers   Any unit of length, the same throughout; angles in rad, times in s. NaN and infinities are
  *           told by the answers of what makes a model and of what solves; what only reads, carries or
  *           looks up may pass them on. Axes: x forward, y left, z up (ISO 8855) where wheels are read off.

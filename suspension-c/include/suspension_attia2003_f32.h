@@ -122,7 +122,8 @@ typedef struct {
 } susp_attia2003_f32_lengths;
 
 /** Makes a model whose lengths are those of the points as they stand. `size` is
- * `sizeof *model`. */
+ * `sizeof *model`. With SUSP_ERROR_SMALL_PIVOT the model is made all the same: steps to
+ * tolerance go on with partial pivoting, attempts are refused. */
 susp_status susp_attia2003_f32_model_new(
         susp_attia2003_f32_model *model,
         size_t size,

@@ -6,12 +6,15 @@
 macro_rules! functions_of_a_linkage {
     ($prefix:literal) => { $crate::functions! { $prefix:
         /// Makes a model whose lengths are those of the points as they stand. `size` is
-        /// `sizeof *model`.
+        /// `sizeof *model`. With SUSP_ERROR_SMALL_PIVOT the model is made all the same: steps to
+        /// tolerance go on with partial pivoting, attempts are refused.
         fn model_new(model: Out<Model>, size: usize, design: In<Points>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, design) = (model.place(size)?, design.get()?);
-                model.put(Linkage::new(&points_of(design))?);
-                Ok(())
+                let points = points_of(design);
+                let built = Linkage::of(listing::Listing, &points)?;
+                model.put(built);
+                Ok(built.check_pivots(&points)?)
             })
         }
 

@@ -70,6 +70,35 @@ fn a_geometry_that_is_none_names_the_point_or_the_length() {
     assert_ne!(after.expect("lengths"), before);
 }
 
+/// The lower front link square to y, along which its derivative is the first pivot.
+#[test]
+fn a_small_pivot_is_told_and_the_model_made() {
+    let mut points = DESIGN;
+    points.values[5][1] = points.values[0][1];
+    let mut memory = MaybeUninit::<Model>::uninit();
+    let size = size_of::<Model>();
+    let (status, culprit, _) = failure(|failure| {
+        five_link_f32::model_new((&mut memory).into(), size, (&points).into(), failure)
+    });
+    assert_eq!((status, culprit), (Status::SmallPivot, Some("lower_front")));
+    assert_eq!(status as i32, 26);
+    // SAFETY: this status comes with a model.
+    let model = unsafe { memory.assume_init() };
+    let size = size_of::<Motion>();
+    let mut motion: Motion = made(|motion| {
+        five_link_f32::motion_at_rest((&model).into(), motion, size, (&points).into())
+    })
+    .expect("a motion");
+    let drives: Drives =
+        made(|drives| five_link_f32::model_drives((&model).into(), (&points).into(), drives))
+            .expect("drives");
+    let inputs = inputs(drives, 0.0);
+    let (model, inputs) = ((&model).into(), (&inputs).into());
+    let (report, failure) = (None.into(), None.into());
+    let stepped = five_link_f32::step(model, inputs, 0.0, (&mut motion).into(), report, failure);
+    assert_eq!(stepped, Status::Ok);
+}
+
 #[test]
 fn a_step_that_is_refused_names_the_equation_or_unknown_and_by_how_much() {
     let (model, mut motion) = (model(), at_rest());

@@ -221,10 +221,16 @@ pub enum GeometryError {
         /// The point.
         point: usize,
     },
+    /// The fixed order of elimination has too small a pivot at these points, where partial pivoting has
+    /// none: see [`Build::check_pivots`](crate::Build::check_pivots).
+    SmallPivot {
+        /// The equation of the pivot.
+        equation: usize,
+    },
 }
 
 impl GeometryError {
-    /// The point or length concerned.
+    /// The point, length or equation concerned.
     pub fn part(&self) -> Part {
         match *self {
             Self::NotFinite { point }
@@ -233,6 +239,7 @@ impl GeometryError {
             | Self::NoLine { point }
             | Self::NotClosed { point } => Part::Point(point),
             Self::BadLength { length } => Part::Length(length),
+            Self::SmallPivot { equation } => Part::Equation(equation),
         }
     }
 }
@@ -246,6 +253,7 @@ impl Explain for GeometryError {
             Self::Flat { .. } => Cause::Flat,
             Self::NotClosed { .. } => Cause::NotClosed,
             Self::NoLine { .. } => Cause::NoLine,
+            Self::SmallPivot { .. } => Cause::SmallPivot,
         };
         Facts::of(cause, Some(self.part()))
     }

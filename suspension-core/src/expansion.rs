@@ -81,8 +81,9 @@
 /// `//!` at the top of the file documents the module.
 ///
 /// Where every point states its design position, the order of elimination is chosen by the size of
-/// the pivots there and, up to 60 unknowns, where drives of free points lead from there; otherwise by
-/// structure alone. Any geometry is solved all the same.
+/// the pivots there and, up to 60 unknowns, where drives of free points lead from there; otherwise by 256
+/// designs in round numbers as corners of vehicles are drawn, which takes some more operations.
+/// [`Build::new`](crate::Build::new) tells where the order does not suit hardpoints.
 #[macro_export]
 macro_rules! linkage {
     ($($listing:tt)*) => {

@@ -16,6 +16,7 @@ pub use crate::listing::{DriveKind, Kind, MeasureKind, Names, Part, Parts};
 pub use crate::magnitude::sum_of_squares;
 pub use crate::measure;
 pub use crate::parts;
+pub use crate::pivots::check as check_pivots;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
 pub use crate::vector::{difference, dot, gather_vector, moved_along};

@@ -131,6 +131,9 @@ pub trait Linkage<const N: usize>: Parts {
         fixed: &Self::Fixed,
     ) -> SMatrix<Self::Scalar, N, N>;
 
+    /// The fixed order of elimination: equation and unknown of each pivot, from the first to the last.
+    fn pivots(&self) -> &[[usize; 2]];
+
     /// The factors of `J`, computed from its non-zero entries alone.
     fn factor(&self, q: &SVector<Self::Scalar, N>, fixed: &Self::Fixed) -> Self::Factors;
 
@@ -213,7 +216,8 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     /// The lengths of links and bodies.
     type Lengths: Values<Self::Scalar>;
 
-    /// The linkage of a listing whose lengths are those of the points as they stand.
+    /// The linkage of a listing whose lengths are those of the points as they stand, whether or not the
+    /// fixed order of elimination suits them: see [`check_pivots`](Self::check_pivots).
     ///
     /// # Errors
     ///
@@ -221,17 +225,32 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     /// or one of [`linked`](Linkage::linked) lies in the plane of the points that hold it.
     fn of(listing: Self::Listing, design: &Self::Points) -> Result<Self, GeometryError>;
 
-    /// [`of`](Self::of) a listing that `linkage!` has written.
+    /// [`of`](Self::of) a listing that `linkage!` has written, where the fixed order of elimination suits the
+    /// points.
     ///
     /// # Errors
     ///
-    /// As [`of`](Self::of).
+    /// As [`of`](Self::of), and [`check_pivots`](Self::check_pivots).
     fn new(design: &Self::Points) -> Result<Self, GeometryError>
     where
         Self::Listing: Default,
     {
-        Self::of(Self::Listing::default(), design)
+        let linkage = Self::of(Self::Listing::default(), design)?;
+        linkage.check_pivots(design)?;
+        Ok(linkage)
     }
+
+    /// Checks that the fixed order of elimination suits a position, the design as a rule: a
+    /// [bounded attempt](crate::Bounded::attempt) is refused where it does not. Whatever else solves for
+    /// a motion goes on there with partial pivoting, which takes longer, and so may a linkage that was
+    /// built with [`of`](Self::of).
+    ///
+    /// # Errors
+    ///
+    /// [`GeometryError::SmallPivot`] where the [pivots](Factors::growth_squared) of the fixed order are
+    /// too small and those of partial pivoting are not. Near a singularity of the mechanism both are,
+    /// and there is no error.
+    fn check_pivots(&self, points: &Self::Points) -> Result<(), GeometryError>;
 
     /// The same linkage with other lengths; each body keeps its handedness, and so does each
     /// cluster of links that is as rigid.

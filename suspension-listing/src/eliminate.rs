@@ -6,15 +6,17 @@
 //! their column, and of one sign along the motion, the one that costs the fewest operations. The search is repeated with ties
 //! broken in many ways, and the cheapest order found is kept.
 
+mod acceptance;
 mod partial;
 mod preference;
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
-use partial::Partial;
+use acceptance::Positions;
 #[cfg(test)]
-pub use partial::THRESHOLD;
+pub use acceptance::THRESHOLD;
+use partial::Partial;
 
 /// One entry of the Jacobian.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +48,8 @@ pub struct Order {
     /// The largest multiplier or inverse of a pivot in any of the positions; zero where nothing is
     /// known.
     pub growth: f64,
+    /// In how many of the positions all pivots are large enough.
+    pub served: usize,
 }
 
 /// Row and column of a pivot, and what the step does.
@@ -75,7 +79,9 @@ pub fn order(n: usize, entries: &[Entry]) -> Order {
             values: entry.values.iter().copied().take(positions).collect(),
             ..entry.clone()
         });
-        cheapest(n, &entries.collect::<Vec<_>>())
+        let entries: Vec<Entry> = entries.collect();
+        let start = Partial::new(n, &entries, Positions::OfMotion);
+        cheapest(&start, attempts(n))
     };
     [usize::MAX, 1, 0]
         .into_iter()
@@ -83,11 +89,22 @@ pub fn order(n: usize, entries: &[Entry]) -> Order {
         .unwrap_or_default()
 }
 
-/// The cheapest of many attempts; `None` where no attempt finds a pivot for each step.
-fn cheapest(n: usize, entries: &[Entry]) -> Option<Order> {
-    let start = Partial::new(n, entries);
-    let orders = (0..attempts(n)).filter_map(|attempt| start.clone().eliminate(attempt));
-    orders.min_by(|a, b| a.cost().total_cmp(&b.cost()))
+/// The order with large pivots in the most of some designs, which the entries' values are of.
+pub fn order_for_most(n: usize, entries: &[Entry]) -> Order {
+    // Ties are rarer here: more attempts find nothing better.
+    const ATTEMPTS: u64 = 8;
+    let start = Partial::new(n, entries, Positions::OfDesigns);
+    cheapest(&start, ATTEMPTS).unwrap_or_default()
+}
+
+/// Of many attempts one that serves the most positions, the cheapest of those; `None` where no attempt
+/// finds a pivot for each step.
+fn cheapest(start: &Partial, attempts: u64) -> Option<Order> {
+    let orders = (0..attempts).filter_map(|attempt| start.clone().eliminate(attempt));
+    orders.min_by(|a, b| {
+        let served = b.served.cmp(&a.served);
+        served.then(a.cost().total_cmp(&b.cost()))
+    })
 }
 
 /// How many times the search is repeated. One takes about the square of the size, and a compiler

@@ -13,6 +13,7 @@ mod listing;
 mod lower;
 pub mod name;
 pub mod parse;
+mod random;
 mod sample;
 mod site;
 mod statement;
@@ -50,11 +51,14 @@ pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()
 }
 
 /// In which order a system without mistakes is eliminated: by the positions around its design, where the listing
-/// states it, or by structure alone.
+/// states it, or by designs as suspensions have them; where none of those is regular, by structure alone.
 pub fn order(system: &System) -> Order {
     match system.design() {
         Some(design) => order_at(system, design),
-        None => eliminate::order(system.size(), &system.entries(&[])),
+        None => match sample::likely(system) {
+            designs if designs.is_empty() => eliminate::order(system.size(), &system.entries(&[])),
+            designs => eliminate::order_for_most(system.size(), &system.entries(&designs)),
+        },
     }
 }
 

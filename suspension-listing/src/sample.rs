@@ -1,12 +1,14 @@
 //! The Jacobian's numbers in the design position that a listing states, and around it: what the
 //! choice of pivots goes by. Nothing of it is emitted.
 
+mod likely;
 mod path;
 
 use crate::form::Form;
 use crate::system::{Positions, System};
 use crate::vector::{Vector, minus};
 
+pub use likely::likely;
 pub use path::positions;
 
 /// The derivatives of an equation's rows by each of its arguments: the coordinates of its sites, then its

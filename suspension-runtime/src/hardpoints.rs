@@ -3,7 +3,7 @@
 use core::fmt;
 
 use nalgebra::Vector3;
-use suspension_core::{Corner, GeometryError, Values};
+use suspension_core::{Build, Corner, GeometryError, Values};
 
 use crate::listing::Listing;
 use crate::model::Model;
@@ -27,11 +27,43 @@ pub enum ModelError {
 }
 
 impl Listing {
+    /// The listing with the order of elimination chosen by the positions around these hardpoints, one for each
+    /// point; of a listing that states its design itself, unchanged where its order suits them.
+    #[must_use]
+    pub fn ordered_at(self, hardpoints: &[Vector3<f64>]) -> Self {
+        let (fixed, free) = (self.system().fixed.len(), self.system().free.len());
+        let places: Vec<[f64; 3]> = hardpoints.iter().map(|point| (*point).into()).collect();
+        let (Some(fixed), Some(free)) = (places.get(..fixed), places.get(fixed..fixed + free))
+        else {
+            return self;
+        };
+        if self.system().design().is_some() && self.suits(hardpoints) {
+            return self;
+        }
+        let design = self.system().positions(fixed.to_vec(), free.to_vec());
+        let order = suspension_listing::order_at(self.system(), design);
+        self.with_order(&order)
+    }
+
+    /// Whether the order of elimination suits hardpoints, as far as those are a geometry.
+    fn suits(&self, hardpoints: &[Vector3<f64>]) -> bool {
+        let model = self.model::<60>(hardpoints);
+        let small = |error| {
+            matches!(
+                error,
+                ModelError::Geometry(GeometryError::SmallPivot { .. })
+            )
+        };
+        !model.is_err_and(small)
+    }
+
     /// A model with these hardpoints: chassis points, free points and markers in the order of the listing.
     ///
     /// # Errors
     ///
-    /// [`ModelError`].
+    /// [`ModelError`]. With [`GeometryError::SmallPivot`] the order of elimination does not suit the
+    /// hardpoints: [`ordered_at`](Self::ordered_at) gives one that does, and [`Build::of`] builds the model
+    /// all the same.
     pub fn model<const N: usize>(
         &self,
         hardpoints: &[Vector3<f64>],
@@ -47,7 +79,9 @@ impl Listing {
             return Err(ModelError::TooSmall { count, most, what });
         };
         let points = Points::<Vector3<f64>, N>::from_values(hardpoints.iter().copied());
-        Model::from_points(listing, &points).map_err(ModelError::Geometry)
+        let model = Model::from_points(listing, &points).map_err(ModelError::Geometry)?;
+        model.check_pivots(&points).map_err(ModelError::Geometry)?;
+        Ok(model)
     }
 
     /// A suspension at rest with these hardpoints, to be moved.

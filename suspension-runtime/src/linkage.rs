@@ -83,6 +83,10 @@ where
         self.jacobian_at(q, fixed)
     }
 
+    fn pivots(&self) -> &[[usize; 2]] {
+        &self.plan().elimination.pivots
+    }
+
     #[inline(always)]
     fn factor(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> Self::Factors {
         self.factored(q, fixed)
@@ -196,6 +200,10 @@ where
 
     fn of(listing: Fitted<'l, N>, design: &Self::Points) -> Result<Self, GeometryError> {
         Self::from_points(listing, design)
+    }
+
+    fn check_pivots(&self, points: &Self::Points) -> Result<(), GeometryError> {
+        suspension_core::generated::check_pivots(self, points)
     }
 
     fn with_lengths(self, lengths: &Self::Lengths) -> Result<Self, GeometryError> {

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts};
+use suspension_listing::eliminate::Order;
 use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Equation, Site, System};
@@ -22,7 +23,8 @@ impl Listing {
     /// Reads a listing: its statements, as they stand inside the braces of `linkage!`.
     ///
     /// The order of elimination is chosen as `linkage!` chooses it: by the positions `at` which the listing
-    /// states its points, otherwise by structure alone; see [`ordered_at`](Self::ordered_at).
+    /// states its points, otherwise by designs as suspensions have them; see
+    /// [`ordered_at`](Self::ordered_at).
     ///
     /// # Errors
     ///
@@ -67,26 +69,17 @@ impl Listing {
         )))
     }
 
-    /// The listing with the order of elimination chosen by the positions around these hardpoints, one for each
-    /// point; of a listing that states its design itself, unchanged.
-    #[must_use]
-    pub fn ordered_at(self, hardpoints: &[Vector3<f64>]) -> Self {
-        let (fixed, free) = (self.system.fixed.len(), self.system.free.len());
-        let places: Vec<[f64; 3]> = hardpoints.iter().map(|point| (*point).into()).collect();
-        let (Some(fixed), Some(free)) = (places.get(..fixed), places.get(fixed..fixed + free))
-        else {
-            return self;
-        };
-        if self.system.design().is_some() {
-            return self;
+    /// The listing with another order of elimination; unchanged where that is too large.
+    pub(crate) fn with_order(self, order: &Order) -> Self {
+        let plan = Plan::new(&self.system, order);
+        match plan.exceeded::<60>() {
+            Some(_) => self,
+            None => Self { plan, ..self },
         }
-        let design = self.system.positions(fixed.to_vec(), free.to_vec());
-        let order = suspension_listing::order_at(&self.system, design);
-        let plan = Plan::new(&self.system, &order);
-        if plan.exceeded::<60>().is_some() {
-            return self;
-        }
-        Self { plan, ..self }
+    }
+
+    pub(crate) fn system(&self) -> &System {
+        &self.system
     }
 
     pub(crate) fn plan(&self) -> &Plan {

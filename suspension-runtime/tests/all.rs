@@ -2,7 +2,9 @@
 
 mod back_ends;
 mod committed;
+mod pivots;
 mod pose;
 mod random;
+mod symmetric;
 mod twins;
 mod walked;

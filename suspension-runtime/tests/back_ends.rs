@@ -73,7 +73,7 @@ macro_rules! compare {
             &Values::from_values(points),
         );
         let twins = Twins::<_, _, $n, $m> {
-            written: $listing::Model::new(&design).expect("a geometry"),
+            written: $listing::Model::of($listing::Listing, &design).expect("a geometry"),
             walked: walked.expect("a geometry"),
         };
         for _ in 0..20 {

@@ -29,7 +29,7 @@ macro_rules! listings {
                     listing.fitted().expect("room"),
                     &Values::from_values(points),
                 );
-                match ($name::Model::new(&design), walked) {
+                match ($name::Model::of($name::Listing, &design), walked) {
                     (Ok(written), Ok(walked)) => {
                         let twins = Twins::<_, _, $n, $m> { written, walked };
                         for _ in 0..20 {

@@ -64,7 +64,7 @@ fn small_pivots_are_refused_where_a_step_takes_others() {
             p6: rough.p1 + link,
             ..rough
         };
-        let model = attia2003::Model::new(&design).expect("a geometry");
+        let model = attia2003::Model::of(attia2003::Listing, &design).expect("a geometry");
         let inputs = Inputs::still(Signal {
             value: model.drives_at(&design),
             ..Signal::default()

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::linkage::Factors as _;
-use suspension_core::linkages::attia2003::{Drives, Model, Points};
+use suspension_core::linkages::attia2003::{Drives, Listing, Model, Points};
 use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Signal, Still, Tracker};
 
 use super::case::differences;
@@ -66,7 +66,7 @@ fn a_zero_pivot_on_the_way() {
             p6: design.p1 + link,
             ..design
         };
-        unhealthy(&Model::new(&square).expect("a geometry"), &square)
+        unhealthy(&Model::of(Listing, &square).expect("a geometry"), &square)
     });
     println!("steps with unhealthy pivots: {counts:?} of 301");
     assert!(counts.iter().any(|count| *count > 0));

@@ -39,7 +39,7 @@ fn compare<L: Build<15, Scalar = f64, Listing: Default>>(
     let design = L::Points::from_values(
         displaced.map(|(point, by)| point + Vector3::new(by[0], by[1], by[2])),
     );
-    let Ok(model) = L::new(&design) else {
+    let Ok(model) = L::of(L::Listing::default(), &design) else {
         return Ok(counts);
     };
     let start = model.drives_at(&design);

@@ -99,7 +99,7 @@ where
         let by = Vector3::from_fn(|_, _| uniform(rng, -0.03..0.03));
         each + by
     }));
-    let Ok(model) = L::new(&design) else {
+    let Ok(model) = L::of(L::Listing::default(), &design) else {
         return shares;
     };
     shares.geometries = 1;

@@ -94,9 +94,9 @@ pub(crate) fn single<G: Tested>(design: &G::Points<f64>, built: Built) -> Option
     let points = local.values().map(|point| point.map(|x| x as f32));
     let rounded = Values::from_values(points);
     let model = if built == Built::Rounded {
-        G::rounded(&G::Model::<f64>::new(&local).ok()?)
+        G::rounded(&G::Model::<f64>::of(G::default(), &local).ok()?)
     } else {
-        G::Model::<f32>::new(&rounded).ok()?
+        G::Model::<f32>::of(G::default(), &rounded).ok()?
     };
     let position = model.unknowns(&rounded);
     Some(Single {

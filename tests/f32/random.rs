@@ -40,8 +40,8 @@ fn compare<G: Tested>(
     rate: f64,
     counts: &mut Counts,
 ) {
-    let (Ok(model), Some(single)) = (G::Model::<f64>::new(design), single::<G>(design, built))
-    else {
+    let model = G::Model::<f64>::of(G::default(), design);
+    let (Ok(model), Some(single)) = (model, single::<G>(design, built)) else {
         return;
     };
     let origin = SVector::<f64, 15>::from_fn(|row, _| single.origin[row % 3]);

@@ -64,7 +64,7 @@ fn random_jumps<L: Build<15, Scalar = f64, Listing: Default>>(
         let size = [0.02, 0.1, 0.3][index % 3];
         let points = rough.values();
         let design = L::Points::from_values(points.map(|each| each + random.vector(size)));
-        let Ok(model) = L::new(&design) else {
+        let Ok(model) = L::of(L::Listing::default(), &design) else {
             continue;
         };
         let drive = Drive {

@@ -90,7 +90,7 @@ where
     T: Real,
     L: Build<N, Scalar = T, Listing: Default>,
 {
-    let model = demand_linkage(L::new(design))?;
+    let model = demand_linkage(L::of(L::Listing::default(), design))?;
     if draw.below(4) > 0 {
         return Some(model);
     }

@@ -55,7 +55,8 @@ where
 
     /// Of the points as they stand.
     pub(crate) fn of(designs: [G::Points<T>; LANES]) -> Self {
-        let models = designs.map(|design| G::Model::<T>::new(&design).expect("a geometry"));
+        let models =
+            designs.map(|design| G::Model::<T>::of(G::default(), &design).expect("a geometry"));
         let at_start = std::array::from_fn(|lane| models[lane].drives_at(&designs[lane]));
         let mut fleet = Self {
             models,

@@ -23,7 +23,7 @@ impl<T: Real, L: Build<15, Scalar = T, Listing: Default>> Displaced<T, L> {
         let design = L::Points::from_values(
             points.map(|(point, by)| point + Vector3::new(by[0], by[1], by[2]).map(T::constant)),
         );
-        let model = L::new(&design).ok()?;
+        let model = L::of(L::Listing::default(), &design).ok()?;
         let none = L::Drives::default();
         let inputs = Inputs::still(Signal {
             value: L::Drives::from_values(std::iter::repeat(T::constant(theta))),

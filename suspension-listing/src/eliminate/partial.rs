@@ -1,18 +1,8 @@
 //! One attempt: the matrix as it is eliminated step by step.
 
+use super::acceptance::{Acceptance, Positions};
 use super::preference::Preference;
 use super::{DIVISION, Entry, Order, Step};
-
-/// A pivot must be at least this part of the largest entry of its column in the design position,
-/// so that multipliers stay below 5 there.
-pub const THRESHOLD: f64 = 0.2;
-
-/// The same in the other positions of the motion.
-const THRESHOLD_OF_MOTION: f64 = 0.05;
-
-/// Nor may it be smaller than this: entries are of order 1, and what is left of one that cancels
-/// is rounding.
-const TINY: f64 = 1e-6;
 
 /// What is known of an entry during elimination.
 #[derive(Clone, Debug)]
@@ -30,12 +20,6 @@ fn combined(a: &[f64], b: &[f64], combine: impl Fn(f64, f64) -> f64) -> Vec<f64>
     a.iter().zip(b).map(|(a, b)| combine(*a, *b)).collect()
 }
 
-/// Whether a pivot with these values is zero somewhere on the way from the design.
-fn changes_sign(values: &[f64]) -> bool {
-    let first = values.first().copied().unwrap_or_default();
-    values.iter().any(|value| value * first < 0.0)
-}
-
 /// A partly eliminated matrix.
 #[derive(Clone)]
 pub(super) struct Partial {
@@ -45,15 +29,18 @@ pub(super) struct Partial {
     columns_of: Vec<Vec<usize>>,
     /// Rows that have an entry in each column, of those not eliminated yet.
     rows_of: Vec<Vec<usize>>,
+    acceptance: Acceptance,
     order: Order,
 }
 
 impl Partial {
-    pub(super) fn new(n: usize, entries: &[Entry]) -> Self {
+    pub(super) fn new(n: usize, entries: &[Entry], of: Positions) -> Self {
+        let positions = entries.iter().map(|entry| entry.values.len()).max();
         let mut partial = Self {
             cells: vec![vec![None; n]; n],
             columns_of: vec![Vec::new(); n],
             rows_of: vec![Vec::new(); n],
+            acceptance: Acceptance::new(of, positions.unwrap_or_default()),
             order: Order::default(),
         };
         for entry in entries {
@@ -88,9 +75,12 @@ impl Partial {
                 None => self.pivot(&mut preference)?,
             };
             let pivot = self.cells[row][column].clone()?;
+            let least = self.least(column);
+            self.acceptance.take(&pivot.values, &least);
             self.step(row, column, pivot);
         }
         self.order.sort_substitution();
+        self.order.served = self.acceptance.count();
         Some(self.order)
     }
 
@@ -107,23 +97,21 @@ impl Partial {
         places.filter(is_carried).collect()
     }
 
-    /// Of the entries that are large enough beside their column, the one that ranks lowest.
+    /// Of the entries that are large enough beside their column in most positions, the one that ranks
+    /// lowest.
     fn pivot(&self, preference: &mut Preference) -> Option<(usize, usize)> {
         let mut best = None;
         for (column, rows) in self.rows_of.iter().enumerate() {
-            let least = self.least_pivots(rows, column);
+            let least = self.least(column);
             for &row in rows {
-                // One whose values are not known is large enough because it is there.
-                let is_small = |(value, least): (&f64, &f64)| value.abs() < *least;
-                let values = self.values(row, column);
-                if values.iter().zip(&least).any(is_small) || changes_sign(values) {
+                let Some(lost) = self.acceptance.lost(self.values(row, column), &least) else {
                     continue;
-                }
+                };
                 let markowitz = (rows.len() - 1) * (self.columns_of[row].len() - 1);
                 let ready = self.cells[row][column]
                     .as_ref()
                     .map_or(0, |cell| cell.ready);
-                let rank = preference.rank(markowitz, ready);
+                let rank = (lost, preference.rank(markowitz, ready));
                 if best.is_none_or(|(lowest, _)| rank < lowest) {
                     best = Some((rank, (row, column)));
                 }
@@ -133,21 +121,10 @@ impl Partial {
     }
 
     /// How large a pivot of a column must be, in each position.
-    fn least_pivots(&self, rows: &[usize], column: usize) -> Vec<f64> {
-        let mut least: Vec<f64> = Vec::new();
-        for &row in rows {
-            let values = self.values(row, column);
-            least.resize(least.len().max(values.len()), TINY);
-            for (position, (least, value)) in least.iter_mut().zip(values).enumerate() {
-                let threshold = if position == 0 {
-                    THRESHOLD
-                } else {
-                    THRESHOLD_OF_MOTION
-                };
-                *least = least.max(threshold * value.abs());
-            }
-        }
-        least
+    fn least(&self, column: usize) -> Vec<f64> {
+        let rows = self.rows_of[column].iter();
+        self.acceptance
+            .least(rows.map(|&row| self.values(row, column)))
     }
 
     /// An entry's values.
@@ -168,8 +145,8 @@ impl Partial {
             self.order.operations += scaled + divided + below.len() * right.len();
         }
         self.order.chain = self.order.chain.max(inverse_ready);
-        self.order
-            .grow(pivot.values.iter().map(|value| value.recip()));
+        let known = self.acceptance.known(&pivot.values);
+        self.order.grow(known.map(f64::recip));
         for &other in &below {
             let Some(entry) = &self.cells[other][column] else {
                 continue;
@@ -181,7 +158,7 @@ impl Partial {
                 ready: inverse_ready.max(entry.ready) + scaled,
             };
             self.order.chain = self.order.chain.max(multiplier.ready);
-            self.order.grow(multiplier.values.iter().copied());
+            self.order.grow(self.acceptance.known(&multiplier.values));
             self.subtract(&multiplier, row, other, &right);
         }
         self.order.steps.push(Step {

@@ -1,5 +1,7 @@
 //! Which of the admissible entries an attempt prefers as the next pivot.
 
+use crate::random::Lcg;
+
 /// What an attempt goes by in its choice of pivots.
 pub(super) struct Preference {
     random: Lcg,
@@ -11,7 +13,7 @@ impl Preference {
     /// Attempts take turns: on a large matrix short chains may cost too many operations.
     pub(super) fn of(attempt: u64) -> Self {
         Self {
-            random: Lcg(attempt),
+            random: Lcg::new(attempt),
             early: attempt % 2 == 1,
         }
     }
@@ -26,18 +28,5 @@ impl Preference {
             0
         };
         (markowitz + wait, self.random.next())
-    }
-}
-
-/// A linear congruential generator (Knuth's MMIX constants): the same order at every expansion.
-struct Lcg(u64);
-
-impl Lcg {
-    fn next(&mut self) -> u32 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 40) as u32
     }
 }

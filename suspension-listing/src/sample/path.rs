@@ -95,6 +95,19 @@ fn tangent(
     position: &Positions,
     row: usize,
 ) -> Option<Vec<f64>> {
+    // Where it is smaller the equations say nothing of the direction.
+    const SMALLEST_PIVOT: f64 = 1e-9;
+    rates(system, places, position, row, SMALLEST_PIVOT)
+}
+
+/// The same; `None` where a pivot is smaller than it may be.
+pub(super) fn rates(
+    system: &System,
+    places: &[Place<'_>],
+    position: &Positions,
+    row: usize,
+    smallest_pivot: f64,
+) -> Option<Vec<f64>> {
     let n = system.size();
     let gradients = gradients(system, position)?;
     let mut matrix = vec![vec![0.0; n + 1]; n];
@@ -102,19 +115,19 @@ fn tangent(
         matrix[place.row][place.column] = place.value(&gradients);
     }
     matrix[row][n] = 1.0;
-    solved(matrix)
+    solved(matrix, smallest_pivot)
 }
 
 /// The solution of linear equations with the right-hand side as last column; `None` where they
-/// are singular.
-fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
+/// are singular, or nearly so.
+fn solved(mut rows: Vec<Vec<f64>>, smallest_pivot: f64) -> Option<Vec<f64>> {
     let n = rows.len();
     for k in 0..n {
         let size = |row: &Vec<f64>| row[k].abs();
         let best = (k..n).max_by(|&a, &b| size(&rows[a]).total_cmp(&size(&rows[b])))?;
         rows.swap(k, best);
         let pivot_row = rows[k].clone();
-        if pivot_row[k].abs() < 1e-9 {
+        if pivot_row[k].abs() < smallest_pivot {
             return None;
         }
         for row in rows.iter_mut().skip(k + 1).filter(|row| row[k] != 0.0) {

@@ -12,6 +12,7 @@ pub(super) fn build_impl(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let methods = [
         new(system),
+        check_pivots(),
         lengths::with_lengths(system),
         with_markers(system),
         lengths::lengths(system),
@@ -55,6 +56,14 @@ fn designed(system: &System) -> Option<TokenStream> {
             }
         }
     })
+}
+
+fn check_pivots() -> TokenStream {
+    quote! {
+        fn check_pivots(&self, points: &Points<T>) -> Result<(), GeometryError> {
+            check_pivots(self, points)
+        }
+    }
 }
 
 fn new(system: &System) -> TokenStream {

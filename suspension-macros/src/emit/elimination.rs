@@ -6,7 +6,7 @@ use syn::Ident;
 
 use super::jacobian::{entries, parameters, with_points};
 use super::unrolled::{Unrolled, entry};
-use super::{carried, substitution, written_out};
+use super::{carried, indices, substitution, written_out};
 use suspension_listing::eliminate::Order;
 use suspension_listing::system::System;
 
@@ -48,6 +48,21 @@ pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
             fn growth_squared(&self) -> T {
                 self.growth_squared
             }
+        }
+    }
+}
+
+/// `Linkage::pivots`.
+pub(super) fn pivots(system: &System, order: &Order) -> TokenStream {
+    let (rows, unknowns) = (system.rows(), indices::unknowns(system));
+    let pivots = order.steps.iter().map(|step| {
+        let row = indices::equation(&rows[step.row]);
+        let column = indices::unknown(&unknowns[step.column]);
+        quote!([#row, #column])
+    });
+    quote! {
+        fn pivots(&self) -> &[[usize; 2]] {
+            &[#(#pivots),*]
         }
     }
 }

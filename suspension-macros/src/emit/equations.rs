@@ -18,6 +18,7 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
         drive_anchors(system),
         residual(system),
         jacobian::jacobian(system),
+        elimination::pivots(system, order),
         elimination::factor(system, order),
         curvature(system),
         rates::drive_rate(system),

@@ -130,6 +130,7 @@ fn linkage_impl(system: &System) -> TokenStream {
             fn drive_anchors(&self, _: Fixed<T>, _: &Drives<T>) -> Fixed<T> { loop {} }
             fn residual(&self, _: &SVector<T, #n>, _: &Fixed<T>, _: &Drives<T>) -> SVector<T, #n> { loop {} }
             fn jacobian(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> SMatrix<T, #n, #n> { loop {} }
+            fn pivots(&self) -> &[[usize; 2]] { loop {} }
             fn factor(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> Factors<T> { loop {} }
             fn curvature(
                 &self,
@@ -169,6 +170,7 @@ fn build_impl(system: &System) -> TokenStream {
             type Lengths = Lengths<T>;
 
             fn of(_: Listing, _: &Points<T>) -> Result<Self, GeometryError> { loop {} }
+            fn check_pivots(&self, _: &Points<T>) -> Result<(), GeometryError> { loop {} }
             fn with_lengths(self, _: &Lengths<T>) -> Result<Self, GeometryError> { loop {} }
             fn with_markers(self, _: &Points<T>) -> Result<Self, GeometryError> { loop {} }
             fn lengths(&self) -> Lengths<T> { loop {} }

@@ -692,6 +692,26 @@ pub mod attia2003 {
             from_columns(columns)
         }
 
+        fn pivots(&self) -> &[[usize; 2]] {
+            &[
+                [equation::THETA, unknown::P6_Z],
+                [equation::D6_1, unknown::P6_Y],
+                [equation::D10_6, unknown::P10_Z],
+                [equation::D8_3, unknown::P8_X],
+                [equation::D9_4, unknown::P9_X],
+                [equation::D9_6, unknown::P9_Z],
+                [equation::D10_5, unknown::P10_Y],
+                [equation::D7_6, unknown::P7_Z],
+                [equation::D7_2, unknown::P7_Y],
+                [equation::D8_6, unknown::P8_Z],
+                [equation::D9_7, unknown::P9_Y],
+                [equation::D10_7, unknown::P10_X],
+                [equation::D10_8, unknown::P8_Y],
+                [equation::D9_8, unknown::P7_X],
+                [equation::D8_7, unknown::P6_X],
+            ]
+        }
+
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn factor(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Factors<T> {
             let free = Free::of(q);
@@ -1954,6 +1974,10 @@ pub mod attia2003 {
                 )?,
             };
             Ok(model.sized())
+        }
+
+        fn check_pivots(&self, points: &Points<T>) -> Result<(), GeometryError> {
+            check_pivots(self, points)
         }
 
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {

@@ -953,6 +953,35 @@ pub mod five_link {
             from_columns(columns)
         }
 
+        fn pivots(&self) -> &[[usize; 2]] {
+            &[
+                [equation::KNUCKLE_LOWER_REAR_OUTER_X, unknown::LOWER_REAR_OUTER_X],
+                [equation::KNUCKLE_LOWER_REAR_OUTER_Y, unknown::LOWER_REAR_OUTER_Y],
+                [equation::KNUCKLE_LOWER_REAR_OUTER_Z, unknown::LOWER_REAR_OUTER_Z],
+                [equation::KNUCKLE_TRACK_ROD_OUTER_X, unknown::TRACK_ROD_OUTER_X],
+                [equation::KNUCKLE_TRACK_ROD_OUTER_Y, unknown::TRACK_ROD_OUTER_Y],
+                [equation::KNUCKLE_TRACK_ROD_OUTER_Z, unknown::TRACK_ROD_OUTER_Z],
+                [equation::THETA, unknown::LOWER_FRONT_OUTER_Z],
+                [equation::LOWER_FRONT, unknown::LOWER_FRONT_OUTER_Y],
+                [equation::UPPER_REAR, unknown::UPPER_REAR_OUTER_X],
+                [
+                    equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER,
+                    unknown::UPPER_REAR_OUTER_Z,
+                ],
+                [
+                    equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER,
+                    unknown::UPPER_FRONT_OUTER_Z,
+                ],
+                [equation::UPPER_FRONT, unknown::UPPER_FRONT_OUTER_Y],
+                [equation::LOWER_REAR, unknown::UPPER_FRONT_OUTER_X],
+                [
+                    equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER,
+                    unknown::LOWER_FRONT_OUTER_X,
+                ],
+                [equation::TRACK_ROD, unknown::UPPER_REAR_OUTER_Y],
+            ]
+        }
+
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn factor(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Factors<T> {
             let free = Free::of(q);
@@ -2887,6 +2916,10 @@ pub mod five_link {
                 )?,
             };
             Ok(model.sized())
+        }
+
+        fn check_pivots(&self, points: &Points<T>) -> Result<(), GeometryError> {
+            check_pivots(self, points)
         }
 
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {

@@ -22,6 +22,8 @@ pub(crate) struct Elimination {
     pub(crate) filled: Vec<u16>,
     pub(crate) carriers: Vec<Carrier>,
     pub(crate) steps: Vec<Step>,
+    /// Equation and unknown of each pivot, those of carried points first.
+    pub(crate) pivots: Vec<[usize; 2]>,
     /// For each step, the numbers right of the pivot.
     pub(crate) uppers: Vec<u16>,
     /// For each step, for each row below it, the multiplier.
@@ -60,6 +62,11 @@ impl Elimination {
             filled: Vec::new(),
             carriers: Vec::new(),
             steps: Vec::new(),
+            pivots: order
+                .steps
+                .iter()
+                .map(|step| [step.row, step.column])
+                .collect(),
             uppers: Vec::new(),
             multipliers: Vec::new(),
             targets: Vec::new(),

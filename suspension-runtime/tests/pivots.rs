@@ -1,0 +1,62 @@
+//! Hardpoints that the order of elimination of a listing does not suit: both back ends say so when the
+//! model is built.
+
+use nalgebra::Vector3;
+use suspension_core::linkages::{LISTINGS, attia2003};
+use suspension_core::{Bounded, Build, Corner, Inputs, Motion, Outputs, Signal, Still, Values};
+use suspension_runtime::{Listing, ModelError};
+
+type Model = attia2003::Model<f64>;
+type Points = attia2003::Points<f64>;
+
+fn listing() -> Listing {
+    let text = LISTINGS.iter().find(|(name, _)| *name == "attia2003");
+    Listing::parse(text.expect("in the catalogue").1).expect("a listing")
+}
+
+/// Link 6-1 square to x or y, along which its derivative is the pivot that the design chose.
+fn square(listing: &Listing, link: Vector3<f64>) -> Points {
+    let design = Points::from_values(listing.stated().map(|(_, at)| at));
+    Points {
+        p6: design.p1 + link,
+        ..design
+    }
+}
+
+/// A step of no length at the design.
+fn attempt<L: Build<N, Scalar = f64>, const N: usize>(model: &L, design: &L::Points) -> bool {
+    let inputs: Inputs<Still, _> = Inputs::still(Signal::still(model.drives_at(design)));
+    let mut motion = Motion::at_rest(model.unknowns(design));
+    let bounded = Bounded::<f64>::default();
+    let attempted = bounded.attempt(Outputs::Acceleration, model, &inputs, 0.0, &mut motion);
+    attempted.is_ok()
+}
+
+const MESSAGE: &str = "the fixed order of elimination has too small a pivot at these hardpoints: \
+    equation `d6_1`; state hardpoints near these in the listing, or step with partial pivoting";
+
+#[test]
+fn a_zero_pivot_at_the_design_is_told_by_name_when_a_model_is_built() {
+    let listing = listing();
+    let links = [Vector3::new(0.0, 0.43, 0.11), Vector3::new(0.43, 0.0, 0.11)];
+    let told = links.map(|link| {
+        let design = square(&listing, link);
+        let points: Vec<Vector3<f64>> = design.values().collect();
+        let written = Corner::<Model, 15>::new(&design).map_err(|error| error.to_string());
+        let walked = listing.model::<15>(&points).map_err(|error| match error {
+            ModelError::Geometry(error) => error.named(&listing).to_string(),
+            ModelError::TooSmall { .. } => error.to_string(),
+        });
+        let model = Model::of(attia2003::Listing, &design).expect("a geometry");
+        let attempted = attempt(&model, &design);
+        let ordered = listing.clone().ordered_at(&points);
+        let reordered = ordered.model::<15>(&points).expect("an order for them");
+        let design = Values::from_values(points.iter().copied());
+        assert!(attempt(&reordered, &design));
+        let told = written.err();
+        assert_eq!(told, walked.err());
+        assert_eq!(told.is_none(), attempted);
+        told
+    });
+    assert_eq!(told.iter().flatten().collect::<Vec<_>>(), [MESSAGE]);
+}
