@@ -188,6 +188,12 @@ impl System {
         self.scalars.iter().position(|scalar| scalar == name)
     }
 
+    /// The unknown that a scalar is.
+    pub fn scalar_column(&self, name: &Name) -> Option<usize> {
+        let scalar = self.scalar(name)?;
+        Some(3 * self.free.len() + scalar)
+    }
+
     /// The rows' names, in order.
     pub fn rows(&self) -> Vec<Name> {
         self.equations.iter().flat_map(Equation::rows).collect()

@@ -1,7 +1,7 @@
 //! The model from positions.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::constraint::{Along, Carried, Distance, Frame};
+use suspension_core::constraint::{Along, Carried, Distance, Frame, Stretch};
 use suspension_core::generated::dot;
 use suspension_core::handedness::Linked;
 use suspension_core::{GeometryError, Real, Values, assemble, parts};
@@ -32,6 +32,7 @@ where
             frames: Default::default(),
             carried: Default::default(),
             along: Default::default(),
+            stretches: Default::default(),
             markers: Default::default(),
             cluster_frames: Default::default(),
             linked: Default::default(),
@@ -45,6 +46,7 @@ where
             distances: model.distances_at(design)?,
             carried: model.carried_at(design, &frames)?,
             along: model.along_at(design)?,
+            stretches: model.stretches_at(design)?,
             linked: model.linked_at(design, &cluster_frames)?,
             markers: model.markers_at(design)?,
             ..model
@@ -97,6 +99,16 @@ where
         }))
     }
 
+    fn stretches_at(
+        &self,
+        design: &Points<Vector3<T>, N>,
+    ) -> Result<Few<Stretch<T>, N>, GeometryError> {
+        fill(self.plan().stretches.iter().map(|stretch| {
+            let [from, to] = [stretch.from, stretch.to].map(|site| self.point(site));
+            parts::stretch(to.into(), (design.get(to) - design.get(from)).norm())
+        }))
+    }
+
     fn carried_at(
         &self,
         design: &Points<Vector3<T>, N>,
@@ -146,9 +158,12 @@ where
     pub(crate) fn sized(self) -> Self {
         let distances = self.distances.iter().take(self.plan().distances.len());
         let lines = self.along.as_slice().iter().take(self.plan().along.len());
+        let stretches = self.stretches.as_slice().iter();
+        let stretches = stretches.take(self.plan().stretches.len());
         let lengths = distances
             .map(Distance::length)
-            .chain(lines.map(Along::length));
+            .chain(lines.map(Along::length))
+            .chain(stretches.map(Stretch::length));
         let size = lengths.fold(T::zero(), |longest, length| longest.max(length));
         Self { size, ..self }
     }
@@ -207,6 +222,14 @@ where
             let distance = ends.map(|(point, line)| constant.distance(point, line));
             if let Some((place, distance)) = q.get_mut(usize::from(along.distance)).zip(distance) {
                 *place = distance;
+            }
+        }
+        for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
+            let length = stretch
+                .vector(&Sites::new(&q, fixed))
+                .map(|d| constant.reach(d));
+            if let Some((place, length)) = q.get_mut(usize::from(stretch.length)).zip(length) {
+                *place = length;
             }
         }
         q

@@ -49,6 +49,11 @@ where
                 put_three(rows, along.row, off);
             }
         }
+        for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
+            if let Some((vector, length)) = stretch.change(&sites) {
+                put(rows, stretch.row, constant.residual(vector, length));
+            }
+        }
         result
     }
 
@@ -77,6 +82,9 @@ where
         }
         for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
             along.write_dense(constant, &sites, &mut matrix);
+        }
+        for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
+            stretch.write_dense(constant, &sites, &mut matrix);
         }
         for beyond in usize::from(plan.unknowns)..N {
             if let Some(entry) = matrix.get_mut((beyond, beyond)) {
@@ -114,6 +122,11 @@ where
         for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
             if let (Some(v), Some(w)) = (along.change(&v), along.change(&w)) {
                 put_three(rows, along.row, constant.curvature(v, w));
+            }
+        }
+        for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
+            if let (Some(v), Some(w)) = (stretch.change(&v), stretch.change(&w)) {
+                put(rows, stretch.row, constant.curvature(v, w));
             }
         }
         result

@@ -83,6 +83,9 @@ where
         for (along, constant) in plan.along.iter().zip(model.along.as_slice()) {
             along.write(constant, &sites, numbers);
         }
+        for (stretch, constant) in plan.stretches.iter().zip(model.stretches.as_slice()) {
+            stretch.write(constant, &sites, numbers);
+        }
         *numbers.place(ZERO) = T::zero();
     }
 

@@ -6,9 +6,11 @@ mod carried;
 mod distance;
 mod linear;
 mod rates;
+mod stretch;
 
 pub(crate) use along::Along;
 pub(crate) use carried::Body;
 pub(crate) use distance::Distance;
 pub(crate) use linear::Linear;
 pub(crate) use rates::InputRates;
+pub(crate) use stretch::Stretch;

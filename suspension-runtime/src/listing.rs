@@ -3,8 +3,6 @@
 use nalgebra::Vector3;
 use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts};
 use suspension_listing::eliminate::Order;
-use suspension_listing::form::Form;
-use suspension_listing::name::Name;
 use suspension_listing::system::{Equation, Site, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 
@@ -49,11 +47,6 @@ impl Listing {
                 length: 0,
             }],
         };
-        if let Some(drive) = driven_length(&system) {
-            return Err(refuse(format!(
-                "drive `{drive}`: listings that are read at run time have no driven lengths; compile this one with `linkage!`"
-            )));
-        }
         let order = suspension_listing::order(&system);
         let listing = Self {
             names: Names::new(&system),
@@ -151,13 +144,6 @@ impl Listing {
     pub fn length(&self, name: &str) -> Option<usize> {
         place(self.names.lengths(), name)
     }
-}
-
-/// The name of a drive that prescribes a length, where there is one.
-fn driven_length(system: &System) -> Option<&Name> {
-    let mut equations = system.equations.iter();
-    let driven = equations.find(|equation| matches!(equation.form, Form::Stretch(_)))?;
-    Some(&driven.origin.statement)
 }
 
 fn place(names: &[String], name: &str) -> Option<usize> {

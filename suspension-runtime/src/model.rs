@@ -1,7 +1,7 @@
 //! The geometry of a listing.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Along, Carried, Distance, Frame};
+use suspension_core::constraint::{Along, Carried, Distance, Frame, Stretch};
 use suspension_core::generated::gather_vector;
 use suspension_core::handedness::Linked;
 use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, Scalar};
@@ -27,6 +27,8 @@ where
     pub(crate) carried: Few<Carried<T>, N>,
     /// Of the lines that points slide on.
     pub(crate) along: Few<Along<T>, N>,
+    /// Of the lengths that drives prescribe.
+    pub(crate) stretches: Few<Stretch<T>, N>,
     pub(crate) markers: Few<Carried<T>, N>,
     pub(crate) cluster_frames: Few<Frame<T>, N>,
     /// Of the points of all clusters beside their frames.
@@ -60,6 +62,7 @@ where
             frames: each(|at| Frame::gather(|model| model.frames.get(at), number)),
             carried: each(|at| Carried::gather(|model| model.carried.get(at), number)),
             along: each(|at| Along::gather(|model| model.along.get(at), number)),
+            stretches: each(|at| Stretch::gather(|model| model.stretches.get(at), number)),
             markers: each(|at| Carried::gather(|model| model.markers.get(at), number)),
             cluster_frames: each(|at| Frame::gather(|model| model.cluster_frames.get(at), number)),
             linked: each(|at| Linked::gather(|model| model.linked.get(at), number)),

@@ -13,7 +13,7 @@ use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{SiteMotion, System};
 
-use crate::form::{Along, Body, Distance, InputRates, Linear};
+use crate::form::{Along, Body, Distance, InputRates, Linear, Stretch};
 use crate::site::Site;
 use crate::table::{SPARE, index};
 
@@ -38,6 +38,7 @@ pub(crate) struct Plan {
     pub(crate) bodies: Vec<Body>,
     pub(crate) linear: Vec<Linear>,
     pub(crate) along: Vec<Along>,
+    pub(crate) stretches: Vec<Stretch>,
     /// What drives contribute to rates, with the chassis points that they move.
     pub(crate) driven: InputRates,
     /// What the other chassis points contribute.
@@ -57,7 +58,8 @@ impl Plan {
         let elimination = Elimination::new(system, order);
         let entry = |row, column: Option<usize>| elimination.entry(row, column);
         let lengths = LengthNames::new(system);
-        let (mut distances, mut linear, mut along) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut distances, mut linear) = (Vec::new(), Vec::new());
+        let (mut along, mut stretches) = (Vec::new(), Vec::new());
         let mut bodies: Vec<Body> = (system.bodies.iter())
             .map(|body| Body::new(body, &lengths))
             .collect();
@@ -73,7 +75,7 @@ impl Plan {
                 }
                 Form::Linear(form) => {
                     let drive = position(system.drives.iter().map(|d| &d.named.name), &form.drive);
-                    linear.push(Linear::new(form, row, drive, entry));
+                    linear.push(Linear::new(system, form, row, drive, entry));
                 }
                 Form::Carried(form) => {
                     let mut named = system.bodies.iter().zip(&mut bodies);
@@ -85,8 +87,7 @@ impl Plan {
                 Form::Along(form) => {
                     along.push(Along::new(system, form, row, &lengths, entry));
                 }
-                // Refused where listings are read.
-                Form::Stretch(_) => {}
+                Form::Stretch(form) => stretches.push(Stretch::new(system, form, row, entry)),
             }
             row += equation.form.equations().rows();
         }
@@ -109,6 +110,7 @@ impl Plan {
             bodies,
             linear,
             along,
+            stretches,
             elimination,
         }
     }

@@ -39,6 +39,16 @@ where
                 put(rows, distance.row, dot(constant.gradient(vector), rate));
             }
         }
+        for &index in &inputs.stretches {
+            let index = usize::from(index);
+            let constant = self.stretches.as_slice().get(index);
+            if let Some((stretch, constant)) = plan.stretches.get(index).zip(constant)
+                && let Some(vector) = stretch.vector(&sites)
+                && let Some(rate) = rates.get(stretch.from)
+            {
+                put(rows, stretch.row, dot(constant.gradient(vector), rate));
+            }
+        }
         for moved in &inputs.carried {
             let Some(body) = plan.bodies.get(usize::from(moved.body)) else {
                 continue;

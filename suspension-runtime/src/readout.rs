@@ -2,7 +2,7 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::constraint::{Carried, Frame, angle_to_coordinate};
-use suspension_core::generated::{dot, moved_along};
+use suspension_core::generated::{difference, dot, moved_along};
 use suspension_core::{Real, Scalar, Signal, measure};
 
 use crate::model::Model;
@@ -62,6 +62,12 @@ where
             let point = |site| points.get(self.point(site));
             if let Some(place) = q.get_mut(usize::from(along.distance)) {
                 *place = constant.distance(point(along.point), along.line.map(point));
+            }
+        }
+        for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
+            let [from, to] = [stretch.from, stretch.to].map(|site| points.get(self.point(site)));
+            if let Some(place) = q.get_mut(usize::from(stretch.length)) {
+                *place = constant.reach(difference(to, from));
             }
         }
         q

@@ -7,7 +7,7 @@ use crate::vector::{dot, multiple};
 
 /// An unknown length `s` between two points, with `d` the vector from one to the other:
 /// `F = (|d|^2 - s^2) / (2 L)`, with `L` the length in the design. A negative `s` acts as its magnitude.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stretch<T> {
     length: T,
     inverse: T,

@@ -35,8 +35,7 @@ impl Along {
         lengths: &LengthNames<'_>,
         entry: impl Fn(usize, Option<usize>) -> u16,
     ) -> Self {
-        let scalar = system.scalar(&form.distance);
-        let distance = scalar.map(|scalar| 3 * system.free.len() + scalar);
+        let distance = system.scalar_column(&form.distance);
         let (point, line) = (
             Site::from(&form.point),
             form.line.each_ref().map(Site::from),

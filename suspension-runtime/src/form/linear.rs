@@ -1,21 +1,25 @@
-//! `Linear`: a prescribed sum of coordinates.
+//! `Linear`: a prescribed sum of coordinates, or a prescribed scalar.
 
 use nalgebra::{SMatrix, Vector3};
 use suspension_core::Scalar;
 use suspension_listing::form;
+use suspension_listing::system::System;
 
 use crate::site::{Site, Sites};
 use crate::table::Table;
 use crate::table::index;
 
-/// A sum of coordinates that a drive prescribes: one row.
+/// A sum of unknowns that a drive prescribes: one row.
 #[derive(Clone, Debug)]
 pub(crate) struct Linear {
     pub(crate) row: u16,
     pub(crate) drive: u16,
     terms: Vec<Term>,
-    /// Where the factors hold the derivative by each term's coordinate.
+    /// An unknown that is no coordinate, added to the terms.
+    scalar: Option<u16>,
+    /// Where the factors hold the derivative by each term's coordinate, and by the scalar.
     entries: Vec<u16>,
+    by_scalar: u16,
 }
 
 /// A coordinate of a site, times a factor.
@@ -63,6 +67,7 @@ impl Term {
 
 impl Linear {
     pub(crate) fn new(
+        system: &System,
         form: &form::Linear,
         row: usize,
         drive: u16,
@@ -70,10 +75,14 @@ impl Linear {
     ) -> Self {
         let terms: Vec<Term> = form.terms.iter().map(Term::from).collect();
         let columns = terms.iter().map(|term| term.site.column(term.axis));
+        let scalar = form.scalar.as_ref();
+        let scalar = scalar.and_then(|scalar| system.scalar_column(scalar));
         Self {
             row: index(row),
             drive,
             entries: columns.map(|column| entry(row, column)).collect(),
+            scalar: scalar.map(index),
+            by_scalar: entry(row, scalar),
             terms,
         }
     }
@@ -90,6 +99,10 @@ impl Linear {
             let value = term.value(&sites.get(term.site)?);
             sum = Some(sum.map_or(value, |sum| sum + value));
         }
+        if let Some(scalar) = self.scalar {
+            let value = sites.scalar(scalar)?;
+            sum = Some(sum.map_or(value, |sum| sum + value));
+        }
         Some(sum? - drive)
     }
 
@@ -99,15 +112,20 @@ impl Linear {
         for (entry, term) in self.entries.iter().zip(&self.terms) {
             *numbers.place(*entry) = T::constant(term.factor);
         }
+        if self.scalar.is_some() {
+            *numbers.place(self.by_scalar) = T::one();
+        }
     }
 
     /// Writes the derivatives into a dense matrix.
     pub(crate) fn write_dense<T: Scalar, const N: usize>(&self, matrix: &mut SMatrix<T, N, N>) {
-        for term in &self.terms {
-            let column = term.site.column(term.axis);
+        let terms = self.terms.iter();
+        let terms = terms.map(|term| (term.site.column(term.axis), term.factor));
+        let scalar = self.scalar.map(|scalar| (Some(usize::from(scalar)), 1.0));
+        for (column, factor) in terms.chain(scalar) {
             let place = column.map(|column| (usize::from(self.row), column));
             if let Some(entry) = place.and_then(|place| matrix.get_mut(place)) {
-                *entry = T::constant(term.factor);
+                *entry = T::constant(factor);
             }
         }
     }

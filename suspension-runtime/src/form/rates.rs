@@ -16,6 +16,8 @@ pub(crate) struct InputRates {
     /// Points carried by a frame with such points, and which of the frame's they are.
     pub(crate) carried: Vec<MovedFrame>,
     pub(crate) linear: Vec<LinearRate>,
+    /// Variable lengths from such a point.
+    pub(crate) stretches: Vec<u16>,
     /// Points on lines, and which of the point and the line's ends are such points.
     pub(crate) along: Vec<(u16, [bool; 3])>,
 }
@@ -45,7 +47,7 @@ impl InputRates {
     /// Of the chassis points with a motion and, with those that are driven, of the drives.
     pub(crate) fn new(system: &System, motion: SiteMotion) -> Self {
         let mut rates = Self::default();
-        let (mut row, mut distance, mut along) = (0, 0, 0);
+        let (mut row, mut distance, mut along, mut stretch) = (0, 0, 0, 0);
         let mut carried = vec![0; system.bodies.len()];
         for equation in &system.equations {
             match &equation.form {
@@ -72,8 +74,12 @@ impl InputRates {
                     }
                     along += 1;
                 }
-                // Refused where listings are read.
-                Form::Stretch(_) => {}
+                Form::Stretch(form) => {
+                    if form.from.motion == motion {
+                        rates.stretches.push(stretch);
+                    }
+                    stretch += 1;
+                }
             }
             row += equation.form.equations().rows();
         }

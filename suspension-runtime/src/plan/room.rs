@@ -38,6 +38,7 @@ impl Plan {
             ),
             (linked.sum(), few, "points that links alone hold rigidly"),
             (self.along.len(), few, "slides"),
+            (self.stretches.len(), few, "driven lengths"),
             (self.lengths.len(), lengths, "lengths"),
             (
                 self.elimination.numbers(),
