@@ -11,7 +11,7 @@ mod names;
 mod polynomial;
 mod ready;
 mod state;
-mod sweep;
+mod through;
 mod unit;
 mod words;
 
@@ -24,5 +24,5 @@ pub use names::{Drive, Measure, Names, Suspension, Vehicle, WheelPoints};
 pub use polynomial::Polynomial;
 pub use ready::{Mechanism, Work};
 pub use state::State;
-pub use sweep::OnState;
+pub use through::OnState;
 pub use unit::Unit;

@@ -104,7 +104,7 @@ fn assert_shifted(mechanism: &Wishbone, home: &State, away: &State) {
 
 fn states(mechanism: &Wishbone) -> Vec<State> {
     let mut states = Vec::new();
-    let swept = mechanism.sweep(&mechanism.instants, &mut |state| {
+    let swept = mechanism.move_through(&mechanism.instants, &mut |state| {
         states.push(state);
         Ok(ControlFlow::Continue(()))
     });

@@ -5,7 +5,7 @@ use suspension_core::{
 };
 use suspension_lanes::Lane;
 
-/// With steps of half a millisecond one sweep is enough whatever is asked; their cost does not
+/// With steps of half a millisecond one correction is enough whatever is asked; their cost does not
 /// depend on their length.
 pub(crate) const STEP: f64 = 5e-4;
 

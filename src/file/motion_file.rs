@@ -127,7 +127,7 @@ pub struct VehicleTable {
     pub steer: Option<Spanned<String>>,
 }
 
-/// The instants of the sweep, in one of two forms.
+/// The instants of the motion, in one of two forms.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Time {

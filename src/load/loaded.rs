@@ -67,7 +67,7 @@ pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
 /// let source = Source::read(Path::new("my.toml"))?; // linkage = "double_wishbone"
 /// let mechanism = load_own::<double_wishbone::Model<f64>, _>("double_wishbone", &source)?;
 /// println!("{:?}", mechanism.names.points);
-/// let end = mechanism.sweep(&mechanism.instants, &mut |state| {
+/// let end = mechanism.move_through(&mechanism.instants, &mut |state| {
 ///     println!("{} s: {:?}", state.t, state.points.value);
 ///     Ok(ControlFlow::Continue(()))
 /// })?;

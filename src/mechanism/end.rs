@@ -1,8 +1,8 @@
-//! How a sweep ends.
+//! How a motion ends.
 
 use crate::number::number;
 
-/// How a sweep ended.
+/// How a motion ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum End {
     /// At the last instant.

@@ -11,7 +11,7 @@ use crate::output::progress::Progress;
 use crate::output::table::{Column, Table};
 use crate::quantities::{self, CATALOGUE, Shown};
 
-/// What a sweep came to.
+/// What a motion came to.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// How it ended.
@@ -30,7 +30,7 @@ pub struct Outcome {
     pub kept: Vec<State>,
 }
 
-/// Sweeps through the instants, writes every state to `csv` and keeps about `keep` of them.
+/// Moves through the instants, writes every state to `csv` and keeps about `keep` of them.
 ///
 /// A file is complete and named even where the solver stops or the user interrupts.
 ///
@@ -60,7 +60,7 @@ pub fn record<L: Suspension<N>, const N: usize>(
     let every = instants.count().div_ceil(keep);
     let mut last = None;
     let mut progress = Progress::new(instants.count(), "instants");
-    outcome.end = mechanism.sweep(instants, &mut |state| {
+    outcome.end = mechanism.move_through(instants, &mut |state| {
         if let Some(table) = &mut table {
             table.add(&state)?;
         }
@@ -111,7 +111,7 @@ impl Outcome {
         }
     }
 
-    /// What remains to be said where the sweep did not reach its last instant. Rows are kept
+    /// What remains to be said where the motion did not reach its last instant. Rows are kept
     /// where a table was written.
     pub fn failure(&self, source: &str, table: Option<&Target>) -> Option<Failure> {
         let done = self.done_in_words(table.is_some());

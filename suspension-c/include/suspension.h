@@ -137,7 +137,7 @@ typedef struct {
     /** Sub-steps. */
     uint32_t steps;
     /** The residual that is left, in the unit of the points: the largest, of a bounded step the
-     * norm of all; without sweeps a bound, the error. */
+     * norm of all; without corrections a bound, the error. */
     float residual;
     /** What it was compared with. */
     float tolerance;
@@ -285,7 +285,7 @@ typedef struct {
     /** Sub-steps. */
     uint32_t steps;
     /** The residual that is left, in the unit of the points: the largest, of a bounded step the
-     * norm of all; without sweeps a bound, the error. */
+     * norm of all; without corrections a bound, the error. */
     double residual;
     /** What it was compared with. */
     double tolerance;

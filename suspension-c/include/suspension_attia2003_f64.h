@@ -222,7 +222,7 @@ susp_status susp_attia2003_f64_bounded_step(
         susp_f64_report *report,
         susp_f64_failure *failure);
 
-/** The same with two sweeps in place of one, for longer steps, and for steps of a millisecond
+/** The same with two corrections in place of one, for longer steps, and for steps of a millisecond
  * that do not solve for the acceleration. */
 susp_status susp_attia2003_f64_bounded_step_twice(
         const susp_attia2003_f64_model *model,
@@ -246,7 +246,7 @@ susp_status susp_attia2003_f64_attempt(
 
 /** `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
  * that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms. */
-susp_status susp_attia2003_f64_attempt_without_sweeps(
+susp_status susp_attia2003_f64_attempt_without_corrections(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
         susp_outputs outputs,

@@ -222,7 +222,7 @@ susp_status susp_five_link_f32_bounded_step(
         susp_f32_report *report,
         susp_f32_failure *failure);
 
-/** The same with two sweeps in place of one, for longer steps, and for steps of a millisecond
+/** The same with two corrections in place of one, for longer steps, and for steps of a millisecond
  * that do not solve for the acceleration. */
 susp_status susp_five_link_f32_bounded_step_twice(
         const susp_five_link_f32_model *model,
@@ -246,7 +246,7 @@ susp_status susp_five_link_f32_attempt(
 
 /** `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
  * that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms. */
-susp_status susp_five_link_f32_attempt_without_sweeps(
+susp_status susp_five_link_f32_attempt_without_corrections(
         const susp_five_link_f32_model *model,
         const susp_five_link_f32_inputs *inputs,
         susp_outputs outputs,

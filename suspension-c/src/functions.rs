@@ -130,7 +130,7 @@ macro_rules! functions_of_a_linkage {
             })
         }
 
-        /// The same with two sweeps in place of one, for longer steps, and for steps of a millisecond
+        /// The same with two corrections in place of one, for longer steps, and for steps of a millisecond
         /// that do not solve for the acceleration.
         fn bounded_step_twice(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
@@ -147,7 +147,7 @@ macro_rules! functions_of_a_linkage {
 
         /// `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
         /// that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms.
-        fn attempt_without_sweeps(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
+        fn attempt_without_corrections(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
             answer(|| attempted::<0>(model, inputs, outputs, dt, motion, report))
         }
 

@@ -125,7 +125,7 @@ macro_rules! helpers_of_a_linkage {
         }
 
         #[inline(always)]
-        fn bounded<C: solver::ChassisMotion<listing::Fixed<Number>>, const SWEEPS: usize>(
+        fn bounded<C: solver::ChassisMotion<listing::Fixed<Number>>, const CORRECTIONS: usize>(
             model: In<'_, Model>,
             inputs: solver::Inputs<C, listing::Drives<Number>>,
             outputs: Outputs,
@@ -135,7 +135,7 @@ macro_rules! helpers_of_a_linkage {
         ) -> Result<(), Trouble> {
             let (model, motion) = (model.object()?, motion.object()?);
             let (outputs, report) = (outputs_of(outputs)?, report.optional()?);
-            let bounded = solver::Bounded::<Number, SWEEPS>::new();
+            let bounded = solver::Bounded::<Number, CORRECTIONS>::new();
             fill(
                 report,
                 bounded.step_to(outputs, model, &inputs, dt, motion)?,
@@ -144,7 +144,7 @@ macro_rules! helpers_of_a_linkage {
         }
 
         #[inline(always)]
-        fn attempted<const SWEEPS: usize>(
+        fn attempted<const CORRECTIONS: usize>(
             model: In<'_, Model>,
             inputs: In<'_, Inputs>,
             outputs: Outputs,
@@ -155,7 +155,7 @@ macro_rules! helpers_of_a_linkage {
             let (model, motion) = (model.object()?, motion.object()?);
             let (outputs, report) = (outputs_of(outputs)?, report.optional()?);
             let (bounded, inputs) = (
-                solver::Bounded::<Number, SWEEPS>::new(),
+                solver::Bounded::<Number, CORRECTIONS>::new(),
                 still(inputs.get()?),
             );
             fill(

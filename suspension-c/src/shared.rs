@@ -56,7 +56,7 @@ structures! {
         /// Sub-steps.
         steps: u32,
         /// The residual that is left, in the unit of the points: the largest, of a bounded step the
-        /// norm of all; without sweeps a bound, the error.
+        /// norm of all; without corrections a bound, the error.
         residual: T,
         /// What it was compared with.
         tolerance: T,

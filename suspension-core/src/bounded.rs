@@ -15,7 +15,7 @@
 //! J a = -dF/du uddot - C(v, v) + C(e, a)                     (Attia 2003, eq. 7 and 8)
 //! ```
 //!
-//! Each is solved by a fixed number of sweeps that put the last value in on the right. The first
+//! Each is corrected a fixed number of times, with the last value put in on the right. The first
 //! values of `v` and `a` are the rates of the prediction, corrected by what `e` tells of the term
 //! that the prediction lacks: with a prediction of order `p` it grows as `dt^(p + 1)`.
 
@@ -53,23 +53,23 @@ pub enum Outputs {
     Acceleration,
 }
 
-/// How to step at a fixed cost: with `SWEEPS` solutions for each of position, velocity and
+/// How to step at a fixed cost: with `CORRECTIONS` solutions for each of position, velocity and
 /// acceleration from a prediction of order `ORDER`: 0 is the last position, 1 adds its
-/// velocity, 2 its acceleration. More sweeps allow for longer steps.
+/// velocity, 2 its acceleration. More corrections allow for longer steps.
 ///
-/// With 0 sweeps each is solved for once and all terms of `e` are left out, a quarter of the
+/// With 0 corrections each is solved for once and all terms of `e` are left out, a quarter of the
 /// instructions. Only a step with an error within the tolerance is then accepted, so that what is
 /// left out is rounding: `f32` at 1 ms. With another tolerance than the default what is left out of
 /// the rates grows with it.
 ///
-/// A first step from rest is one with `dt = 0`: it finds velocity and acceleration. At 1 ms one sweep
+/// A first step from rest is one with `dt = 0`: it finds velocity and acceleration. At 1 ms one correction
 /// is enough where the acceleration is solved for; with less two are, or half the step.
 ///
 /// The instructions that a step executes do not depend on its data, as long as the pivots of the
 /// macro's order are healthy, the error of the prediction is within
 /// [`correction_of_size`](Self::correction_of_size) and the step is accepted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounded<T, const SWEEPS: usize = 1, const ORDER: usize = 2> {
+pub struct Bounded<T, const CORRECTIONS: usize = 1, const ORDER: usize = 2> {
     /// The largest norm of the residual that is accepted. Rounding is `EPSILON` times the size of the
     /// linkage: coordinates are taken to be local ones ([`local`](crate::local)).
     pub tolerance: Tolerance<T>,
@@ -79,7 +79,7 @@ pub struct Bounded<T, const SWEEPS: usize = 1, const ORDER: usize = 2> {
     pub correction_of_size: T,
 }
 
-/// One sweep from a prediction of second order: for others see [`Bounded::new`].
+/// One correction from a prediction of second order: for others see [`Bounded::new`].
 impl<T: Real> Default for Bounded<T> {
     #[inline(always)]
     fn default() -> Self {
@@ -87,8 +87,8 @@ impl<T: Real> Default for Bounded<T> {
     }
 }
 
-impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER> {
-    /// With as many sweeps, and a prediction of the order, as the type says: `Bounded::<f32, 0>::new()`.
+impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIONS, ORDER> {
+    /// With as many corrections, and a prediction of the order, as the type says: `Bounded::<f32, 0>::new()`.
     #[inline(always)]
     pub fn new() -> Self {
         Self {
@@ -167,7 +167,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         C: ChassisMotion<L::Fixed>,
     {
         let prescribed = Prescribed::new(linkage, inputs);
-        let step = Step::<L, C, N, SWEEPS, ORDER>::new(linkage, &prescribed, motion, dt);
+        let step = Step::<L, C, N, CORRECTIONS, ORDER>::new(linkage, &prescribed, motion, dt);
         let (next, measures) = step.in_fixed_order(outputs);
         let before = motion.positive_determinant;
         // What the step keeps to itself stays in registers: it is not asked how far it goes.
@@ -196,7 +196,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         C: ChassisMotion<L::Fixed>,
     {
         let prescribed = Prescribed::new(linkage, inputs);
-        let step = Step::<L, C, N, SWEEPS, ORDER>::new(linkage, &prescribed, motion, dt);
+        let step = Step::<L, C, N, CORRECTIONS, ORDER>::new(linkage, &prescribed, motion, dt);
         let (at, fixed) = (&step.prediction.position, &prescribed.fixed.value);
         // NaN is the reason even where the pivots are too small as well.
         let start = step.residual_called(at);

@@ -18,7 +18,7 @@ pub struct Report<T> {
 
 impl<T: Real> Report<T> {
     /// The residual that is left after the last step, in units of length: the largest, of a bounded
-    /// step the norm of all, from the quadratic identity (far below what rounding leaves; without sweeps
+    /// step the norm of all, from the quadratic identity (far below what rounding leaves; without corrections
     /// a bound of it, the error).
     pub fn residual(&self) -> T {
         self.residual_squared.sqrt()

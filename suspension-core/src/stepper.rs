@@ -86,7 +86,9 @@ impl<T: Real> Stepper<T> for Tracker<T> {
     }
 }
 
-impl<T: Real, const SWEEPS: usize, const ORDER: usize> Stepper<T> for Bounded<T, SWEEPS, ORDER> {
+impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Stepper<T>
+    for Bounded<T, CORRECTIONS, ORDER>
+{
     #[inline]
     fn step<L, C, const N: usize>(
         &self,

@@ -36,7 +36,7 @@ pub(crate) struct Vectors<
     G: Listing<N>,
     V: Vector,
     const N: usize,
-    const SWEEPS: usize,
+    const CORRECTIONS: usize,
     const ORDER: usize,
 > {
     model: G::Model<Number<V>>,
@@ -46,7 +46,8 @@ pub(crate) struct Vectors<
     proof: V::Proof,
 }
 
-impl<G, V, const N: usize, const SWEEPS: usize, const ORDER: usize> Vectors<G, V, N, SWEEPS, ORDER>
+impl<G, V, const N: usize, const CORRECTIONS: usize, const ORDER: usize>
+    Vectors<G, V, N, CORRECTIONS, ORDER>
 where
     G: Listing<N>,
     V: Vector<Lane: Real>,
@@ -119,8 +120,8 @@ fn packed_drives<G: Listing<N>, V: Vector<Lane: Real>, const N: usize, const LAN
     }))
 }
 
-impl<G, V, const N: usize, const LANES: usize, const SWEEPS: usize, const ORDER: usize>
-    Engine<G, V::Lane, N, LANES> for Vectors<G, V, N, SWEEPS, ORDER>
+impl<G, V, const N: usize, const LANES: usize, const CORRECTIONS: usize, const ORDER: usize>
+    Engine<G, V::Lane, N, LANES> for Vectors<G, V, N, CORRECTIONS, ORDER>
 where
     G: Listing<N>,
     V: Vector<Lane: Real>,
@@ -145,7 +146,7 @@ where
                 };
                 let prescribed = Prescribed::new(&self.model, &Inputs::still(drives));
                 let dt = packed([dt; LANES]);
-                let step = Step::<_, Still, N, SWEEPS, ORDER>::new(
+                let step = Step::<_, Still, N, CORRECTIONS, ORDER>::new(
                     &self.model,
                     &prescribed,
                     &self.motions[self.last],

@@ -11,7 +11,7 @@ type Boxed<G, T, const N: usize, const LANES: usize> = Box<dyn Engine<G, T, N, L
 macro_rules! engine_of {
     ($name:ident, $lanes:literal) => {
         /// An engine of so many lanes, for the instructions that `S` proves.
-        fn $name<G, S, const N: usize, const SWEEPS: usize, const ORDER: usize>(
+        fn $name<G, S, const N: usize, const CORRECTIONS: usize, const ORDER: usize>(
             proof: S,
             models: [&G::Model<Self>; $lanes],
         ) -> Boxed<G, Self, N, $lanes>
@@ -30,7 +30,7 @@ pub trait Lane: Real {
 
 macro_rules! engine {
     ($name:ident, $lanes:literal, $vector:ty) => {
-        fn $name<G, S, const N: usize, const SWEEPS: usize, const ORDER: usize>(
+        fn $name<G, S, const N: usize, const CORRECTIONS: usize, const ORDER: usize>(
             proof: S,
             models: [&G::Model<Self>; $lanes],
         ) -> Boxed<G, Self, N, $lanes>
@@ -38,7 +38,9 @@ macro_rules! engine {
             G: Listing<N> + 'static,
             S: Token,
         {
-            Box::new(Vectors::<G, $vector, N, SWEEPS, ORDER>::new(proof, models))
+            Box::new(Vectors::<G, $vector, N, CORRECTIONS, ORDER>::new(
+                proof, models,
+            ))
         }
     };
 }
@@ -55,7 +57,7 @@ impl Lane for f64 {
 
     /// Two halves: vectors of 512 bits take as long as two of 256 here, and without them eight
     /// lanes do not fit the registers.
-    fn eight_lanes<G, S, const N: usize, const SWEEPS: usize, const ORDER: usize>(
+    fn eight_lanes<G, S, const N: usize, const CORRECTIONS: usize, const ORDER: usize>(
         proof: S,
         models: [&G::Model<Self>; 8],
     ) -> Boxed<G, Self, N, 8>
@@ -64,7 +66,7 @@ impl Lane for f64 {
         S: Token,
     {
         let [a, b, c, d, e, f, g, h] = models;
-        let half = |models| Vectors::<G, f64x4<S>, N, SWEEPS, ORDER>::new(proof, models);
+        let half = |models| Vectors::<G, f64x4<S>, N, CORRECTIONS, ORDER>::new(proof, models);
         Box::new(Halves([half([a, b, c, d]), half([e, f, g, h])]))
     }
 }

@@ -48,18 +48,18 @@ impl Instructions {
 /// `LANES` models of the listing `G`, each with its motion, on still chassis.
 ///
 /// A lane that fails keeps its motion and says why; its neighbours are not affected. See
-/// [`Bounded`] for `SWEEPS` and `ORDER`. Numbers in vectors round a product and a sum together,
+/// [`Bounded`] for `CORRECTIONS` and `ORDER`. Numbers in vectors round a product and a sum together,
 /// so that results differ from those of [`Bounded::step`] by rounding.
 pub struct Lanes<
     G: Listing<N>,
     T: Lane,
     const N: usize,
     const LANES: usize,
-    const SWEEPS: usize = 1,
+    const CORRECTIONS: usize = 1,
     const ORDER: usize = 2,
 > {
     /// When a step is accepted.
-    pub settings: Bounded<T, SWEEPS, ORDER>,
+    pub settings: Bounded<T, CORRECTIONS, ORDER>,
     models: [G::Model<T>; LANES],
     signs: [Option<bool>; LANES],
     engine: Box<dyn Engine<G, T, N, LANES>>,
@@ -68,8 +68,8 @@ pub struct Lanes<
 /// How many lanes there can be, and what they are made of.
 macro_rules! lanes {
     ($lanes:literal, $engine:ident) => {
-        impl<G, T, const N: usize, const SWEEPS: usize, const ORDER: usize>
-            Lanes<G, T, N, $lanes, SWEEPS, ORDER>
+        impl<G, T, const N: usize, const CORRECTIONS: usize, const ORDER: usize>
+            Lanes<G, T, N, $lanes, CORRECTIONS, ORDER>
         where
             G: Listing<N> + 'static,
             T: Lane,
@@ -86,7 +86,7 @@ macro_rules! lanes {
                 motions: &[Motion<T, N>; $lanes],
             ) -> Self {
                 let engine = Self::vectors(instructions, &models).unwrap_or_else(|| {
-                    Box::new(Plain::<G, T, N, $lanes, SWEEPS, ORDER>::new(models))
+                    Box::new(Plain::<G, T, N, $lanes, CORRECTIONS, ORDER>::new(models))
                 });
                 Self::around(engine, models, motions)
             }
@@ -105,11 +105,11 @@ macro_rules! lanes {
                     .as_avx2()
                     .filter(|_| instructions != Instructions::Plain);
                 match (wide, narrow) {
-                    (Some(proof), _) => {
-                        Some(T::$engine::<G, Avx512, N, SWEEPS, ORDER>(proof, models))
-                    }
+                    (Some(proof), _) => Some(T::$engine::<G, Avx512, N, CORRECTIONS, ORDER>(
+                        proof, models,
+                    )),
                     (None, Some(proof)) => {
-                        Some(T::$engine::<G, Avx2, N, SWEEPS, ORDER>(proof, models))
+                        Some(T::$engine::<G, Avx2, N, CORRECTIONS, ORDER>(proof, models))
                     }
                     (None, None) => None,
                 }
@@ -130,8 +130,8 @@ lanes!(1, one_lane);
 lanes!(4, four_lanes);
 lanes!(8, eight_lanes);
 
-impl<G, T, const N: usize, const LANES: usize, const SWEEPS: usize, const ORDER: usize>
-    Lanes<G, T, N, LANES, SWEEPS, ORDER>
+impl<G, T, const N: usize, const LANES: usize, const CORRECTIONS: usize, const ORDER: usize>
+    Lanes<G, T, N, LANES, CORRECTIONS, ORDER>
 where
     G: Listing<N>,
     T: Lane,

@@ -12,7 +12,7 @@ pub(crate) struct Plain<
     T: Real,
     const N: usize,
     const LANES: usize,
-    const SWEEPS: usize,
+    const CORRECTIONS: usize,
     const ORDER: usize,
 > {
     models: [G::Model<T>; LANES],
@@ -25,9 +25,9 @@ impl<
     T: Real,
     const N: usize,
     const LANES: usize,
-    const SWEEPS: usize,
+    const CORRECTIONS: usize,
     const ORDER: usize,
-> Plain<G, T, N, LANES, SWEEPS, ORDER>
+> Plain<G, T, N, LANES, CORRECTIONS, ORDER>
 {
     pub(crate) fn new(models: [G::Model<T>; LANES]) -> Self {
         let at_rest = Motion::at_rest(nalgebra::SVector::zeros());
@@ -39,8 +39,8 @@ impl<
     }
 }
 
-impl<G, T, const N: usize, const LANES: usize, const SWEEPS: usize, const ORDER: usize>
-    Engine<G, T, N, LANES> for Plain<G, T, N, LANES, SWEEPS, ORDER>
+impl<G, T, const N: usize, const LANES: usize, const CORRECTIONS: usize, const ORDER: usize>
+    Engine<G, T, N, LANES> for Plain<G, T, N, LANES, CORRECTIONS, ORDER>
 where
     G: Listing<N>,
     T: Real,
@@ -55,7 +55,7 @@ where
             let model = &self.models[lane];
             let prescribed = Prescribed::new(model, &Inputs::still(drives[lane]));
             let last = &self.last[lane];
-            let step = Step::<_, Still, N, SWEEPS, ORDER>::new(model, &prescribed, last, dt);
+            let step = Step::<_, Still, N, CORRECTIONS, ORDER>::new(model, &prescribed, last, dt);
             let (next, measures) = step.in_fixed_order(outputs);
             self.next[lane] = next;
             measures

@@ -1,4 +1,4 @@
-//! How far steps are from the motion, by their length, sweeps, prediction and outputs.
+//! How far steps are from the motion, by their length, corrections, prediction and outputs.
 
 use suspension_core::linkage::Factors as _;
 use suspension_core::{Bounded, Linkage, Outputs, Tolerance};
@@ -15,11 +15,11 @@ fn each_millisecond<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
         Outputs::Acceleration,
         &instants(1e-3),
     );
-    assert_within("1 ms, 1 sweep", found, BOUNDS);
+    assert_within("1 ms, 1 correction", found, BOUNDS);
 }
 
 #[test]
-fn one_sweep_a_millisecond_is_as_good_as_newton() {
+fn one_correction_a_millisecond_is_as_good_as_newton() {
     each_millisecond(&attia());
     each_millisecond(&five_link());
 }
@@ -73,14 +73,14 @@ fn against_the_reference<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 }
 
 #[test]
-fn one_sweep_a_millisecond_agrees_with_40_digits() {
+fn one_correction_a_millisecond_agrees_with_40_digits() {
     against_the_reference(&attia());
     against_the_reference(&five_link());
 }
 
-/// With a tolerance that lets any residual pass: what a sweep leaves, a further one takes off.
-fn by_sweeps<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
-    fn open<const SWEEPS: usize>() -> Bounded<f64, SWEEPS> {
+/// With a tolerance that lets any residual pass: what a correction leaves, a further one takes off.
+fn by_corrections<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
+    fn open<const CORRECTIONS: usize>() -> Bounded<f64, CORRECTIONS> {
         let tolerance = 1e12;
         Bounded {
             tolerance: Tolerance::Roundings(tolerance),
@@ -98,23 +98,23 @@ fn by_sweeps<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
         ]
     };
     let [one, two, three, _] = found(5e-3);
-    assert_within("5 ms, 1 sweep", one, [2e-11, 5e-10, 5e-7]);
-    assert_within("5 ms, 2 sweeps", two, [1e-14, 1e-12, 1e-11]);
-    assert_within("5 ms, 3 sweeps", three, [1e-14, 1e-12, 1e-11]);
+    assert_within("5 ms, 1 correction", one, [2e-11, 5e-10, 5e-7]);
+    assert_within("5 ms, 2 corrections", two, [1e-14, 1e-12, 1e-11]);
+    assert_within("5 ms, 3 corrections", three, [1e-14, 1e-12, 1e-11]);
     let [one, two, three, four] = found(2e-2);
-    assert_within("20 ms, 1 sweep", one, [1e-7, 2e-6, 5e-4]);
-    assert_within("20 ms, 2 sweeps", two, [1e-10, 2e-9, 5e-7]);
-    assert_within("20 ms, 3 sweeps", three, [1e-13, 2e-12, 5e-10]);
-    assert_within("20 ms, 4 sweeps", four, [1e-14, 1e-12, 1e-11]);
+    assert_within("20 ms, 1 correction", one, [1e-7, 2e-6, 5e-4]);
+    assert_within("20 ms, 2 corrections", two, [1e-10, 2e-9, 5e-7]);
+    assert_within("20 ms, 3 corrections", three, [1e-13, 2e-12, 5e-10]);
+    assert_within("20 ms, 4 corrections", four, [1e-14, 1e-12, 1e-11]);
 }
 
 #[test]
-fn errors_fall_with_sweeps() {
-    by_sweeps(&attia());
-    by_sweeps(&five_link());
+fn errors_fall_with_corrections() {
+    by_corrections(&attia());
+    by_corrections(&five_link());
 }
 
-/// Predictions of each order, with as many sweeps as a millisecond takes.
+/// Predictions of each order, with as many corrections as a millisecond takes.
 fn by_order<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let instants = instants(1e-3);
     let of_last_position = Bounded::<f64, 5, 0>::new();

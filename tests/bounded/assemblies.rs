@@ -4,7 +4,7 @@ use suspension_core::{Bounded, Motion, Newton, SolveError, Tracker};
 
 use super::case::{attia, five_link};
 
-/// Single steps between any two of forty instants, with all the sweeps that one could wish.
+/// Single steps between any two of forty instants, with all the corrections that one could wish.
 #[test]
 fn far_jumps_arrive_or_are_refused() {
     let case = five_link();

@@ -1,4 +1,4 @@
-//! Attempts, which know neither partial pivoting nor reasons, and steps without sweeps.
+//! Attempts, which know neither partial pivoting nor reasons, and steps without corrections.
 
 use nalgebra::Vector3;
 use suspension_core::bounded::Refusal;
@@ -85,9 +85,9 @@ fn small_pivots_are_refused_where_a_step_takes_others() {
     assert_eq!(refused.count(), 1);
 }
 
-/// Without sweeps the prediction itself must be within the tolerance: in `f64` it never is.
+/// Without corrections the prediction itself must be within the tolerance: in `f64` it never is.
 #[test]
-fn without_sweeps_what_is_left_out_must_be_rounding() {
+fn without_corrections_what_is_left_out_must_be_rounding() {
     let case = attia::<f32>();
     let bounded = Bounded::<f32, 0>::new();
     let mut motion = case.start;
@@ -109,10 +109,10 @@ fn without_sweeps_what_is_left_out_must_be_rounding() {
     assert_eq!(motion, case.start);
 }
 
-/// Without sweeps the residual is below the error, which stands for it: also where the tolerance
+/// Without corrections the residual is below the error, which stands for it: also where the tolerance
 /// allows for one that is no rounding.
 #[test]
-fn without_sweeps_the_residual_is_within_the_tolerance() {
+fn without_corrections_the_residual_is_within_the_tolerance() {
     let (case, exact) = (five_link::<f32>(), five_link::<f64>());
     for (tolerance, milliseconds) in [(64.0, 1_u16), (1e5, 50)] {
         let bounded = Bounded::<f32, 0> {

@@ -45,9 +45,9 @@ impl<L: Linkage<15, Scalar = f64>> Case<L> {
 
     /// Steps along the instants from the motion at the first, and the largest differences from the
     /// solution at each.
-    pub(crate) fn worst<const SWEEPS: usize, const ORDER: usize>(
+    pub(crate) fn worst<const CORRECTIONS: usize, const ORDER: usize>(
         &self,
-        bounded: &Bounded<f64, SWEEPS, ORDER>,
+        bounded: &Bounded<f64, CORRECTIONS, ORDER>,
         outputs: Outputs,
         instants: &[f64],
     ) -> [f64; 3] {

@@ -19,9 +19,9 @@ fn bits(motion: &Motion<f64, 15>) -> ([SVector<u64, 15>; 3], Option<bool>) {
 }
 
 /// Why a step is refused.
-fn refused<L: Linkage<15, Scalar = f64>, const SWEEPS: usize>(
+fn refused<L: Linkage<15, Scalar = f64>, const CORRECTIONS: usize>(
     case: &Case<L>,
-    bounded: &Bounded<f64, SWEEPS>,
+    bounded: &Bounded<f64, CORRECTIONS>,
     inputs: &Inputs<Still, L::Drives>,
     dt: f64,
 ) -> SolveError<f64> {
@@ -33,7 +33,7 @@ fn refused<L: Linkage<15, Scalar = f64>, const SWEEPS: usize>(
     error
 }
 
-fn too_few_sweeps<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
+fn too_few_corrections<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let dt = 20e-3;
     let error = refused(case, &Bounded::<f64>::default(), &(case.inputs)(dt), dt);
     let SolveError::NotConverged {
@@ -66,8 +66,8 @@ fn too_few_sweeps<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 
 #[test]
 fn a_residual_above_tolerance_names_its_equation() {
-    too_few_sweeps(&attia());
-    too_few_sweeps(&five_link());
+    too_few_corrections(&attia());
+    too_few_corrections(&five_link());
 }
 
 #[test]

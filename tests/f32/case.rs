@@ -111,7 +111,7 @@ pub(crate) fn single<G: Tested>(design: &G::Points<f64>, built: Built) -> Option
 pub(crate) enum Way {
     Newton,
     Tracker,
-    /// Bounded, by its sweeps.
+    /// Bounded, by its corrections.
     Bounded0,
     Bounded1,
     Bounded2,
@@ -126,7 +126,7 @@ pub(crate) const WAYS: [Way; 5] = [
 ];
 
 impl Way {
-    /// The way that it is compared with in `f64`, where a step without sweeps is always refused.
+    /// The way that it is compared with in `f64`, where a step without corrections is always refused.
     pub(crate) fn exact(self) -> Self {
         match self {
             Self::Bounded0 => Self::Bounded1,

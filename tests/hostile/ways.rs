@@ -54,7 +54,7 @@ where
         match step {
             Ok(settled) => {
                 assert!(settled.residual() <= settled.tolerance());
-                // The residual that it is judged by is what the sweeps left. Rounding of the
+                // The residual that it is judged by is what the corrections left. Rounding of the
                 // position adds to that what the derivatives make of it.
                 let left = tolerance.length(T::EPSILON * self.model.size());
                 let chassis = inputs.chassis.signal(self.model.fixed()).value;

@@ -119,9 +119,9 @@ fn lanes_keep_what_they_are_given() {
     assert_eq!(back, single);
 }
 
-/// Nor do lanes without sweeps take a step that they would refuse alone.
+/// Nor do lanes without corrections take a step that they would refuse alone.
 #[test]
-fn lanes_without_sweeps_agree_with_steps_alone() {
+fn lanes_without_corrections_agree_with_steps_alone() {
     let fleet = Fleet::<five_link::Listing, f32, 4>::near(&support::five_link_rough());
     let bounded = Bounded::<f32, 0>::new();
     for instructions in ALL {

@@ -140,7 +140,7 @@ fn all_formulations_and_factorisations_find_the_same_motion() {
 }
 
 #[test]
-fn each_order_of_the_series_and_each_sweep_gains_digits() {
+fn each_order_of_the_series_and_each_correction_gains_digits() {
     let all = errors(&support::attia_model(), &support::attia_rough());
     let of = |wanted: &str| {
         let found = all

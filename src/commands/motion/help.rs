@@ -68,4 +68,4 @@ Exit codes:
 Where the motion stops short or is interrupted, the rows up to there are in the CSV file.
 
 Example:
-  suspension motion examples/five_link.toml --csv sweep.csv --plots plots"#;
+  suspension motion examples/five_link.toml --csv motion.csv --plots plots"#;

@@ -98,7 +98,7 @@ messages! {
     [] Refusal;
 }
 
-impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER> {
+impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIONS, ORDER> {
     /// What the residual of a linkage of the given size is compared with.
     fn residual_tolerance(&self, size: T) -> T {
         self.tolerance.length(T::EPSILON * size)
@@ -106,7 +106,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
 
     /// The error of the prediction that is accepted however short the step.
     fn smallest_bound(&self, size: T) -> T {
-        if SWEEPS == 0 {
+        if CORRECTIONS == 0 {
             self.residual_tolerance(size)
         } else {
             self.correction_of_size * size
@@ -116,7 +116,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
     /// The error that is accepted of a step that has `moved` so far.
     fn bound(&self, size: T, moved: impl FnOnce() -> T) -> T {
         let smallest = self.smallest_bound(size);
-        if SWEEPS == 0 {
+        if CORRECTIONS == 0 {
             smallest
         } else {
             smallest.max(self.correction_of_move * moved())
@@ -144,7 +144,7 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
         let error_squared = measures.error_squared;
         let is_within = |bound: T| error_squared <= bound * bound;
         let is_near = is_within(self.smallest_bound(size))
-            || SWEEPS > 0 && is_within(self.bound(size, moved));
+            || CORRECTIONS > 0 && is_within(self.bound(size, moved));
         if !error_squared.is_finite() || !measures.rates_squared.is_finite() {
             Err(Refusal::NotFinite)
         } else if !is_near {
@@ -168,8 +168,8 @@ impl<T: Real, const SWEEPS: usize, const ORDER: usize> Bounded<T, SWEEPS, ORDER>
     }
 }
 
-impl<T, L, C, const N: usize, const SWEEPS: usize, const ORDER: usize>
-    Step<'_, L, C, N, SWEEPS, ORDER>
+impl<T, L, C, const N: usize, const CORRECTIONS: usize, const ORDER: usize>
+    Step<'_, L, C, N, CORRECTIONS, ORDER>
 where
     T: Real,
     L: Linkage<N, Scalar = T>,
@@ -187,7 +187,7 @@ where
     #[inline(never)]
     pub(super) fn explain(
         &self,
-        settings: &Bounded<T, SWEEPS, ORDER>,
+        settings: &Bounded<T, CORRECTIONS, ORDER>,
         refusal: Refusal,
         next: &Motion<T, N>,
         measures: &Measures<T>,
@@ -214,7 +214,7 @@ where
                 part: Part::Equation(index_of_largest(&self.residual_called(&next.position))),
                 residual: measures.residual_squared.sqrt(),
                 tolerance: settings.residual_tolerance(size),
-                iterations: SWEEPS,
+                iterations: CORRECTIONS,
             },
             // Small pivots are an attempt's refusal: with partial pivoting nothing is left of them but a
             // singularity near by.

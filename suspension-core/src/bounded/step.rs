@@ -22,7 +22,7 @@ pub struct Step<
     L: Linkage<N>,
     C,
     const N: usize,
-    const SWEEPS: usize = 1,
+    const CORRECTIONS: usize = 1,
     const ORDER: usize = 2,
 > {
     pub(super) linkage: &'a L,
@@ -32,8 +32,8 @@ pub struct Step<
     pub(super) prediction: Prediction<L::Scalar, N, ORDER>,
 }
 
-impl<'a, L, C, const N: usize, const SWEEPS: usize, const ORDER: usize>
-    Step<'a, L, C, N, SWEEPS, ORDER>
+impl<'a, L, C, const N: usize, const CORRECTIONS: usize, const ORDER: usize>
+    Step<'a, L, C, N, CORRECTIONS, ORDER>
 where
     L: Linkage<N>,
     C: ChassisMotion<L::Fixed>,
@@ -93,7 +93,8 @@ where
     }
 }
 
-impl<L, C, const N: usize, const SWEEPS: usize, const ORDER: usize> Step<'_, L, C, N, SWEEPS, ORDER>
+impl<L, C, const N: usize, const CORRECTIONS: usize, const ORDER: usize>
+    Step<'_, L, C, N, CORRECTIONS, ORDER>
 where
     L: Linkage<N>,
     C: ChassisMotion<L::Fixed>,
@@ -112,7 +113,7 @@ where
             self.residual(at)
         };
         let mut error = factors.solve(&residual);
-        if SWEEPS == 0 {
+        if CORRECTIONS == 0 {
             // What is left, C(e, e) / 2, is below the error as long as that is below the shortest
             // length over the root of N.
             let bound = sum_of_squares(error.data.0[0]);
@@ -122,7 +123,7 @@ where
         // each later one what that term changed by.
         let mut curvature = self.change_of_jacobian::<CALLED>(&error, &error);
         let mut left = curvature;
-        for _ in 1..SWEEPS {
+        for _ in 1..CORRECTIONS {
             error = factors.solve(&plus_multiple(&residual, &curvature, half));
             let before = curvature;
             curvature = self.change_of_jacobian::<CALLED>(&error, &error);
@@ -173,11 +174,11 @@ where
         error: &SVector<L::Scalar, N>,
         first: SVector<L::Scalar, N>,
     ) -> SVector<L::Scalar, N> {
-        if SWEEPS == 0 {
+        if CORRECTIONS == 0 {
             return factors.solve(terms);
         }
         let mut rate = first;
-        for _ in 0..SWEEPS {
+        for _ in 0..CORRECTIONS {
             let change = self.change_of_jacobian::<CALLED>(error, &rate);
             rate = factors.solve(&sum(terms, &change));
         }

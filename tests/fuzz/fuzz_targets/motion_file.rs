@@ -26,7 +26,7 @@ impl Work for FirstInstants {
         mechanism: &Mechanism<L, N>,
     ) -> Result<(), Failure> {
         let (mut done, columns) = (0, columns(CATALOGUE, &mechanism.names));
-        let swept = mechanism.sweep(&mechanism.instants, &mut |state| {
+        let swept = mechanism.move_through(&mechanism.instants, &mut |state| {
             done += 1;
             assert!(
                 columns

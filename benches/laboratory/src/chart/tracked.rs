@@ -56,11 +56,11 @@ impl Stepper for ToTolerance {
     }
 }
 
-/// One factorisation and `SWEEPS` solutions for each of position, velocity and acceleration.
+/// One factorisation and `CORRECTIONS` solutions for each of position, velocity and acceleration.
 #[derive(Clone, Copy, Debug)]
-pub struct InSweeps<const SWEEPS: usize>;
+pub struct InCorrections<const CORRECTIONS: usize>;
 
-impl<const SWEEPS: usize> Stepper for InSweeps<SWEEPS> {
+impl<const CORRECTIONS: usize> Stepper for InCorrections<CORRECTIONS> {
     fn step<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
         &self,
         outputs: Outputs,
@@ -69,7 +69,7 @@ impl<const SWEEPS: usize> Stepper for InSweeps<SWEEPS> {
         dt: T,
         from: &Motion<T, N>,
     ) -> Option<Motion<T, N>> {
-        let bounded = Bounded::<T, SWEEPS> {
+        let bounded = Bounded::<T, CORRECTIONS> {
             // The chart shows the error, whatever it is.
             tolerance: Tolerance::Roundings(T::one() / T::EPSILON),
             ..Bounded::new()

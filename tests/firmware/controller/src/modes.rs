@@ -22,7 +22,7 @@ pub fn single(gauge: &impl Gauge, tell: &mut impl FnMut(&'static str, Result<Rep
     run!(gauge, tell: exact attia2003_f32_exact five_link_f32_exact);
     run!(gauge, tell: bounded
         attia2003_f32_bounded_acceleration five_link_f32_bounded_acceleration
-        attia2003_f32_bounded_unswept five_link_f32_bounded_unswept
+        attia2003_f32_bounded_uncorrected five_link_f32_bounded_uncorrected
         five_link_f32_bounded_position five_link_f32_bounded_velocity);
     run!(gauge, tell: WHEEL_F32
         wheel_f32_baked_position wheel_f32_baked_velocity wheel_f32_baked_acceleration);

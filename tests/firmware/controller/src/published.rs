@@ -10,7 +10,7 @@ use suspension_core::{
 pub const STEP: f64 = 1e-3;
 
 /// The steps, from 0 to 1.9 s. The mechanism locks at 1.978 s; the last of the published instants,
-/// 1.95 s, is so near that one sweep a step does not reach the tolerance of `f64` there.
+/// 1.95 s, is so near that one correction a step does not reach the tolerance of `f64` there.
 pub const STEPS: u32 = 1900;
 
 /// Attia 2003, tables 1 and 2 at t = 0: points 1 to 10 in metres, and a wheel centre.

@@ -23,10 +23,10 @@ macro_rules! exact {
     };
 }
 
-/// Exports an attempt at a step of fixed cost, with one sweep where the acceleration is solved for and
+/// Exports an attempt at a step of fixed cost, with one correction where the acceleration is solved for and
 /// else two.
 macro_rules! bounded {
-    ($linkage:ident, $number:ty, $outputs:ident, $sweeps:literal: $name:ident) => {
+    ($linkage:ident, $number:ty, $outputs:ident, $corrections:literal: $name:ident) => {
         /// At a fixed cost.
         #[unsafe(no_mangle)]
         #[inline(never)]
@@ -35,7 +35,7 @@ macro_rules! bounded {
             inputs: &Inputs<Still, $linkage::Drives<$number>>,
             motion: &mut Motion<$number, 15>,
         ) -> Result<Report<$number>, Refusal> {
-            Bounded::<$number, $sweeps>::new().attempt(
+            Bounded::<$number, $corrections>::new().attempt(
                 Outputs::$outputs,
                 model,
                 inputs,
@@ -58,6 +58,6 @@ bounded!(five_link, f32, Velocity, 2: five_link_f32_bounded_velocity);
 bounded!(five_link, f64, Velocity, 2: five_link_f64_bounded_velocity);
 bounded!(five_link, f32, Acceleration, 1: five_link_f32_bounded_acceleration);
 bounded!(five_link, f64, Acceleration, 1: five_link_f64_bounded_acceleration);
-// What a step without sweeps leaves out is rounding in `f32`.
-bounded!(attia2003, f32, Acceleration, 0: attia2003_f32_bounded_unswept);
-bounded!(five_link, f32, Acceleration, 0: five_link_f32_bounded_unswept);
+// What a step without corrections leaves out is rounding in `f32`.
+bounded!(attia2003, f32, Acceleration, 0: attia2003_f32_bounded_uncorrected);
+bounded!(five_link, f32, Acceleration, 0: five_link_f32_bounded_uncorrected);

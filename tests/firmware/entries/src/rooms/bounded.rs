@@ -3,8 +3,8 @@
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Bounded, Inputs, Linkage, Motion, Outputs, Real, Signal};
 
-fn step<T, L, const SWEEPS: usize>(
-    bounded: &Bounded<T, SWEEPS>,
+fn step<T, L, const CORRECTIONS: usize>(
+    bounded: &Bounded<T, CORRECTIONS>,
     outputs: u8,
     linkage: &L,
     drives: &Signal<L::Drives>,
@@ -26,17 +26,17 @@ where
         .is_ok()
 }
 
-/// Exports the step of one linkage in one number type, without sweeps, with one and with two.
+/// Exports the step of one linkage in one number type, without corrections, with one and with two.
 macro_rules! export {
     ($linkage:ident, $number:ty: $none:ident, $one:ident, $two:ident) => {
         export!($linkage, $number, 0, $none);
         export!($linkage, $number, 1, $one);
         export!($linkage, $number, 2, $two);
     };
-    ($linkage:ident, $number:ty, $sweeps:literal, $name:ident) => {
+    ($linkage:ident, $number:ty, $corrections:literal, $name:ident) => {
         #[unsafe(no_mangle)]
         extern "C" fn $name(
-            bounded: &Bounded<$number, $sweeps>,
+            bounded: &Bounded<$number, $corrections>,
             outputs: u8,
             linkage: &$linkage::Model<$number>,
             drives: &Signal<$linkage::Drives<$number>>,

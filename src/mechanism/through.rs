@@ -11,7 +11,7 @@ use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::State;
 
-/// Takes the state at one instant; may end the sweep.
+/// Takes the state at one instant; may end the motion.
 pub type OnState<'a> = dyn FnMut(State) -> Result<ControlFlow<()>, Failure> + 'a;
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
@@ -21,7 +21,11 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// # Errors
     ///
     /// What `on_state` fails with.
-    pub fn sweep(&self, instants: &Instants, on_state: &mut OnState<'_>) -> Result<End, Failure> {
+    pub fn move_through(
+        &self,
+        instants: &Instants,
+        on_state: &mut OnState<'_>,
+    ) -> Result<End, Failure> {
         let mut moving = self.moving();
         let [mut last, _] = instants.ends();
         for t in instants.iter() {
