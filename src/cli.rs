@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{assemblies, bake, draw, motion, published, range, sweep};
+use crate::commands::{assemblies, bake, draw, motion, published, range, sheet, sweep};
 use crate::failure::Failure;
 use crate::interrupt;
 
@@ -46,6 +46,10 @@ pub enum Command {
     ///
     /// Follows the whole curve of configurations, also where the drive cannot lead.
     Range(range::Arguments),
+    /// Writes the kinematics of a file's mechanism on one page.
+    ///
+    /// A drawing, all quantities with their derivatives, and curves over travel and steering, as HTML.
+    Sheet(sheet::Arguments),
     /// Solves a file's mechanism on a grid of its drives.
     ///
     /// Writes all quantities with their derivatives with respect to each drive.
@@ -66,6 +70,7 @@ impl Options {
             Some(Command::Bake(arguments)) => arguments.run(interrupted),
             Some(Command::Draw(arguments)) => arguments.run(),
             Some(Command::Range(arguments)) => arguments.run(interrupted),
+            Some(Command::Sheet(arguments)) => arguments.run(interrupted),
             Some(Command::Sweep(arguments)) => arguments.run(interrupted),
         }
     }

@@ -6,4 +6,5 @@ pub mod draw;
 pub mod motion;
 pub mod published;
 pub mod range;
+pub mod sheet;
 pub mod sweep;

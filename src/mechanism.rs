@@ -2,6 +2,7 @@
 
 mod drives;
 mod end;
+mod grid;
 mod instants;
 mod lead;
 mod locking;
@@ -13,10 +14,12 @@ mod ready;
 mod state;
 mod through;
 mod unit;
+mod visit;
 mod words;
 
 pub use drives::{DriveLaws, Law, follow, given};
 pub use end::{End, Stop};
+pub use grid::{From, Grid};
 pub use instants::Instants;
 pub use lead::Lead;
 pub(crate) use misfit::Misfit;
@@ -26,3 +29,4 @@ pub use ready::{Mechanism, Work};
 pub use state::State;
 pub use through::OnState;
 pub use unit::Unit;
+pub use visit::{Read, Visited};

@@ -12,6 +12,7 @@ mod plots;
 mod program;
 mod range;
 mod results;
+mod sheet;
 mod signals;
 mod stops;
 mod sweep;

@@ -3,14 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use suspension_core::Values;
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{Mechanism, Suspension, Work};
-use crate::output::drawing::{Disc, Drawing};
+use crate::output::drawing::{Drawing, drawing_of};
 use crate::output::files::{announce, refuse_input, write_file};
 
 /// What `suspension draw` is given.
@@ -71,24 +70,6 @@ impl Work for Drawn<'_> {
         self,
         mechanism: &Mechanism<L, N>,
     ) -> Result<Drawing, Failure> {
-        let Mechanism { model, names, .. } = mechanism;
-        let inputs = mechanism.drives.inputs(mechanism.instants.ends()[0]);
-        let points = mechanism.start.points(model, &inputs).value;
-        let disc = model.wheel_axis(&points).map(|[inner, centre]| Disc {
-            centre: centre.into(),
-            axis: (centre - inner).into(),
-            radius: self
-                .wheel_radius
-                .or(names.vehicle.wheel_radius)
-                .unwrap_or(0.3 * mechanism.unit.metre()),
-        });
-        let at = points.values().map(<[f64; 3]>::from);
-        Ok(Drawing {
-            points: names.points.iter().cloned().zip(at).collect(),
-            chassis: names.chassis,
-            links: self.listing.links(),
-            bodies: self.listing.bodies(),
-            wheel: disc,
-        })
+        Ok(drawing_of(mechanism, self.listing, self.wheel_radius))
     }
 }

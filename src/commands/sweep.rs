@@ -2,7 +2,6 @@
 
 mod grid;
 mod table;
-mod visit;
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -15,7 +14,8 @@ use crate::load::load;
 use crate::mechanism::{Mechanism, Suspension, Work};
 use crate::output::csv_file::Target;
 use crate::output::files::{announce, refuse_input};
-use grid::{Grid, Swept};
+use crate::output::progress::Progress;
+use grid::{Swept, grid};
 
 /// What `suspension sweep` is given.
 #[derive(Args, Clone, Debug)]
@@ -86,10 +86,14 @@ impl Work for Sweep<'_> {
             derivatives,
             ..
         } = self.arguments;
-        let grid = Grid::new(mechanism, drives, *absolute).map_err(Failure::Input)?;
+        let grid = grid(mechanism, drives, *absolute).map_err(Failure::Input)?;
         let columns = table::columns(&mechanism.names, *derivatives);
-        let visited = visit::visit(mechanism, &grid, &columns, self.interrupted);
-        table::write(mechanism, &columns, &visited.rows, &self.target)?;
+        let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
+        let visited = mechanism.visit(&grid, self.interrupted, &mut |state, per| {
+            progress.step();
+            columns.row(state, per)
+        });
+        table::write(mechanism, &columns, &visited.places, &self.target)?;
         if let Target::File(path) = &self.target {
             announce(std::slice::from_ref(path));
         }

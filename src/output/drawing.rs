@@ -1,11 +1,13 @@
 //! A drawing of a linkage as SVG: chassis points, links, bodies and the wheel.
 
 mod labels;
+mod start;
 mod view;
 
 use plotters::prelude::*;
 
 use labels::{Boxed, Labels};
+pub use start::drawing_of;
 use view::View;
 
 /// What there is to draw. Points in axes of ISO 8855: x forward, y left, z up.

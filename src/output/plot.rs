@@ -20,7 +20,7 @@ pub struct Chart {
 /// A curve.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// In the legend.
+    /// In the legend, which is left out where no curve has a name.
     pub name: String,
     /// Points of the line: across and up.
     pub line: Vec<(f64, f64)>,
@@ -51,25 +51,30 @@ type Drawn = Result<(), Box<dyn std::error::Error>>;
 impl Chart {
     /// The plot as an SVG document; `None` where there is nothing to draw.
     pub fn svg(&self) -> Option<String> {
+        self.svg_of(SIZE)
+    }
+
+    /// The same of a width and a height as shown.
+    pub fn svg_of(&self, shown: (u32, u32)) -> Option<String> {
         let axes = self.axes()?;
         let mut text = String::new();
-        let size = (SIZE.0 * FINE, SIZE.1 * FINE);
+        let size = (shown.0 * FINE, shown.1 * FINE);
         let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
         // Drawing into memory has no way to fail but a mistake in this file.
-        self.draw(&area, &axes).ok()?;
+        self.draw(&area, &axes, shown.0).ok()?;
         drop(area);
         let [drawn, shown] =
-            [size, SIZE].map(|(width, height)| format!("width=\"{width}\" height=\"{height}\""));
+            [size, shown].map(|(width, height)| format!("width=\"{width}\" height=\"{height}\""));
         Some(text.replacen(&drawn, &shown, 1))
     }
 
-    fn draw(&self, area: &Area<'_>, axes: &[Axis; 2]) -> Drawn {
+    fn draw(&self, area: &Area<'_>, axes: &[Axis; 2], width: u32) -> Drawn {
         const MARGIN: [u32; 2] = [14, 28];
         /// Of the vertical axis: its name, its ticks and what is between them and the numbers.
         const BESIDE_NUMBERS: u32 = 32;
         let [x, y] = axes;
         let beside = BESIDE_NUMBERS + y.label_width();
-        let width = SIZE.0 - beside - MARGIN[0] - MARGIN[1];
+        let width = width - beside - MARGIN[0] - MARGIN[1];
         area.fill(&WHITE)?;
         let mut plane = ChartBuilder::on(area)
             .caption(&self.title, font(22))
@@ -80,6 +85,10 @@ impl Chart {
             .build_cartesian_2d(x.low..x.high, y.low..y.high)?;
         self.draw_axes(&mut plane, axes, width)?;
         self.draw_curves(&mut plane)?;
+        if self.curves.iter().all(|curve| curve.name.is_empty()) {
+            area.present()?;
+            return Ok(());
+        }
         plane
             .configure_series_labels()
             .position(SeriesLabelPosition::Coordinate(
@@ -98,6 +107,7 @@ impl Chart {
 
     fn draw_axes(&self, plane: &mut Plane<'_, '_>, [x, y]: &[Axis; 2], width: u32) -> Drawn {
         const MOST: u32 = 11;
+        const ROWS: usize = 10;
         // As wide a gap as two digits.
         let fitting = width / (x.label_width() + 2 * DIGIT);
         plane
@@ -105,7 +115,7 @@ impl Chart {
             .x_desc(&self.across)
             .y_desc(&self.quantity)
             .x_labels(fitting.clamp(2, MOST) as usize)
-            .y_labels(10)
+            .y_labels(ROWS)
             .x_label_formatter(&|t| x.label(*t))
             .y_label_formatter(&|v| y.label(*v))
             .axis_desc_style(font(17))
@@ -184,7 +194,12 @@ impl Axis {
     fn label(&self, value: f64) -> String {
         let step = (self.high - self.low) / 10.0;
         let digits = (-step.log10()).ceil().clamp(0.0, 12.0) as usize;
-        format!("{value:.digits$}")
+        // What rounds to zero has no sign.
+        let label = format!("{value:.digits$}");
+        match label.strip_prefix('-') {
+            Some(zero) if zero.bytes().all(|byte| matches!(byte, b'0' | b'.')) => zero.to_owned(),
+            _ => label,
+        }
     }
 
     /// Of the widest label, as shown.

@@ -1,13 +1,8 @@
-//! The places of a grid.
+//! The grid that options ask for.
 
 use std::str::FromStr;
 
-use suspension_core::Values;
-
-use crate::mechanism::{Mechanism, Suspension};
-
-/// The most places that a grid may have.
-const MOST_PLACES: usize = 1_000_000;
+use crate::mechanism::{From, Grid, Mechanism, Suspension};
 
 /// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,52 +57,26 @@ impl Swept {
     }
 }
 
-/// A grid of drives in local coordinates.
-pub(super) struct Grid {
-    /// Each drive that is swept, by number, with its values; the last changes fastest.
-    pub(super) axes: Vec<(usize, Vec<f64>)>,
-    /// All drives at the first instant.
-    pub(super) start: Vec<f64>,
-}
-
-impl Grid {
-    /// Of a mechanism; `absolute` where the values are the drives' own and not from the first instant.
-    pub(super) fn new<L: Suspension<N>, const N: usize>(
-        mechanism: &Mechanism<L, N>,
-        swept: &[Swept],
-        absolute: bool,
-    ) -> Result<Self, String> {
-        let [first, _] = mechanism.instants.ends();
-        let inputs = mechanism.drives.inputs::<L::Drives>(first);
-        let start: Vec<f64> = inputs.drives.value.values().collect();
-        let mut axes: Vec<(usize, Vec<f64>)> = Vec::new();
-        for of_one in swept {
-            let drive = mechanism.names.chosen_drive(Some(&of_one.name))?;
-            if axes.iter().any(|(other, _)| *other == drive) {
-                return Err(format!("--drive {} is given twice", of_one.name));
-            }
-            let from = if absolute {
-                -mechanism.drive_offset(drive)
-            } else {
-                start[drive]
-            };
-            let values = of_one.values().into_iter().map(|value| from + value);
-            axes.push((drive, values.collect()));
+/// The grid of drives that options name.
+pub(super) fn grid<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    swept: &[Swept],
+    absolute: bool,
+) -> Result<Grid, String> {
+    let mut axes: Vec<(usize, Vec<f64>)> = Vec::new();
+    for of_one in swept {
+        let drive = mechanism.names.chosen_drive(Some(&of_one.name))?;
+        if axes.iter().any(|(other, _)| *other == drive) {
+            return Err(format!("--drive {} is given twice", of_one.name));
         }
-        let grid = Self { axes, start };
-        match grid.places() {
-            Some(1..=MOST_PLACES) => Ok(grid),
-            _ => Err(format!(
-                "a grid may have {MOST_PLACES} places at most; take fewer values"
-            )),
-        }
+        axes.push((drive, of_one.values()));
     }
-
-    /// How many places there are; `None` where they are too many to count.
-    pub(super) fn places(&self) -> Option<usize> {
-        let mut counts = self.axes.iter().map(|(_, values)| values.len());
-        counts.try_fold(1_usize, usize::checked_mul)
-    }
+    let from = if absolute {
+        From::Zero
+    } else {
+        From::FirstInstant
+    };
+    Grid::new(mechanism, axes, from)
 }
 
 #[cfg(test)]

@@ -61,7 +61,7 @@ impl Columns {
 pub(super) fn write<L, const N: usize>(
     mechanism: &Mechanism<L, N>,
     columns: &Columns,
-    rows: &[Row],
+    rows: &[Option<Row>],
     target: &Target,
 ) -> Result<(), Failure> {
     let Mechanism { names, unit, .. } = mechanism;
@@ -84,7 +84,7 @@ pub(super) fn write<L, const N: usize>(
     };
     let headings: Vec<Heading> = values.chain(derivatives).map(heading).collect();
     let mut file = CsvFile::create(target, &headings.iter().collect::<Vec<_>>())?;
-    for row in rows.iter().filter(|row| !row.is_empty()) {
+    for row in rows.iter().flatten() {
         file.row(row)?;
     }
     file.finish()

@@ -4,70 +4,76 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use suspension_core::{Inputs, Motion, Signal, SolveError, Values};
 
-use super::grid::Grid;
-use super::table::{Columns, Row};
 use crate::failure::Failure;
-use crate::mechanism::{DriveLaws, Mechanism, Polynomial, State, Suspension, follow};
-use crate::output::progress::Progress;
+use crate::mechanism::drives::{DriveLaws, follow};
+use crate::mechanism::grid::Grid;
+use crate::mechanism::names::Suspension;
+use crate::mechanism::polynomial::Polynomial;
+use crate::mechanism::ready::Mechanism;
+use crate::mechanism::state::State;
 
-/// What was found on a grid.
-pub(super) struct Visited {
-    /// A row each place, in the order of the grid; empty where it has no configuration.
-    pub(super) rows: Vec<Row>,
-    solved: usize,
+/// What was read at the places of a grid.
+#[derive(Clone, Debug)]
+pub struct Visited<R> {
+    /// In the order of the grid; `None` where the mechanism has no configuration.
+    pub places: Vec<Option<R>>,
     /// Where a way ended first, in words.
     stopped: Option<String>,
     interrupted: bool,
 }
 
-impl Visited {
+/// Reads a state, given what gives the state with derivatives with respect to a drive; that is `None` where the
+/// mechanism locks.
+pub type Read<'a, R> = dyn FnMut(&State, &dyn Fn(usize) -> Option<State>) -> R + 'a;
+
+impl<R> Visited<R> {
     /// What remains to be said where places are missing.
-    pub(super) fn failure(&self, source: &str) -> Option<Failure> {
-        let (solved, all) = (self.solved, self.rows.len());
-        let written = format!("the rows of the {solved} others were written");
+    pub fn failure(&self, source: &str) -> Option<Failure> {
+        let all = self.places.len();
+        let missing = self.places.iter().filter(|place| place.is_none()).count();
+        let written = format!("the {} others were written", all - missing);
         if self.interrupted {
-            let missing = all - solved;
             return Some(Failure::Interrupted(format!(
                 "{source}: interrupted; {missing} of {all} places are missing, {written}"
             )));
         }
         let stopped = self.stopped.as_ref()?;
         Some(Failure::Solver(format!(
-            "{source}: {} of {all} places have no configuration on the way from the first instant: {stopped}; {written}",
-            all - solved
+            "{source}: {missing} of {all} places have no configuration on the way from the first instant: {stopped}; {written}"
         )))
     }
 }
 
-/// Solves the mechanism at each place.
-pub(super) fn visit<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
-    grid: &Grid,
-    columns: &Columns,
-    interrupted: &AtomicBool,
-) -> Visited {
-    let places = grid.places().unwrap_or_default();
-    let mut visitor = Visitor {
-        mechanism,
-        grid,
-        columns,
-        interrupted,
-        progress: Progress::new(places, "places"),
-        visited: Visited {
-            rows: vec![Row::new(); places],
-            solved: 0,
-            stopped: None,
-            interrupted: false,
-        },
-    };
-    let start = Place {
-        index: 0,
-        drives: grid.start.clone(),
-        motion: mechanism.start,
-        residual: 0.0,
-    };
-    visitor.along_axes(0, &start);
-    visitor.visited
+impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
+    /// Solves the mechanism at each place of a grid.
+    pub fn visit<R>(
+        &self,
+        grid: &Grid,
+        interrupted: &AtomicBool,
+        read: &mut Read<'_, R>,
+    ) -> Visited<R> {
+        let mut places = Vec::new();
+        places.resize_with(grid.places().unwrap_or_default(), || None);
+        let mut visitor = Visitor {
+            mechanism: self,
+            grid,
+            interrupted,
+            read,
+            visited: Visited {
+                places,
+                stopped: None,
+                interrupted: false,
+            },
+        };
+        let start = Place {
+            index: 0,
+            drives: grid.start.clone(),
+            motion: self.start,
+            residual: 0.0,
+        };
+        visitor.along_axes(0, &start);
+        visitor.visited
+    }
 }
 
 /// The mechanism at a place.
@@ -80,28 +86,26 @@ struct Place<const N: usize> {
     residual: f64,
 }
 
-struct Visitor<'a, L: suspension_core::Linkage<N>, const N: usize> {
+struct Visitor<'a, 'r, L: suspension_core::Linkage<N>, R, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     grid: &'a Grid,
-    columns: &'a Columns,
     interrupted: &'a AtomicBool,
-    progress: Progress,
-    visited: Visited,
+    read: &'a mut Read<'r, R>,
+    visited: Visited<R>,
 }
 
-impl<L: Suspension<N>, const N: usize> Visitor<'_, L, N> {
+impl<L: Suspension<N>, R, const N: usize> Visitor<'_, '_, L, R, N> {
     /// Visits the places along the axes from `level` on, both ways from `here`.
     fn along_axes(&mut self, level: usize, here: &Place<N>) {
         let grid = self.grid;
         let Some((drive, values)) = grid.axes.get(level) else {
-            self.record(here);
+            self.read_at(here);
             return;
         };
         let mut order: Vec<usize> = (0..values.len()).collect();
         order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
-        let (mut below, above): (Vec<usize>, Vec<usize>) = order
-            .into_iter()
-            .partition(|index| values[*index] < here.drives[*drive]);
+        let is_below = |index: &usize| values[*index] < here.drives[*drive];
+        let (mut below, above): (Vec<usize>, Vec<usize>) = order.into_iter().partition(is_below);
         below.reverse();
         for way in [above, below] {
             let mut place = here.clone();
@@ -150,27 +154,21 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, L, N> {
         format!("one way ends at {drives}{cause}")
     }
 
-    fn record(&mut self, place: &Place<N>) {
-        let Self {
-            mechanism, columns, ..
-        } = self;
+    fn read_at(&mut self, place: &Place<N>) {
+        let mechanism = self.mechanism;
         let drives = L::Drives::from_values(place.drives.iter().copied());
         let position = &place.motion.position;
         let inputs = Inputs::still(Signal::still(drives));
-        let points = Motion::at_rest(*position)
-            .points(&mechanism.model, &inputs)
-            .value;
+        let points = Motion::at_rest(*position).points(&mechanism.model, &inputs);
         let state = State {
             residual: place.residual,
-            ..mechanism.at_rest(0.0, &drives, points)
+            ..mechanism.at_rest(0.0, &drives, points.value)
         };
         let state = mechanism.with_directions(state, &drives, position);
         let per = |drive| {
             let points = mechanism.per(drive, &drives, position)?;
             Some(mechanism.state(0.0, &drives, &points))
         };
-        self.visited.rows[place.index] = columns.row(&state, per);
-        self.visited.solved += 1;
-        self.progress.step();
+        self.visited.places[place.index] = Some((self.read)(&state, &per));
     }
 }

@@ -1,0 +1,68 @@
+//! The places of a grid of drives.
+
+use suspension_core::Values;
+
+use crate::mechanism::names::Suspension;
+use crate::mechanism::ready::Mechanism;
+
+/// The most places that a grid may have.
+const MOST_PLACES: usize = 1_000_000;
+
+/// Drives and the values that they take, in local coordinates.
+#[derive(Clone, Debug, Default)]
+pub struct Grid {
+    /// Each drive that is swept, by number, with its values; the last changes fastest.
+    pub(super) axes: Vec<(usize, Vec<f64>)>,
+    /// All drives at the first instant.
+    pub(super) start: Vec<f64>,
+}
+
+/// What the values of a grid are counted from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum From {
+    /// Where each drive is at the first instant.
+    FirstInstant,
+    /// The drive's own zero.
+    Zero,
+}
+
+impl Grid {
+    /// Drives of a mechanism, by number, each with its values.
+    ///
+    /// # Errors
+    ///
+    /// In words, where the places are too many.
+    pub fn new<L: Suspension<N>, const N: usize>(
+        mechanism: &Mechanism<L, N>,
+        axes: Vec<(usize, Vec<f64>)>,
+        from: From,
+    ) -> Result<Self, String> {
+        let [first, _] = mechanism.instants.ends();
+        let inputs = mechanism.drives.inputs::<L::Drives>(first);
+        let start: Vec<f64> = inputs.drives.value.values().collect();
+        let local = |(drive, values): (usize, Vec<f64>)| {
+            let from = match from {
+                From::FirstInstant => start[drive],
+                From::Zero => -mechanism.drive_offset(drive),
+            };
+            (
+                drive,
+                values.into_iter().map(|value| from + value).collect(),
+            )
+        };
+        let axes = axes.into_iter().map(local).collect();
+        let grid = Self { axes, start };
+        match grid.places() {
+            Some(1..=MOST_PLACES) => Ok(grid),
+            _ => Err(format!(
+                "a grid may have {MOST_PLACES} places at most; take fewer values"
+            )),
+        }
+    }
+
+    /// How many places there are; `None` where they are too many to count.
+    pub fn places(&self) -> Option<usize> {
+        let mut counts = self.axes.iter().map(|(_, values)| values.len());
+        counts.try_fold(1_usize, usize::checked_mul)
+    }
+}

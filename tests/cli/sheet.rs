@@ -1,0 +1,89 @@
+//! The page of a suspension.
+
+use super::program::{folder, run, text};
+
+const CORNER: &str = "\
+linkage = \"double_wishbone_pushrod\"
+unit = \"m\"
+vehicle = { wheel_radius = 0.3 }
+time = { instants = [0.0] }
+[drives]
+bump = 0.3
+steer = 0.34
+";
+
+/// The cells of the row of a quantity.
+fn cells<'a>(page: &'a str, quantity: &str) -> Vec<&'a str> {
+    let begins = format!("<tr><td>{quantity}</td>");
+    let (_, row) = page
+        .split_once(&begins)
+        .unwrap_or_else(|| panic!("no row {quantity}"));
+    let (row, _) = row.split_once("</tr>").expect("a row");
+    let cells = row
+        .split("</td>")
+        .filter_map(|cell| Some(cell.split_once('>')?.1.trim()));
+    cells.collect()
+}
+
+#[test]
+fn design_values_derivatives_and_curves_are_on_one_page() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let page = std::fs::read_to_string(folder.path().join("out/a_sheet.html")).expect("a page");
+    // The kingpin falls by 40 mm inboard over 270 mm; the wheel stands upright.
+    let kingpin = 0.04_f64.atan2(0.27).to_degrees();
+    assert_eq!(
+        cells(&page, "kingpin angle")[0],
+        format!("{kingpin:.5} deg")
+    );
+    assert_eq!(cells(&page, "camber angle")[0], "0 deg");
+    assert_eq!(cells(&page, "wheel centre z")[..3], ["0.3 m", "1", "0"]);
+    assert_eq!(cells(&page, "height of the roll centre")[1..3], ["", ""]);
+    for heading in ["Over bump", "Over steer", "damper per bump"] {
+        assert!(page.contains(heading), "{heading}");
+    }
+    assert!(page.matches("<svg").count() > 40, "curves");
+    for from_elsewhere in ["src=", "href=", "url(", "@import"] {
+        assert!(!page.contains(from_elsewhere), "{from_elsewhere}");
+    }
+}
+
+#[test]
+fn beyond_a_lock_the_curves_end_and_the_page_is_written() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let output = run(
+        folder.path(),
+        &["sheet", "a.toml", "--travel", "-0.2:0.2", "--out", "a.html"],
+    );
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    assert!(text(&output.stderr).contains("of 61 places have no configuration"));
+    assert!(folder.path().join("a.html").exists());
+}
+
+#[test]
+fn what_is_missing_or_wrong_is_said() {
+    let folder = folder();
+    let example = super::program::example("attia2003.toml");
+    std::fs::write(folder.path().join("a.toml"), example).expect("written");
+    for (arguments, expected) in [
+        (
+            vec!["sheet", "a.toml"],
+            "which drive moves the wheel up and down? Write [vehicle] with travel = \"NAME\"; the drives are theta",
+        ),
+        (
+            vec!["sheet", "a.toml", "--travel", "1:0"],
+            "write FROM:TO, as -0.06:0.06",
+        ),
+        (
+            vec!["sheet", "a.toml", "--out", "a.toml"],
+            "--out would overwrite",
+        ),
+    ] {
+        let output = run(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(text(&output.stderr).contains(expected), "{output:?}");
+    }
+}
