@@ -80,21 +80,17 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         motion.derivatives(&self.model, *drives, change).ok()
     }
 
-    /// A state with the derivatives with respect to travel and steering.
+    /// A state with the derivatives with respect to travel and steering, which `per` gives of each drive.
     pub fn with_directions(
         &self,
         state: State,
-        drives: &L::Drives,
-        position: &SVector<f64, N>,
+        per: impl Fn(usize) -> Option<Signal<L::Points>>,
     ) -> State {
         let vehicle = &self.names.vehicle;
-        let per = |drive: Option<usize>| {
-            let points = self.per(drive?, drives, position)?;
-            Some(self.listed(&points))
-        };
+        let listed = |drive: Option<usize>| Some(self.listed(&per(drive?)?));
         State {
-            travel: per(vehicle.travel),
-            steer: per(vehicle.steer),
+            travel: listed(vehicle.travel),
+            steer: listed(vehicle.steer),
             ..state
         }
     }

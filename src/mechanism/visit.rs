@@ -164,11 +164,11 @@ impl<L: Suspension<N>, R, const N: usize> Visitor<'_, '_, L, R, N> {
             residual: place.residual,
             ..mechanism.at_rest(0.0, &drives, points.value)
         };
-        let state = mechanism.with_directions(state, &drives, position);
-        let per = |drive| {
-            let points = mechanism.per(drive, &drives, position)?;
-            Some(mechanism.state(0.0, &drives, &points))
-        };
+        let of_each = 0..mechanism.names.drives.len();
+        let of_each = of_each.map(|drive| mechanism.per(drive, &drives, position));
+        let of_each: Vec<Option<Signal<L::Points>>> = of_each.collect();
+        let state = mechanism.with_directions(state, |drive| of_each[drive]);
+        let per = |drive: usize| Some(mechanism.state(0.0, &drives, &of_each[drive]?));
         self.visited.places[place.index] = Some((self.read)(&state, &per));
     }
 }

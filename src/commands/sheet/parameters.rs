@@ -35,12 +35,11 @@ pub(super) fn parameters<L: Suspension<N>, const N: usize>(
     let inputs = suspension_core::Inputs::still(suspension_core::Signal::still(drives));
     let points = mechanism.start.points(&mechanism.model, &inputs).value;
     let state = mechanism.at_rest(first, &drives, points);
-    let state = mechanism.with_directions(state, &drives, position);
+    let per = |drive| mechanism.per(drive, &drives, position);
+    let state = mechanism.with_directions(state, per);
     let vehicle = mechanism.names.vehicle;
-    let per = [vehicle.travel, vehicle.steer].map(|drive| {
-        let points = mechanism.per(drive?, &drives, position)?;
-        Some(mechanism.state(first, &drives, &points))
-    });
+    let per = [vehicle.travel, vehicle.steer]
+        .map(|drive| Some(mechanism.state(first, &drives, &per(drive?)?)));
     let parameter = |column: Column| parameter(&column, mechanism.unit, &state, &per);
     columns(mechanism).into_iter().map(parameter).collect()
 }
