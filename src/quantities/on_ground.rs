@@ -7,8 +7,8 @@ use suspension_core::wheel::{Carrier, Heading, SteeringAxis, contact};
 
 use crate::mechanism::{Names, State, WheelPoints};
 use crate::quantities::kind::Kind;
-use crate::quantities::quantity::{Axis, Reading};
-use crate::quantities::readings::{Number, alone, at, from_to, place, reading, vector};
+use crate::quantities::quantity::{Axis, Number, Reading};
+use crate::quantities::readings::{alone, at, from_to, place, reading, vector};
 
 /// A wheel in a state, in local coordinates.
 struct Wheel {

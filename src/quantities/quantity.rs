@@ -36,13 +36,19 @@ pub enum Shown {
     InBoth,
 }
 
+/// A number with its derivatives along the rates of a state.
+pub(super) type Number = Signal<f64>;
+
+/// What reads a number of any state.
+pub(super) type Read = dyn Fn(&State) -> Number;
+
 /// One number of a quantity.
 pub(super) struct Reading {
     pub(super) name: Option<String>,
     pub(super) kind: Kind,
     pub(super) axis: Option<Axis>,
     pub(super) has_derivatives: bool,
-    pub(super) value: Box<dyn Fn(&State) -> Signal<f64>>,
+    pub(super) value: Box<Read>,
 }
 
 /// A component of a vector.
@@ -83,7 +89,7 @@ pub struct Column {
     pub axis: Option<Axis>,
     /// Whether [`along`](Self::along) has derivatives: whether positions alone determine it.
     pub has_derivatives: bool,
-    value: Box<dyn Fn(&State) -> Signal<f64>>,
+    value: Box<Read>,
 }
 
 impl Column {

@@ -5,10 +5,7 @@ use suspension_core::Signal;
 
 use crate::mechanism::{Names, State};
 use crate::quantities::kind::Kind;
-use crate::quantities::quantity::{Axis, Reading};
-
-/// A number with its derivatives along the rates of a state.
-pub(super) type Number = Signal<f64>;
+use crate::quantities::quantity::{Axis, Number, Reading};
 
 /// A number whose derivatives are not known.
 pub(super) fn alone(value: f64) -> Number {

@@ -1,0 +1,69 @@
+//! What the catalogue has for linkages with and without a wheel.
+
+use super::*;
+use crate::mechanism::Unit;
+use crate::quantities::quantity::columns;
+
+/// Three points, the last a marker and the wheel centre.
+fn names(wheel: bool, kingpin: bool) -> Names {
+    Names {
+        points: ["a", "b", "c"].map(str::to_owned).into(),
+        chassis: 1,
+        free: 1,
+        wheel: wheel.then_some(WheelPoints {
+            axis: [1, 2],
+            carrier: [0, 1, 2],
+        }),
+        kingpin: kingpin.then_some([0, 1]),
+        ..Names::default()
+    }
+}
+
+fn tabled(names: &Names) -> Vec<String> {
+    let all = columns(CATALOGUE, names).into_iter();
+    let tabled = all.filter(|column| column.quantity.shown != Shown::InSummaries);
+    tabled
+        .map(|column| column.csv_name(Unit::Millimetre))
+        .collect()
+}
+
+#[test]
+fn what_a_linkage_lacks_has_no_columns() {
+    let bare = tabled(&names(false, false));
+    let wheel = tabled(&names(true, false));
+    let kingpin = tabled(&names(false, true));
+    let both = tabled(&names(true, true));
+    let more = |than: &[String], all: &[String]| {
+        let new = all.iter().filter(|name| !than.contains(name));
+        new.cloned().collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(
+        bare.join(" "),
+        "t_s b_x b_y b_z b_vx b_vy b_vz b_ax b_ay b_az \
+         c_x c_y c_z c_vx c_vy c_vz c_ax c_ay c_az iterations residual_mm"
+    );
+    assert_eq!(
+        more(&bare, &wheel),
+        "omega_x omega_y omega_z alpha_x alpha_y alpha_z camber_rad camber_to_ground_rad toe_rad"
+    );
+    assert_eq!(more(&bare, &kingpin), "caster_rad");
+    assert_eq!(more(&wheel, &both), "kingpin_rad caster_rad");
+}
+
+#[test]
+fn every_row_says_what_it_is_and_where_from() {
+    let mut names: Vec<_> = CATALOGUE.iter().map(|row| row.name).collect();
+    names.retain(|name| !name.is_empty());
+    let count = names.len();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), count, "no two rows have one name");
+    for row in CATALOGUE {
+        assert!(!row.title.is_empty(), "{}", row.name);
+        assert!(
+            !row.definition.is_empty() && !row.source.is_empty(),
+            "{}",
+            row.title
+        );
+    }
+}
