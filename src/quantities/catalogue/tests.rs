@@ -1,7 +1,7 @@
 //! What the catalogue has for linkages with and without a wheel.
 
 use super::*;
-use crate::mechanism::Unit;
+use crate::mechanism::{Unit, Vehicle};
 use crate::quantities::quantity::columns;
 
 /// Three points, the last a marker and the wheel centre.
@@ -47,7 +47,43 @@ fn what_a_linkage_lacks_has_no_columns() {
         "omega_x omega_y omega_z alpha_x alpha_y alpha_z camber_rad camber_to_ground_rad toe_rad"
     );
     assert_eq!(more(&bare, &kingpin), "caster_rad");
-    assert_eq!(more(&wheel, &both), "kingpin_rad caster_rad");
+    assert_eq!(
+        more(&wheel, &both),
+        "kingpin_rad caster_rad kingpin_offset_mm caster_offset_mm"
+    );
+}
+
+#[test]
+fn what_the_vehicle_makes_known_has_columns() {
+    let both = names(true, true);
+    let with = |vehicle| Names {
+        vehicle,
+        ..both.clone()
+    };
+    let on_ground = with(Vehicle {
+        wheel_radius: Some(0.3),
+        ..Vehicle::default()
+    });
+    let moving = with(Vehicle {
+        wheel_radius: Some(0.3),
+        travel: Some(0),
+        steer: Some(1),
+    });
+    let more = |than: &Names, all: &Names| {
+        let (than, all) = (tabled(than), tabled(all));
+        let new = all.iter().filter(|name| !than.contains(name));
+        new.cloned().collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(
+        more(&both, &on_ground),
+        "contact_x contact_y contact_z scrub_radius_mm mechanical_trail_mm"
+    );
+    assert_eq!(
+        more(&on_ground, &moving),
+        "virtual_kingpin_rad virtual_caster_rad virtual_scrub_radius_mm virtual_trail_mm \
+         virtual_pitch_mm_rad roll_centre_mm front_centre_y front_centre_z front_arm_mm \
+         side_centre_x side_centre_z side_arm_mm brake_angle_rad drive_angle_rad"
+    );
 }
 
 #[test]
