@@ -25,11 +25,13 @@ impl Agreement {
             self.0.len() - 1
         });
         let quantity = &mut self.0[place];
-        let difference = difference.abs();
         // A difference that is no number is the worst.
-        if quantity.worst.is_finite() && !(difference <= quantity.worst) {
-            quantity.worst = difference;
-        }
+        let difference = if difference.is_nan() {
+            f64::INFINITY
+        } else {
+            difference.abs()
+        };
+        quantity.worst = quantity.worst.max(difference);
         quantity.count += 1;
     }
 

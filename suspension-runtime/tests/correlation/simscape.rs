@@ -73,8 +73,8 @@ impl Axis {
         let tangent = rises(spin) / across(spin);
         Self {
             caster: tangent.atan(),
-            // Its term in caster has the sign of an axis whose elevation counts downwards.
-            kingpin: -((tangent * across(x) + rises(x)) / -along(x)).atan(),
+            // An axis that both vectors keep their angles to has -tangent here; the published formula has not.
+            kingpin: ((tangent * across(x) + rises(x)) / along(x)).atan(),
             camber_per_toe: -(spin[0].elevation - spin[1].elevation) / (spin[0].toe - spin[1].toe),
         }
     }
