@@ -1,14 +1,7 @@
-//! A double wishbone with rack steering against the results of Adams/Car in kinematic mode.
-//!
-//! The published data are not part of this repository: `SUSPENSION_PUBLISHED_DATA` names the
-//! folder that holds them.
-
-use std::io::Write;
-use std::path::{Path, PathBuf};
+//! A double wishbone with rack steering.
 
 use nalgebra::Vector3;
-use suspension_core::wheel::{camber_to_ground, toe};
-use suspension_core::{Build, HasWheel, Inputs, Linkage, Motion, Signal, Tracker};
+use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker};
 
 use super::checks;
 
@@ -62,119 +55,6 @@ fn derivatives_and_motion_with_a_steering_rack() {
         drives: drives(t),
     };
     checks::motion(&model, &design(), heaving);
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Side {
-    Left,
-    Right,
-}
-
-/// The file's axes, x rearward and y to the right, as ISO 8855 has them; and the other way.
-fn half_turn(v: Vector3<f64>) -> Vector3<f64> {
-    Vector3::new(-v.x, -v.y, v.z)
-}
-
-/// The hardpoints of `adams_dw_tr_front.toml`, mm, in the axes of ISO 8855.
-fn adams(file: &Path, side: Side) -> Points<f64> {
-    let text = std::fs::read_to_string(file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
-    let table: toml::Table = text.parse().expect("valid TOML");
-    let point = |name: &str| {
-        let entries = table["left"][name].as_array().expect("three numbers");
-        let number = |x: &toml::Value| x.as_float().expect("a number");
-        let left = half_turn(Vector3::from_iterator(entries.iter().map(number)));
-        match side {
-            Side::Left => left,
-            Side::Right => Vector3::new(left.x, -left.y, left.z),
-        }
-    };
-    let centre = point("wheel_center");
-    // Toe and camber are zero in the design.
-    let outboard = Vector3::new(0.0, 100.0 * centre.y.signum(), 0.0);
-    Points {
-        lower_front: point("lca_front"),
-        lower_rear: point("lca_rear"),
-        upper_front: point("uca_front"),
-        upper_rear: point("uca_rear"),
-        rack: point("tierod_inner"),
-        lower_ball: point("lca_outer"),
-        upper_ball: point("uca_outer"),
-        tie_ball: point("tierod_outer"),
-        axle_inner: centre - outboard,
-        axle_outer: centre,
-    }
-}
-
-/// Differences from a row of the results: wheel centre in mm, then toe and camber in degrees.
-fn differences(
-    model: &Model<f64>,
-    design: &Points<f64>,
-    side: Side,
-    row: impl Fn(&str) -> f64,
-) -> [f64; 3] {
-    let drives = Drives {
-        bump: design.axle_outer.z + row("wheel_travel_mm"),
-        steer: design.rack.y - row("rack_mm"),
-    };
-    let points = checks::solve(model, design, drives);
-    let [inner, centre] = points.wheel();
-    let axis = centre - inner;
-    let prefix = format!("{side:?}").to_lowercase();
-    let published = |what: &str| row(&format!("{prefix}_{what}"));
-    let wheel_centre = Vector3::from(["wc_x_mm", "wc_y_mm", "wc_z_mm"].map(published));
-    [
-        (half_turn(centre) - wheel_centre).amax(),
-        (toe(&axis).to_degrees() - published("toe_deg")).abs(),
-        (camber_to_ground(&axis).to_degrees() - published("camber_deg")).abs(),
-    ]
-}
-
-#[test]
-fn agrees_with_adams_car() {
-    const ENVIRONMENT: &str = "SUSPENSION_PUBLISHED_DATA";
-    // Of the published design position, from the initial assembly.
-    const OFFSET_MM: f64 = 1e-7;
-    let Some(folder) = std::env::var_os(ENVIRONMENT).map(PathBuf::from) else {
-        let skipped = "SKIPPED agrees_with_adams_car";
-        // The test harness captures what eprintln! writes, but not this.
-        writeln!(
-            std::io::stderr(),
-            "{skipped}: {ENVIRONMENT} does not name the data's folder"
-        )
-        .expect("standard error");
-        return;
-    };
-    let results = folder.join("adams_dw_tr_front_results.csv");
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_path(&results)
-        .unwrap_or_else(|e| panic!("{}: {e}", results.display()));
-    let rows: Vec<std::collections::BTreeMap<String, f64>> = reader
-        .deserialize()
-        .collect::<Result<_, _>>()
-        .expect("numbers under a header");
-    assert_eq!(rows.len(), 9);
-    let mut worst = [0.0_f64; 3];
-    for side in [Side::Left, Side::Right] {
-        let design = adams(&folder.join("adams_dw_tr_front.toml"), side);
-        let model = Model::new(&design).expect("a double wishbone");
-        for row in &rows {
-            let off = differences(&model, &design, side, |column| row[column]);
-            for (worst, off) in worst.iter_mut().zip(off) {
-                *worst = worst.max(off);
-            }
-        }
-    }
-    println!("largest difference: {worst:?} in mm, deg, deg");
-    let [centre, toe, camber] = worst;
-    assert!(
-        centre < 1e-6 + OFFSET_MM,
-        "wheel centre off by {centre:e} mm"
-    );
-    assert!(
-        toe < 2e-6 && camber < 2e-6,
-        "toe, camber off by {toe:e}, {camber:e} deg"
-    );
 }
 
 /// Bump and steer that swing near a singularity of the linkage: one call over the whole time, as
