@@ -1,22 +1,23 @@
-//! The catalogue: one listing a file. Each module holds the types of one linkage: `Model`,
-//! `Points`, `Fixed`, `Drives`, `Measures`, `Lengths`.
+//! The catalogue: one listing a file, all of them as text in [`LISTINGS`]. Those that are compiled here have a
+//! module with the types of one linkage: `Model`, `Points`, `Fixed`, `Drives`, `Measures`, `Lengths`. The others
+//! cost no build time; `suspension-runtime` reads them, and a program that wants one compiled copies its text and
+//! says `linkage! { pub mod name; }`.
 
 use crate::linkage;
 
 macro_rules! catalogue {
-    ($($name:ident),* $(,)?) => {
-        $(linkage! { pub mod $name; })*
+    (compiled: $($compiled:ident),*; text: $($text:ident),*;) => {
+        $(linkage! { pub mod $compiled; })*
 
         /// The listings by name, as text.
         pub const LISTINGS: &[(&str, &str)] = &[
-            $((stringify!($name), include_str!(concat!(stringify!($name), ".linkage")))),*
+            $((stringify!($compiled), include_str!(concat!(stringify!($compiled), ".linkage"))),)*
+            $((stringify!($text), include_str!(concat!(stringify!($text), ".linkage"))),)*
         ];
     };
 }
 
 catalogue! {
-    attia2003,
-    five_link,
-    double_wishbone,
-    double_wishbone_pushrod,
+    compiled: attia2003, five_link, double_wishbone, double_wishbone_pushrod;
+    text: ;
 }
