@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{assemblies, bake, draw, motion, published, range, sheet, sweep};
+use crate::commands::{assemblies, bake, draw, list, motion, published, range, sheet, sweep};
 use crate::failure::Failure;
 use crate::interrupt;
 
@@ -42,6 +42,10 @@ pub enum Command {
     ///
     /// Chassis points, links, bodies and the wheel, as SVG.
     Draw(draw::Arguments),
+    /// Lists the catalogue of layouts, or prints the statements of one.
+    ///
+    /// Of each its name, what it is, its drives and its measures.
+    List(list::Arguments),
     /// Finds how far each drive of a file leads the mechanism, and what ends its range.
     ///
     /// Follows the whole curve of configurations, also where the drive cannot lead.
@@ -69,6 +73,7 @@ impl Options {
             Some(Command::Assemblies(arguments)) => arguments.run(interrupted),
             Some(Command::Bake(arguments)) => arguments.run(interrupted),
             Some(Command::Draw(arguments)) => arguments.run(),
+            Some(Command::List(arguments)) => arguments.run(),
             Some(Command::Range(arguments)) => arguments.run(interrupted),
             Some(Command::Sheet(arguments)) => arguments.run(interrupted),
             Some(Command::Sweep(arguments)) => arguments.run(interrupted),

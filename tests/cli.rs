@@ -7,6 +7,7 @@ mod figures;
 mod files;
 mod hostile_files;
 mod led;
+mod list;
 mod notes;
 mod plots;
 mod program;

@@ -25,7 +25,7 @@ pub(super) fn text() -> String {
 
 const FILE: &str = r#"The file:
 
-  linkage = "attia2003"              # or "five_link"
+  linkage = "attia2003"              # or another of `suspension list`
   unit = "m"                         # or "mm": of all lengths here, and of results; no conversion
   [points]                           # chassis points, free points and markers, each by name
   p1 = [-1.396, -0.025, -0.082]

@@ -1,0 +1,92 @@
+//! `suspension list`: the catalogue of layouts.
+
+use std::fmt::Write;
+
+use clap::Args;
+use suspension_core::linkages::LISTINGS;
+use suspension_core::{Kind, Part, Parts};
+use suspension_runtime::Listing;
+
+use crate::failure::Failure;
+use crate::output::files::print;
+
+/// What `suspension list` is given.
+#[derive(Args, Clone, Debug)]
+#[command(after_long_help = NOTES)]
+pub struct Arguments {
+    /// Print the statements of this layout, to be copied and changed.
+    name: Option<String>,
+}
+
+impl Arguments {
+    /// Lists the catalogue, or prints a listing of it.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where the catalogue has no such layout, otherwise as writing fails.
+    pub fn run(self) -> Result<(), Failure> {
+        let Some(name) = self.name else {
+            let entries = LISTINGS.iter().map(|(name, text)| entry(name, text));
+            return print(&entries.collect::<Result<Vec<_>, _>>()?.join("\n"));
+        };
+        match LISTINGS.iter().find(|(known, _)| *known == name) {
+            Some((_, text)) => print(text),
+            None => {
+                let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
+                let known = known.join(", ");
+                Err(Failure::Input(format!(
+                    "unknown linkage `{name}`; known are {known}"
+                )))
+            }
+        }
+    }
+}
+
+/// What the list says of a layout.
+fn entry(name: &str, text: &str) -> Result<String, Failure> {
+    let listing = Listing::parse_file(text, name);
+    let listing = listing.map_err(|mistakes| Failure::Input(mistakes.to_string()))?;
+    let mut entry = format!("{name}\n  {}\n", first_sentence(text));
+    let drives = parts(&listing, Kind::Drive, Part::Drive);
+    let measures = parts(&listing, Kind::Measure, Part::Measure);
+    for (what, names) in [("drives", drives), ("measures", measures)] {
+        if !names.is_empty() {
+            // Writing into a string has no way to fail.
+            let _ = writeln!(entry, "  {what:8}  {names}");
+        }
+    }
+    Ok(entry)
+}
+
+/// The names of all parts of a kind.
+fn parts(listing: &Listing, kind: Kind, part: fn(usize) -> Part) -> String {
+    let names = (0..listing.count(kind)).map(|index| listing.name(part(index)));
+    names.collect::<Vec<_>>().join(", ")
+}
+
+/// The first sentence of what a listing says of itself.
+fn first_sentence(text: &str) -> String {
+    let lines = text.lines().map_while(|line| line.strip_prefix("//! "));
+    let paragraph = lines.collect::<Vec<_>>().join(" ");
+    let end = paragraph.find(". ").map_or(paragraph.len(), |end| end + 1);
+    paragraph[..end].to_owned()
+}
+
+const NOTES: &str = "\
+Each layout has its hardpoints, in metres; a motion file names it, linkage = \"macpherson\", and states the points that
+differ. Where other links are wanted, copy the statements and name the file, listing = \"my.linkage\".
+
+Example:
+  suspension list macpherson > my.linkage";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sentence_ends_at_its_full_stop_or_with_the_paragraph() {
+        let text = "//! An arm, 0.4 m long,\n//! rear left. More.\n//!\n//! Axes.\nfixed: a;\n";
+        assert_eq!(first_sentence(text), "An arm, 0.4 m long, rear left.");
+        assert_eq!(first_sentence("//! An arm\n//!\n//! Axes.\n"), "An arm");
+    }
+}

@@ -1,0 +1,86 @@
+//! `suspension list`: the catalogue, and examples of it.
+
+use std::path::Path;
+
+use suspension_core::linkages::LISTINGS;
+use suspension_core::{Kind, Part, Parts};
+use suspension_runtime::Listing;
+
+use super::program::{folder, rows, run, text};
+
+/// The folder of the package, where the examples are.
+fn package() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+#[test]
+fn names_every_layout_with_its_first_sentence_drives_and_measures() {
+    let output = run(folder().path(), &["list"]);
+    assert_eq!(output.status.code(), Some(0));
+    let list = text(&output.stdout);
+    let entries: Vec<&str> = list.split("\n\n").collect();
+    assert_eq!(entries.len(), LISTINGS.len());
+    for (entry, (name, _)) in entries.iter().zip(LISTINGS) {
+        assert!(entry.starts_with(&format!("{name}\n  ")), "{entry}");
+        assert!(entry.contains(".\n  drives    "), "{entry}");
+    }
+    let pushrod =
+        "an anti-roll bar, front left.\n  drives    bump, steer\n  measures  damper, bar_arm\n";
+    assert!(list.contains(pushrod), "{list}");
+}
+
+#[test]
+fn prints_a_listing_that_a_motion_file_can_name() {
+    let folder = folder();
+    let output = run(folder.path(), &["list", "double_wishbone"]);
+    assert_eq!(output.status.code(), Some(0));
+    std::fs::write(folder.path().join("my.linkage"), &output.stdout).expect("written");
+    let file = "listing = \"my.linkage\"\nunit = \"m\"\ntime = { instants = [0.0] }\ndrives = { bump = 0.3, steer = 0.34 }\n";
+    std::fs::write(folder.path().join("my.toml"), file).expect("written");
+    let output = run(folder.path(), &["motion", "my.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+}
+
+#[test]
+fn an_unknown_name_is_wrong_input() {
+    let output = run(folder().path(), &["list", "macferson"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = text(&output.stderr);
+    assert!(
+        message.starts_with("unknown linkage `macferson`; known are attia2003, "),
+        "{message}"
+    );
+}
+
+/// But for the double wishbone, whose example has pushrod and rocker.
+#[test]
+fn every_layout_has_an_example_that_is_solved_to_its_end_and_drawn() {
+    let folder = folder();
+    let layouts = LISTINGS.iter().map(|(name, _)| *name);
+    for name in layouts.filter(|name| !name.starts_with("double_wishbone")) {
+        let file = package().join("examples").join(format!("{name}.toml"));
+        let file = file.to_str().expect("UTF-8");
+        let output = run(folder.path(), &["motion", file, "--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        assert!(rows(&output.stdout).len() > 8, "{name}");
+        let output = run(folder.path(), &["draw", file, "--out", "a.svg"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+    }
+}
+
+#[test]
+fn the_page_has_a_row_for_every_layout() {
+    let page = include_str!("../../docs/layouts.md");
+    for (name, listing) in LISTINGS {
+        let listing = Listing::parse(listing).expect("a listing");
+        let drives = (0..listing.count(Kind::Drive)).map(|drive| listing.name(Part::Drive(drive)));
+        let drives = drives.map(|drive| format!("`{drive}`"));
+        let drives = drives.collect::<Vec<_>>().join(", ");
+        let row = page
+            .lines()
+            .find(|line| line.starts_with(&format!("| `{name}` | ")));
+        let row = row.unwrap_or_else(|| panic!("{name} has no row"));
+        let tail = format!(" | {} | {drives} | ", listing.size());
+        assert!(row.contains(&tail), "{row}: not{tail}");
+    }
+}
