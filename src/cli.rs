@@ -40,7 +40,7 @@ pub enum Command {
     Bake(bake::Arguments),
     /// Draws the mechanism of a file at its first instant.
     ///
-    /// Chassis points, links, bodies and the wheel, as SVG.
+    /// Chassis points, links, slides, bodies, measured lengths and the wheel, as SVG.
     Draw(draw::Arguments),
     /// Lists the catalogue of layouts, or prints the statements of one.
     ///

@@ -1,9 +1,10 @@
-//! A drawing of a linkage as SVG: chassis points, links, bodies and the wheel.
+//! A drawing of a linkage as SVG: chassis points, links, slides, bodies, measured lengths and the wheel.
 
 mod labels;
 mod start;
 mod view;
 
+use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
 use labels::{Boxed, Labels};
@@ -19,6 +20,10 @@ pub struct Drawing {
     pub chassis: usize,
     /// Links: each joins two points, by their indices.
     pub links: Vec<[usize; 2]>,
+    /// Slides: the ends of each line and the point on it, by their indices.
+    pub slides: Vec<[usize; 3]>,
+    /// Measured lengths, springs and dampers among them: the ends of each, by their indices.
+    pub lengths: Vec<[usize; 2]>,
     /// Bodies: the points of each, by their indices.
     pub bodies: Vec<Vec<usize>>,
     /// The wheel.
@@ -46,6 +51,7 @@ const FONT_SIZE: u32 = 14;
 const CHASSIS: RGBColor = RGBColor(60, 60, 60);
 const LINK: RGBColor = RGBColor(31, 90, 160);
 const BODY: RGBColor = RGBColor(200, 80, 20);
+const LENGTH: RGBColor = RGBColor(40, 130, 70);
 const TYRE: RGBColor = RGBColor(120, 120, 120);
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
@@ -84,12 +90,28 @@ impl Drawing {
                 BODY.stroke_width(FINE),
             ))?;
         }
+        self.draw_lines(area, view)?;
+        self.draw_points(area, view)?;
+        area.present()?;
+        Ok(())
+    }
+
+    fn draw_lines(&self, area: &Area<'_>, view: &View) -> Drawn {
+        let at = |index: &usize| self.points.get(*index).map(|(_, at)| pixels(view.of(*at)));
+        for line in &self.lengths {
+            let ends = line.iter().filter_map(at);
+            let (dash, gap) = (9 * FINE, 5 * FINE);
+            let stroke = LENGTH.stroke_width(2 * FINE);
+            area.draw(&DashedPathElement::new(ends, dash, gap, stroke))?;
+        }
+        for slide in &self.slides {
+            let line: Vec<_> = slide.iter().filter_map(at).collect();
+            area.draw(&PathElement::new(line, LINK.stroke_width(2 * FINE)))?;
+        }
         for link in &self.links {
             let ends: Vec<_> = link.iter().filter_map(at).collect();
             area.draw(&PathElement::new(ends, LINK.stroke_width(4 * FINE)))?;
         }
-        self.draw_points(area, view)?;
-        area.present()?;
         Ok(())
     }
 
@@ -109,7 +131,7 @@ impl Drawing {
                 area.draw(&Circle::new((x, y), half, LINK.stroke_width(2 * FINE)))?;
             }
         }
-        let mut labels = Labels::among(&places, FINE as i32);
+        let mut labels = Labels::among(&places, SIZE, FINE as i32);
         for ((name, _), place) in self.points.iter().zip(&places) {
             let Boxed { left, top } = labels.put(name, *place);
             let style = ("sans-serif", FONT_SIZE * FINE).into_font().color(&CHASSIS);
@@ -160,6 +182,8 @@ mod tests {
             points: points.map(|(name, at)| (name.to_owned(), at)).to_vec(),
             chassis: 2,
             links: vec![[0, 2], [1, 2]],
+            slides: vec![[2, 3, 0]],
+            lengths: vec![[1, 3]],
             bodies: vec![vec![2, 3, 1]],
             wheel: Some(Disc {
                 centre: [0.0, 0.75, 0.30],
@@ -180,6 +204,16 @@ mod tests {
             1 + 2,
             "background and two chassis points"
         );
+    }
+
+    #[test]
+    fn measured_lengths_are_dashed() {
+        let solid = Drawing {
+            lengths: Vec::new(),
+            ..corner()
+        };
+        let lines = |drawing: &Drawing| drawing.svg().expect("points").matches("<polyline").count();
+        assert!(lines(&corner()) > lines(&solid) + 5);
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts};
 use suspension_listing::eliminate::Order;
-use suspension_listing::system::{Equation, Site, System};
+use suspension_listing::form::Form;
+use suspension_listing::system::{Equation, Quantity, Site, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 
 use crate::names::Names;
@@ -114,6 +115,31 @@ impl Listing {
         let bodies = self.system.bodies.iter();
         let points = bodies.map(|body| body.points().map(|site| self.place_of(site)).collect());
         points.collect()
+    }
+
+    /// What slides: the two ends of each line and the point on it, by their places.
+    pub fn slides(&self) -> Vec<[usize; 3]> {
+        let forms = self.system.equations.iter().map(|equation| &equation.form);
+        let slides = forms.filter_map(|form| match form {
+            Form::Along(along) => Some(along),
+            _ => None,
+        });
+        let points = slides.map(|along| [&along.line[0], &along.line[1], &along.point]);
+        points
+            .map(|points| points.map(|site| self.place_of(site)))
+            .collect()
+    }
+
+    /// The two points of each measured length, by their places.
+    pub fn measured_lengths(&self) -> Vec<[usize; 2]> {
+        let quantities = self.system.measures.iter().map(|measure| &measure.quantity);
+        let lines = quantities.filter_map(|quantity| match quantity {
+            Quantity::Length { line: [from, to] } => Some([from, to]),
+            _ => None,
+        });
+        let places = lines
+            .filter_map(|[from, to]| Some([self.point(from.as_str())?, self.point(to.as_str())?]));
+        places.collect()
     }
 
     fn place_of(&self, site: &Site) -> usize {

@@ -6,7 +6,7 @@ pub(super) struct Boxed {
     pub(super) top: i32,
 }
 
-/// Names that were put, and places that they must keep clear of.
+/// Names that were put, and places, beyond the sheet's sides too, that they must keep clear of.
 pub(super) struct Labels {
     taken: Vec<[i32; 4]>,
     unit: i32,
@@ -19,12 +19,15 @@ const LINE: i32 = 16;
 const GAP: i32 = 9;
 
 impl Labels {
-    /// Beside points; `unit` drawing units are one as shown.
-    pub(super) fn among(points: &[(i32, i32)], unit: i32) -> Self {
+    /// Beside points on a sheet of a size as shown; `unit` drawing units are one as shown.
+    pub(super) fn among(points: &[(i32, i32)], (width, height): (u32, u32), unit: i32) -> Self {
+        let [width, height] = [width, height].map(|size| size as i32 * unit);
+        let left = [-width, 0, 0, height];
+        let right = [width, 0, 2 * width, height];
         let half = 6 * unit;
         let around = |&(x, y): &(i32, i32)| [x - half, y - half, x + half, y + half];
         Self {
-            taken: points.iter().map(around).collect(),
+            taken: points.iter().map(around).chain([left, right]).collect(),
             unit,
         }
     }
@@ -83,13 +86,28 @@ mod tests {
     #[test]
     fn names_of_points_side_by_side_do_not_overlap() {
         let points = [(100, 100), (120, 100), (100, 120)];
-        let mut labels = Labels::among(&points, 1);
+        let mut labels = Labels::among(&points, (300, 300), 1);
         for point in points {
             labels.put("upper_front", point);
         }
-        let [a, b, c] = &labels.taken[3..] else {
+        let [a, b, c] = &labels.taken[5..] else {
             panic!("three names")
         };
         assert_eq!([common(a, b), common(a, c), common(b, c)], [0; 3]);
+    }
+
+    #[test]
+    fn names_of_points_at_the_sides_stay_on_the_sheet() {
+        let points = [(10, 100), (290, 100), (10, 120), (290, 120)];
+        let mut labels = Labels::among(&points, (300, 300), 1);
+        for point in points {
+            labels.put("upper_front", point);
+        }
+        let names = &labels.taken[6..];
+        assert!(
+            names
+                .iter()
+                .all(|[left, _, right, _]| *left >= 0 && *right <= 300)
+        );
     }
 }

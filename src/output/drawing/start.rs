@@ -27,6 +27,8 @@ pub fn drawing_of<L: Suspension<N>, const N: usize>(
         points: names.points.iter().cloned().zip(at).collect(),
         chassis: names.chassis,
         links: listing.links(),
+        slides: listing.slides(),
+        lengths: listing.measured_lengths(),
         bodies: listing.bodies(),
         wheel: disc,
     }
