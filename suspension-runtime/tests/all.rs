@@ -2,6 +2,7 @@
 
 mod back_ends;
 mod committed;
+mod layouts;
 mod pivots;
 mod pose;
 mod random;

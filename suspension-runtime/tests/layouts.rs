@@ -1,0 +1,6 @@
+//! The catalogue's layouts over their travel: links, bodies and slides by plain geometry, and for each layout what
+//! follows from its kind without the solver.
+
+mod layout;
+mod macpherson;
+mod twist;
