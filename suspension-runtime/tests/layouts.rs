@@ -3,4 +3,5 @@
 
 mod layout;
 mod macpherson;
+mod trailing_arm;
 mod twist;
