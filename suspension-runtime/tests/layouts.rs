@@ -3,5 +3,6 @@
 
 mod layout;
 mod macpherson;
+mod semi_trailing_arm;
 mod trailing_arm;
 mod twist;
