@@ -4,5 +4,6 @@
 mod layout;
 mod macpherson;
 mod semi_trailing_arm;
+mod split_lower_arm;
 mod trailing_arm;
 mod twist;
