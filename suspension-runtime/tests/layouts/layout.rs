@@ -137,3 +137,17 @@ fn volume(points: &[Vector3<f64>], four: &[usize]) -> f64 {
     let [a, b, c] = [1, 2, 3].map(|corner| points[four[corner]] - points[four[0]]);
     a.cross(&b).dot(&c)
 }
+
+/// The roll axis of a live axle leads through two points of its plane of symmetry: where the lower links' lines meet,
+/// and one that is held laterally. Axle and wheel turn about it, so that it is the ratio of roll steer.
+pub(crate) fn rolls_about(layout: &Layout, held: Vector3<f64>) {
+    let (front, rear) = (layout.at("lower_left_front"), layout.at("lower_left_rear"));
+    let met = front + (rear - front) * (front.y / (front.y - rear.y));
+    let axis = met - held;
+    let pose = layout.moved(&[]);
+    let per = |point| pose.per("bump_left", point) - pose.per("bump_right", point);
+    let turned = per("left_wheel_centre") - per("right_wheel_centre");
+    let (steer, ratio) = (-turned.x / turned.z, axis.z / axis.x);
+    assert!((steer - ratio).abs() < 1e-9, "{steer}, not {ratio}");
+    assert!(steer.abs() > 0.01, "a roll steer that is seen: {steer}");
+}
