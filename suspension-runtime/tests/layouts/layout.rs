@@ -125,6 +125,20 @@ impl Pose {
     pub(crate) fn measure(&self, name: &str) -> f64 {
         self.measures[name]
     }
+
+    /// How far the layout's other half, seen in a mirror, is from this one, by the points that have a twin.
+    pub(crate) fn off_mirrored(&self, other: &Self) -> f64 {
+        let off = self.points.iter().filter_map(|(name, at)| {
+            let twin = if name.contains("left") {
+                name.replace("left", "right")
+            } else {
+                name.replace("right", "left")
+            };
+            let twin = other.points.get(&twin)?;
+            Some((at - Vector3::new(twin.x, -twin.y, twin.z)).norm())
+        });
+        off.fold(0.0, f64::max)
+    }
 }
 
 /// The rates where one drive changes at 1.
