@@ -23,6 +23,7 @@ listings! {
     actuators: "listings/actuators.linkage",
     crank: "listings/crank.linkage",
     double_carrier: "listings/double_carrier.linkage",
+    live_axle_watt: "../../suspension-core/src/linkages/live_axle_watt.linkage",
     macpherson: "../../suspension-core/src/linkages/macpherson.linkage",
     pillar: "listings/pillar.linkage",
     tripod: "listings/tripod.linkage",
@@ -120,4 +121,5 @@ fn every_statement_is_walked_as_it_is_written() {
 #[test]
 fn layouts_that_are_text_alone_are_walked_as_they_are_written() {
     compare!(macpherson, 16, f64, 30, 200);
+    compare!(live_axle_watt, 27, f64, 30, 200);
 }

@@ -5,6 +5,7 @@ mod integral_link;
 mod layout;
 mod live_axle_panhard;
 mod live_axle_splayed;
+mod live_axle_watt;
 mod macpherson;
 mod semi_trailing_arm;
 mod split_lower_arm;
