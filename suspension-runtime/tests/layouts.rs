@@ -9,5 +9,6 @@ mod live_axle_watt;
 mod macpherson;
 mod semi_trailing_arm;
 mod split_lower_arm;
+mod steered_axle;
 mod trailing_arm;
 mod twist;
