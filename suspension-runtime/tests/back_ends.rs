@@ -28,6 +28,7 @@ listings! {
     pillar: "listings/pillar.linkage",
     tripod: "listings/tripod.linkage",
     trombone: "listings/trombone.linkage",
+    twist_beam: "../../suspension-core/src/linkages/twist_beam.linkage",
 }
 
 fn text(name: &str) -> &'static str {
@@ -122,4 +123,5 @@ fn every_statement_is_walked_as_it_is_written() {
 fn layouts_that_are_text_alone_are_walked_as_they_are_written() {
     compare!(macpherson, 16, f64, 30, 200);
     compare!(live_axle_watt, 27, f64, 30, 200);
+    compare!(twist_beam, 20, f64, 30, 200);
 }

@@ -12,3 +12,4 @@ mod split_lower_arm;
 mod steered_axle;
 mod trailing_arm;
 mod twist;
+mod twist_beam;
