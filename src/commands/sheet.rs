@@ -26,7 +26,7 @@ use page::Page;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// The travel, from the first instant, in the file's unit; without it 60 mm down and up.
+    /// The travel, from the design position, in the file's unit; without it 60 mm down and up.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
     /// The same of the drive that steers; without it 30 mm to either side.
@@ -71,15 +71,12 @@ impl Arguments {
         refuse_input(&out, &self.file, "--out")?;
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        let (page, missing) = loaded.run_driven(
-            "sheet",
-            Sheet {
-                source: &source,
-                listing: loaded.listing(),
-                arguments: &self,
-                interrupted,
-            },
-        )?;
+        let (page, missing) = loaded.run_at_design(Sheet {
+            source: &source,
+            listing: loaded.listing(),
+            arguments: &self,
+            interrupted,
+        })?;
         write_file(&out, &page)?;
         announce(&[out]);
         missing.map_or(Ok(()), Err)
@@ -96,7 +93,7 @@ struct Sheet<'a> {
 /// The states along one drive.
 struct Along {
     drive: usize,
-    /// The drive's changes from the first instant.
+    /// The drive's changes from the design position.
     changes: Vec<f64>,
     /// Each state, and the same with derivatives with respect to the drive.
     visited: Visited<(State, Option<State>)>,
@@ -162,7 +159,7 @@ impl Sheet<'_> {
             .map(|place| from * (1.0 - part(place)) + to * part(place))
             .collect();
         let axes = vec![(drive, changes.clone())];
-        let grid = Grid::new(mechanism, axes, From::FirstInstant);
+        let grid = Grid::new(mechanism, axes, From::Start);
         // So few places are never too many.
         let grid = grid.unwrap_or_default();
         let mut read =
@@ -176,8 +173,8 @@ impl Sheet<'_> {
 }
 
 const NOTES: &str = "\
-One HTML page without anything from elsewhere, which any browser shows and prints: a drawing at the first instant, all
-quantities there with their derivatives with respect to travel and steering, curves over travel and steering, and the
+One HTML page without anything from elsewhere, which any browser shows and prints: a drawing at the design
+position, that of the file's points, all quantities there with their derivatives with respect to travel and steering, curves over travel and steering, and the
 definitions. The file's [vehicle] table says what the listing does not:
 
   [vehicle]

@@ -24,7 +24,7 @@ pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
     /// A drive and COUNT values of it, evenly spaced from FROM to TO, both included, or one value; from where it is at
-    /// the file's first instant, in rad (angles) or the file's unit. Given several times: a grid.
+    /// the design position, in rad (angles) or the file's unit. Given several times: a grid.
     #[arg(long = "drive", value_name = "NAME=FROM:TO:COUNT", required = true)]
     drives: Vec<Swept>,
     /// The values are the drives' own, as the file has them.
@@ -54,15 +54,12 @@ impl Arguments {
         if let Target::File(csv) = &target {
             refuse_input(csv, &self.file, "--csv")?;
         }
-        load(&source)?.run_driven(
-            "sweep",
-            Sweep {
-                source: source.name(),
-                arguments: &self,
-                target,
-                interrupted,
-            },
-        )
+        load(&source)?.run_at_design(Sweep {
+            source: source.name(),
+            arguments: &self,
+            target,
+            interrupted,
+        })
     }
 }
 
@@ -114,7 +111,7 @@ file makes known:
 Derivatives follow: camber_rad_per_bump is that of camber with respect to the drive bump, the other drives held,
 camber_rad_per_bump2 the second. They come from the equations, not from differences.
 
-From the first instant the mechanism is driven to each place. Places beyond a lock have no rows.
+From the design position, that of the file's points, the mechanism is driven to each place. Places beyond a lock have no rows.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration,
 130 interrupted; what was solved is written.

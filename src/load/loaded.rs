@@ -5,7 +5,7 @@ use suspension_runtime::Listing;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, check};
 use crate::load::listing::{Chosen, unknown};
-use crate::load::prepare::{Request, prepare};
+use crate::load::prepare::{Request, Start, prepare};
 use crate::mechanism::{Instants, Mechanism, Suspension, Work};
 
 /// A motion file that was read. Its mechanism is brought to the first instant when there is work on it.
@@ -101,7 +101,7 @@ where
         source,
         file: &file,
         instants: &instants,
-        or_design: false,
+        to: Start::FirstInstant,
     };
     prepare(request, linkage, L::Listing::default())
 }
@@ -158,7 +158,20 @@ impl Loaded<'_> {
     /// Those of [`run`](Self::run).
     pub fn run_within_reach<W: Work>(&self, work: W) -> Result<W::Answer, Failure> {
         let request = Request {
-            or_design: true,
+            to: Start::WithinReach,
+            ..self.request()
+        };
+        self.listing.run(request, work)
+    }
+
+    /// The same for a command that works from the design position, whatever the file's motion.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`run`](Self::run), but for the first instant.
+    pub fn run_at_design<W: Work>(&self, work: W) -> Result<W::Answer, Failure> {
+        let request = Request {
+            to: Start::Design,
             ..self.request()
         };
         self.listing.run(request, work)
@@ -169,7 +182,7 @@ impl Loaded<'_> {
             source: self.source,
             file: &self.file,
             instants: &self.instants,
-            or_design: false,
+            to: Start::FirstInstant,
         }
     }
 

@@ -18,8 +18,18 @@ pub(super) struct Request<'a> {
     pub(super) source: &'a Source,
     pub(super) file: &'a MotionFile,
     pub(super) instants: &'a Instants,
-    /// Whether a mechanism that does not reach the first instant stays at its design position, with a note.
-    pub(super) or_design: bool,
+    pub(super) to: Start,
+}
+
+/// Where a mechanism is when work on it starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Start {
+    /// At the first instant of its motion.
+    FirstInstant,
+    /// There; where that is out of reach at the design position, with a note.
+    WithinReach,
+    /// At the design position, where drives, not a measure, hold it.
+    Design,
 }
 
 /// The mechanism of a file, of a listing.
@@ -32,7 +42,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         source,
         file,
         instants,
-        or_design,
+        to,
     } = request;
     let names = Names::of(&listing);
     let task = Task {
@@ -75,13 +85,17 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let drives = task.drive_laws(design.drives.values());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &file.drives)?;
+    let at_design = || {
+        let drives = DriveLaws::held(design.drives.values());
+        (Motion::at_rest(design.q), drives, None)
+    };
     let (start, drives, lead) = match stand_in {
+        _ if to == Start::Design => at_design(),
         None => match start::to_first_instant(&task, &design, &drives) {
             Ok(start) => (start, drives, None),
-            Err(unreached) if or_design => {
+            Err(unreached) if to == Start::WithinReach => {
                 notes.push(format!("{unreached}; it stays at the design position"));
-                let drives = DriveLaws::held(design.drives.values());
-                (Motion::at_rest(design.q), drives, None)
+                at_design()
             }
             Err(unreached) => return Err(unreached),
         },

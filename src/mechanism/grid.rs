@@ -13,15 +13,15 @@ const MOST_PLACES: usize = 1_000_000;
 pub struct Grid {
     /// Each drive that is swept, by number, with its values; the last changes fastest.
     pub(super) axes: Vec<(usize, Vec<f64>)>,
-    /// All drives at the first instant.
+    /// All drives where the mechanism starts.
     pub(super) start: Vec<f64>,
 }
 
 /// What the values of a grid are counted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum From {
-    /// Where each drive is at the first instant.
-    FirstInstant,
+    /// Where each drive is when the mechanism starts.
+    Start,
     /// The drive's own zero.
     Zero,
 }
@@ -42,7 +42,7 @@ impl Grid {
         let start: Vec<f64> = inputs.drives.value.values().collect();
         let local = |(drive, values): (usize, Vec<f64>)| {
             let from = match from {
-                From::FirstInstant => start[drive],
+                From::Start => start[drive],
                 From::Zero => -mechanism.drive_offset(drive),
             };
             (

@@ -1,4 +1,4 @@
-//! From place to place of a grid, away from the first instant, so that a lock on one side loses no other.
+//! From place to place of a grid, away from the start, so that a lock on one side loses no other.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -39,7 +39,7 @@ impl<R> Visited<R> {
         }
         let stopped = self.stopped.as_ref()?;
         Some(Failure::Solver(format!(
-            "{source}: {missing} of {all} places have no configuration on the way from the first instant: {stopped}; {written}"
+            "{source}: {missing} of {all} places have no configuration on the way from the design position: {stopped}; {written}"
         )))
     }
 }

@@ -58,7 +58,7 @@ impl<L, const N: usize> Page<'_, L, N> {
                     @if let Some(drawing) = &self.drawing {
                         div.drawing { (PreEscaped(drawing)) }
                     }
-                    h2 { "At the first instant" }
+                    h2 { "At the design position" }
                     (self.table())
                     @for charts in &self.charts {
                         h2 { (charts.heading) }

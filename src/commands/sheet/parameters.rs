@@ -1,4 +1,4 @@
-//! The quantities at the first instant, with their derivatives.
+//! The quantities at the design position, with their derivatives.
 
 use crate::mechanism::{Mechanism, State, Suspension, Unit};
 use crate::quantities::{
@@ -25,7 +25,7 @@ pub(super) fn columns<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Vec<Col
     .collect()
 }
 
-/// All that the mechanism has at its first instant.
+/// All that the mechanism has where it starts.
 pub(super) fn parameters<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
 ) -> Vec<Parameter> {

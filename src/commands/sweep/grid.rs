@@ -71,11 +71,7 @@ pub(super) fn grid<L: Suspension<N>, const N: usize>(
         }
         axes.push((drive, of_one.values()));
     }
-    let from = if absolute {
-        From::Zero
-    } else {
-        From::FirstInstant
-    };
+    let from = if absolute { From::Zero } else { From::Start };
     Grid::new(mechanism, axes, from)
 }
 
