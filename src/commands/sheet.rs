@@ -124,19 +124,22 @@ impl Work for Sheet<'_> {
         let along_steer = names.vehicle.steer;
         let along_steer = along_steer.map(|drive| self.along(mechanism, drive, *steer, 0.03));
         let ways: Vec<&Along> = [&along_travel].into_iter().chain(&along_steer).collect();
+        let failures = ways.iter();
+        let failures = failures.filter_map(|along| along.visited.failure(self.source.name()));
+        let failures: Vec<Failure> = failures.collect();
         let page = Page {
             file: self.source.name(),
             mechanism,
             drawing: drawing_of(mechanism, self.listing, None).svg(),
+            drives: drives_in_words(mechanism),
+            missing: failures.iter().map(Failure::to_string).collect(),
             parameters: parameters::parameters(mechanism),
             charts: ways
                 .iter()
                 .map(|along| charts::charts(mechanism, along))
                 .collect(),
         };
-        let mut failures = ways.iter();
-        let missing = failures.find_map(|along| along.visited.failure(self.source.name()));
-        Ok((page.html(), missing))
+        Ok((page.html(), failures.into_iter().next()))
     }
 }
 
@@ -170,6 +173,16 @@ impl Sheet<'_> {
             visited: mechanism.visit(&grid, self.interrupted, &mut read),
         }
     }
+}
+
+/// The drives where the mechanism starts.
+fn drives_in_words<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> String {
+    let [first, _] = mechanism.instants.ends();
+    let drives = mechanism.drives.inputs::<L::Drives>(first).drives.value;
+    let given = mechanism.given(&drives);
+    mechanism
+        .names
+        .drives_in_words(&given, mechanism.unit, None)
 }
 
 const NOTES: &str = "\

@@ -54,6 +54,7 @@ impl MotionFile {
     pub fn parse(source: &Source) -> Result<Self, Failure> {
         toml::from_str(source.text()).map_err(|error| {
             let message = error.message().trim_end().replace('\n', ", ");
+            let message = message.replace("expected f64", "expected a number");
             source.refuse(&error.span().unwrap_or(0..0), message)
         })
     }

@@ -104,6 +104,9 @@ fn place_markers<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> P {
     ))
 }
 
+/// A spin axis that is shorter, in metres, has a direction of rounding.
+const SHORTEST: f64 = 1e-6;
+
 /// The spin axis, where there is one, must have a direction.
 fn check_spin_axis<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> Result<(), Failure> {
     let Task { file, names, .. } = task;
@@ -113,11 +116,13 @@ fn check_spin_axis<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> Resu
     let placed: Vec<Vector3<f64>> = points.values().collect();
     let [inner, centre] = wheel.axis;
     let length = (placed[centre] - placed[inner]).norm();
-    if length > 0.0 && length.is_finite() {
+    if length > SHORTEST * file.unit.metre() && length.is_finite() {
         return Ok(());
     }
     let name = &names.points[centre];
     let place = file.points.get_ref()[name.as_str()].span();
-    let message = format!("point `{name}` gives the spin axis no length");
+    let message = format!(
+        "point `{name}` gives the spin axis no length; put it outboard of the axis' other point"
+    );
     Err(task.source.refuse(&place, message))
 }

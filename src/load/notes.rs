@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::Values;
 
+use crate::file::Position;
 use crate::load::task::Task;
 use crate::mechanism::Unit;
 use crate::number::rounded;
@@ -21,7 +22,14 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     given: &P,
     placed: &P,
 ) -> Vec<String> {
-    let notes = [size(task, given), moved(task, given, placed)];
+    let placed_points: Vec<_> = placed.values().collect();
+    let notes = [
+        size(task, given),
+        moved(task, given, placed),
+        kingpin(task, &placed_points),
+        spin_axis(task, &placed_points),
+        radius(task),
+    ];
     let name = task.source.name();
     let notes = notes.into_iter().flatten();
     notes.map(|note| format!("{name}: {note}")).collect()
@@ -62,5 +70,41 @@ fn moved<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, placed: &P) -> Opt
             rounded(off, 3),
             unit.symbol()
         )
+    })
+}
+
+/// The kingpin is stated from top to bottom.
+fn kingpin(task: &Task<'_>, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = task.names;
+    let [lower, upper] = names.kingpin?;
+    let [from, to] = [lower, upper].map(|point| &names.points[point]);
+    (placed[upper].z < placed[lower].z).then(|| {
+        format!("the kingpin points downwards; write `kingpin: {to} -> {from};` for caster and kingpin angle")
+    })
+}
+
+/// The spin axis of a wheel that is on one side points to the other.
+fn spin_axis(task: &Task<'_>, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = task.names;
+    let [inner, centre] = names.wheel?.axis;
+    let [from, to] = [inner, centre].map(|point| &names.points[point]);
+    let outboard = placed[centre].y - placed[inner].y;
+    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
+    let side = task.file.points.get_ref().get(to.as_str())?;
+    let Position::At([_, side, _]) = side.get_ref() else {
+        return None;
+    };
+    (outboard * (side + task.middle) < 0.0).then(|| {
+        format!("the spin axis points inboard; write `wheel: {to} -> {from};` if `{from}` is the wheel centre")
+    })
+}
+
+/// The wheel radius is in another unit, as it seems.
+fn radius(task: &Task<'_>) -> Option<String> {
+    let radius = task.names.vehicle.wheel_radius?;
+    let (unit, metres) = (task.file.unit, radius / task.file.unit.metre());
+    (!(0.05..5.0).contains(&metres)).then(|| {
+        let (radius, unit) = (rounded(radius, 3), unit.symbol());
+        format!("wheel_radius is {radius} {unit}: it is in the unit of the file")
     })
 }

@@ -50,6 +50,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         file,
         first: instants.ends()[0],
         names: &names,
+        middle: 0.0,
     };
     let stand_in = check_names(&task)?;
     let given: L::Points = guess(&task);
@@ -59,6 +60,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let file = file.seen_from(origin.position().into());
     let task = Task {
         file: &file,
+        middle: origin.position().y,
         ..task
     };
     let guess = guess(&task);

@@ -18,6 +18,8 @@ pub(super) struct Task<'a> {
     /// The first instant, s.
     pub(super) first: f64,
     pub(super) names: &'a Names,
+    /// What to add to y for the file's coordinates.
+    pub(super) middle: f64,
 }
 
 impl Task<'_> {

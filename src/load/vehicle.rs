@@ -33,7 +33,8 @@ pub(super) fn vehicle(task: &Task<'_>) -> Result<Vehicle, Failure> {
     if let Some(radius) = &stated.wheel_radius
         && !(*radius.get_ref() > 0.0 && radius.get_ref().is_finite())
     {
-        let message = "wheel_radius is not a positive finite number";
+        let message =
+            "wheel_radius is not a positive finite number; give it in the unit of the file";
         return Err(task.source.refuse(&radius.span(), message));
     }
     Ok(Vehicle {

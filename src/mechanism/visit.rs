@@ -31,7 +31,10 @@ impl<R> Visited<R> {
     pub fn failure(&self, source: &str) -> Option<Failure> {
         let all = self.places.len();
         let missing = self.places.iter().filter(|place| place.is_none()).count();
-        let written = format!("the {} others were written", all - missing);
+        let written = match all - missing {
+            0 => "none was written".to_owned(),
+            others => format!("the {others} others were written"),
+        };
         if self.interrupted {
             return Some(Failure::Interrupted(format!(
                 "{source}: interrupted; {missing} of {all} places are missing, {written}"

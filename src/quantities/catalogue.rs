@@ -158,7 +158,7 @@ catalogue! {
     SCRUB_RADIUS: "scrub radius" {
         name: "scrub_radius",
         sign: "positive where the kingpin meets the ground inboard of the contact point",
-        definition: "from there to the contact point, along the horizontal part of the spin axis",
+        definition: "from where the kingpin meets the ground to the contact point, along the horizontal part of the spin axis",
         source: "ISO 8855, steering-axis offset at ground",
         shown: Shown::InTables,
         read: |names| of_kingpin_at_ground(names, SteeringAxis::inboard_of),
@@ -166,7 +166,7 @@ catalogue! {
     MECHANICAL_TRAIL: "mechanical trail" {
         name: "mechanical_trail",
         sign: "positive where the kingpin meets the ground ahead of the contact point",
-        definition: "from there to the contact point, along the heading of the wheel",
+        definition: "from the contact point to where the kingpin meets the ground, along the heading of the wheel",
         source: "ISO 8855, castor offset at ground",
         shown: Shown::InTables,
         read: |names| of_kingpin_at_ground(names, SteeringAxis::ahead_of),
@@ -230,20 +230,21 @@ catalogue! {
     VIRTUAL_PITCH: "pitch of the virtual steering axis" {
         name: "virtual_pitch",
         sign: "positive where the carrier moves up the axis as it turns left",
-        definition: "how far it moves along the screw axis for a radian about it; zero of a kingpin",
+        definition: "how far the carrier moves along the screw axis for a radian about it; zero where steering moves no \
+                     ball joint of the kingpin",
         source: "omega . v / |omega|^2",
         shown: Shown::InTables,
         read: |names| of_moving(names, Along::Steer, Kind::LengthPerAngle, false, Moving::pitch),
     }
-    ROLL_CENTRE: "height of the roll centre" {
+    ROLL_CENTRE: "height of the roll centre above the ground" {
         name: "roll_centre",
-        sign: "up, from z = 0",
+        sign: "positive above the contact point",
         definition: "of an axle that is symmetric about y = 0: where the normal to the velocity in travel of the \
                      contact point, as a point of the carrier, meets that plane in the front view",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
         read: |names| of_moving(names, Along::Travel, Kind::Length, true, |moving| {
-            moving.carrier.roll_centre(&moving.contact)
+            moving.carrier.roll_centre(&moving.contact) - moving.contact.z
         }),
     }
     FRONT_CENTRE: "instant centre in the front view" {
@@ -321,7 +322,7 @@ catalogue! {
     MEASURES: "measures" {
         name: "",
         sign: "",
-        definition: "what the linkage measures",
+        definition: "what the linkage measures; its derivative per drive is a motion ratio, negative where a length gets shorter",
         source: "`measure` of the listing",
         shown: Shown::InBoth,
         read: |names| {

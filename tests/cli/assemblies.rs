@@ -89,3 +89,47 @@ fn what_makes_no_sense_is_refused() {
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("unknown drive `bump`; known are theta"));
 }
+
+/// A double wishbone whose points are all off by up to 40 mm: its wishbones' axes are skew.
+fn skew_double_wishbone(seed: u64) -> String {
+    let mut random = fastrand::Rng::with_seed(seed);
+    let mut points = String::new();
+    for (name, at) in [
+        ("lower_front", [0.2, 0.35, 0.16]),
+        ("lower_rear", [-0.2, 0.35, 0.16]),
+        ("upper_front", [0.15, 0.42, 0.42]),
+        ("upper_rear", [-0.15, 0.42, 0.42]),
+        ("rack", [0.11, 0.34, 0.2]),
+        ("lower_ball", [0.005, 0.7, 0.17]),
+        ("upper_ball", [-0.015, 0.66, 0.44]),
+        ("tie_ball", [0.12, 0.68, 0.21]),
+        ("wheel_centre", [0.0, 0.75, 0.3]),
+    ] {
+        let at = at.map(|x: f64| x + 0.08 * (random.f64() - 0.5));
+        points += &format!("{name} = {at:?}\n");
+    }
+    format!(
+        "linkage = \"double_wishbone\"\nunit = \"m\"\ntime = {{ instants = [0.0] }}\n\
+         [points]\n{points}[drives]\nbump = 0.3\nsteer = 0.34\n"
+    )
+}
+
+#[test]
+fn a_list_of_a_skew_double_wishbone_is_complete_with_32_or_says_that_it_may_not_be() {
+    const SEEDS: u64 = 12;
+    let folder = folder();
+    let mut complete = 0;
+    for seed in 0..SEEDS {
+        let file = skew_double_wishbone(seed);
+        std::fs::write(folder.path().join("a.toml"), &file).expect("written");
+        let arguments = ["assemblies", "a.toml", "--drive", "bump", "--at", "0.3"];
+        let output = run(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(0), "seed {seed}: {output:?}");
+        let report = text(&output.stdout);
+        if report.contains("The list is complete") {
+            assert!(report.contains("of the 32 that"), "seed {seed}: {report}");
+            complete += 1;
+        }
+    }
+    assert!(complete + 2 >= SEEDS, "{complete} of {SEEDS}");
+}

@@ -33,3 +33,49 @@ fn a_moved_point_that_lengths_put_elsewhere_is_remarked() {
         "{told}"
     );
 }
+
+#[test]
+fn axes_that_are_stated_the_other_way_round_are_remarked() {
+    let folder = super::program::folder();
+    let listings = suspension_core::linkages::LISTINGS;
+    let (_, listing) = listings
+        .iter()
+        .find(|(name, _)| *name == "double_wishbone")
+        .expect("in the catalogue");
+    let motion = |radius: &str| {
+        format!(
+            "listing = \"a.linkage\"\nunit = \"m\"\nvehicle = {{ wheel_radius = {radius} }}\n\
+             time = {{ instants = [0.0] }}\ndrives = {{ bump = 0.3, steer = 0.34 }}\n"
+        )
+    };
+    for (from, to, radius, expected) in [
+        ("", "", "0.3", ""),
+        (
+            "lower_ball -> upper_ball;",
+            "upper_ball -> lower_ball;",
+            "0.3",
+            "the kingpin points downwards; write `kingpin: lower_ball -> upper_ball;`",
+        ),
+        (
+            "axle -> wheel_centre;",
+            "wheel_centre -> axle;",
+            "0.3",
+            "the spin axis points inboard; write `wheel: axle -> wheel_centre;`",
+        ),
+        ("", "", "300.0", "wheel_radius is 300 m"),
+    ] {
+        let turned = listing.replace(from, to);
+        let turned = if from.is_empty() {
+            (*listing).to_owned()
+        } else {
+            turned
+        };
+        std::fs::write(folder.path().join("a.linkage"), turned).expect("written");
+        std::fs::write(folder.path().join("a.toml"), motion(radius)).expect("written");
+        let output = super::program::run(folder.path(), &["motion", "a.toml"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let notes = super::program::text(&output.stderr);
+        assert_eq!(notes.is_empty(), expected.is_empty(), "{notes}");
+        assert!(notes.contains(expected), "{notes}");
+    }
+}

@@ -41,8 +41,14 @@ fn design_values_derivatives_and_curves_are_on_one_page() {
         format!("{kingpin:.5} deg")
     );
     assert_eq!(cells(&page, "camber angle")[0], "0 deg");
-    assert_eq!(cells(&page, "wheel centre z")[..3], ["0.3 m", "1", "0"]);
-    assert_eq!(cells(&page, "height of the roll centre")[1..3], ["", ""]);
+    assert_eq!(
+        cells(&page, "wheel centre z")[..3],
+        ["0.3 m", "1 m/m", "0 m/m"]
+    );
+    assert_eq!(
+        cells(&page, "height of the roll centre above the ground")[1..3],
+        ["", ""]
+    );
     for heading in ["Over bump", "Over steer", "damper per bump"] {
         assert!(page.contains(heading), "{heading}");
     }

@@ -25,7 +25,9 @@ pub(super) fn text() -> String {
 
 const FILE: &str = r#"The file:
 
-  linkage = "attia2003"              # or another of `suspension list`
+  linkage = "attia2003"              # or another of `suspension list`; in its place
+                                     # listing = "corner.linkage", a file of statements beside this one, or
+                                     # statements = '''...''' with the statements themselves
   unit = "m"                         # or "mm": of all lengths here, and of results; no conversion
   [points]                           # chassis points, free points and markers, each by name
   p1 = [-1.396, -0.025, -0.082]
@@ -34,6 +36,8 @@ const FILE: &str = r#"The file:
   d6_1 = 0.445872
   [design]                           # optional: the drives' values at which the mechanism is
   theta = 1.5707963267948966         # assembled and markers are attached; else as the points are
+  [vehicle]                          # optional: what more quantities need, see suspension sheet --help
+  wheel_radius = 0.3
   [time]                             # in seconds; or: instants = [0.0, 0.25, 0.5]
   start = 0.0
   stop = 1.95                        # the last instant is the last multiple of step within stop
@@ -42,8 +46,8 @@ const FILE: &str = r#"The file:
   theta = [0.7, 0.5, 0.125]          # in rad (angles) or the unit (coordinates); a number alone
                                      # holds the drive there
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
-                                     # leads through turning points of the drive: both linkages
-                                     # have height, that of the wheel centre, in place of theta
+                                     # leads through turning points of the drive: attia2003 and
+                                     # five_link have height, that of the wheel centre
 
 Results, one row an instant, its columns in this order, named here as for attia2003; lengths are in
 the file's unit:

@@ -50,10 +50,7 @@ pub(super) fn charts<L: Suspension<N>, const N: usize>(
         charts.push(chart(name.clone(), symbol.clone(), values));
         if column.is(&MEASURES) {
             let ratios = line(&|_, per| Some(column.along(per.as_ref()?).rate * scale));
-            let symbol = match symbol_per(&symbol, kind, mechanism.unit).as_str() {
-                "" => "ratio".to_owned(),
-                symbol => symbol.to_owned(),
-            };
+            let symbol = symbol_per(&symbol, kind, mechanism.unit);
             charts.push(chart(format!("{name} per {}", drive.name), symbol, ratios));
         }
     }

@@ -13,6 +13,10 @@ pub(super) struct Page<'a, L, const N: usize> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Mechanism<L, N>,
     pub(super) drawing: Option<String>,
+    /// The drives there, in words.
+    pub(super) drives: String,
+    /// What could not be solved.
+    pub(super) missing: Vec<String>,
     pub(super) parameters: Vec<Parameter>,
     pub(super) charts: Vec<Charts>,
 }
@@ -53,12 +57,15 @@ impl<L, const N: usize> Page<'_, L, N> {
                     h1 { (title) }
                     p {
                         "Motion file " code { (self.file) } ". Axes of ISO 8855: x forward, y left, z up; lengths in "
-                        (unit.symbol()) ", angles in degrees. One wheel; its sign conventions hold on both sides."
+                        (unit.symbol()) ", angles in degrees. Angles and offsets of a wheel have the same sign on both sides of the vehicle."
                     }
                     @if let Some(drawing) = &self.drawing {
                         div.drawing { (PreEscaped(drawing)) }
                     }
-                    h2 { "At the design position" }
+                    @for missing in &self.missing {
+                        p { strong { "The curves are cut short: " } (missing) }
+                    }
+                    h2 { "At the design position: " (self.drives) }
                     (self.table())
                     @for charts in &self.charts {
                         h2 { (charts.heading) }

@@ -71,12 +71,7 @@ pub(super) fn title(column: &Column) -> String {
     }
 }
 
-/// The unit of a derivative with respect to a drive; empty where it has none.
+/// The unit of a derivative with respect to a drive.
 pub(super) fn symbol_per(symbol: &str, of_drive: Kind, unit: Unit) -> String {
-    let per = of_drive.symbol(unit);
-    if symbol == per {
-        String::new()
-    } else {
-        format!("{symbol}/{per}")
-    }
+    format!("{symbol}/{}", of_drive.symbol(unit))
 }
