@@ -49,7 +49,8 @@ rows=$(wc --lines <<<"$by_c")
 ((rows == 22))
 echo "C on a Cortex-M4F computes the same bits as Rust here, over 1,901 steps"
 
-cargo rustc --quiet --locked --release --package suspension-c --lib --crate-type staticlib
+cargo rustc --quiet --locked --release --package suspension-c --lib --crate-type staticlib \
+    --no-default-features --features listings
 cd target
 library=thumbv7em-none-eabihf/release/libsuspension_c.a
 functions=$(arm-none-eabi-nm --defined-only "$library" 2>/dev/null | awk '$2 == "T" && $3 ~ /^susp_/ { print $3 }')

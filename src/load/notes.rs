@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 use suspension_core::Values;
 
-use crate::file::Position;
 use crate::load::task::Task;
 use crate::mechanism::Unit;
 use crate::number::rounded;
@@ -90,11 +89,8 @@ fn spin_axis(task: &Task<'_>, placed: &[Vector3<f64>]) -> Option<String> {
     let [from, to] = [inner, centre].map(|point| &names.points[point]);
     let outboard = placed[centre].y - placed[inner].y;
     // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
-    let side = task.file.points.get_ref().get(to.as_str())?;
-    let Position::At([_, side, _]) = side.get_ref() else {
-        return None;
-    };
-    (outboard * (side + task.middle) < 0.0).then(|| {
+    let side = placed[centre].y + task.middle;
+    (outboard * side < 0.0).then(|| {
         format!("the spin axis points inboard; write `wheel: {to} -> {from};` if `{from}` is the wheel centre")
     })
 }

@@ -110,7 +110,10 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
                 .solve_transposed(&factors.solve(&forces))
                 .normalize();
         }
-        let is_link = |row: &usize| names.lengths.contains(&names.equations[*row]);
+        let is_link = |row: &usize| {
+            let name = &names.equations[*row];
+            names.lengths.contains(name) && !is_of_body(names, name)
+        };
         let links = (0..names.equations.len()).filter(is_link);
         let bearing = links.max_by(|a, b| forces[*a].abs().total_cmp(&forces[*b].abs()))?;
         (forces[bearing].abs() > BEARS * forces.amax()).then_some(bearing)
@@ -142,4 +145,16 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         }
         Some(q)
     }
+}
+
+/// Whether a length is that of two points of a body, whose name ends with theirs: no link.
+fn is_of_body(names: &Names, length: &str) -> bool {
+    let ends = |point: &String| length.strip_suffix(point.as_str())?.strip_suffix('_');
+    let mut starts = names.points.iter().filter_map(ends);
+    starts.any(|start| {
+        names
+            .points
+            .iter()
+            .any(|point| start.ends_with(&format!("_{point}")))
+    })
 }

@@ -11,7 +11,8 @@ linkage! {
     mod bar in "in_a_file.linkage";
 }
 
-fn main() {
+#[test]
+fn statements_in_a_file() {
     let lengths = in_a_file::Lengths { bar: 0.5 };
     assert_eq!(bar::Lengths { bar: 0.5 }.bar, lengths.bar);
 }

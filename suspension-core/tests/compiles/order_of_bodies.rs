@@ -1,5 +1,4 @@
 //! A hinge is the same in either order of its bodies, and `r#name` is the same name as `name`.
-#![deny(warnings)]
 
 suspension_core::linkage! {
     /// The flap first.
@@ -25,7 +24,8 @@ suspension_core::linkage! {
     }
 }
 
-fn main() {
+#[test]
+fn a_hinge_is_the_same_in_either_order() {
     let (flap_first, arm_first) = (flap_first::Listing::PARTS, arm_first::Listing::PARTS);
     assert_eq!(flap_first.equations.len(), arm_first.equations.len());
     assert_eq!(arm_first.unknowns[8], "type.z");
