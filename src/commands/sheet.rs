@@ -133,7 +133,7 @@ impl Work for Sheet<'_> {
             drawing: drawing_of(mechanism, self.listing, None).svg(),
             drives: drives_in_words(mechanism),
             missing: failures.iter().map(Failure::to_string).collect(),
-            parameters: parameters::parameters(mechanism),
+            parameters: parameters::parameters(mechanism, self.interrupted),
             charts: ways
                 .iter()
                 .map(|along| charts::charts(mechanism, along))

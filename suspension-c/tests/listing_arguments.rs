@@ -1,4 +1,4 @@
-//! Every function of listings from text with wrong arguments: they are told, and nothing is changed.
+//! Every function of listings from text with wrong arguments: they are refused, and nothing is changed.
 #![allow(unsafe_code, reason = "it takes what C would pass")]
 
 mod text;
@@ -10,7 +10,7 @@ use text::{POINT, from, made, placed, pushrod, to};
 #[test]
 fn wrong_objects_are_told() {
     let (listing, mut corner) = (pushrod(), placed());
-    // SAFETY: null, misaligned, or to an object of another kind, of which it is told.
+    // SAFETY: null, misaligned, or to an object of another kind, which the function refuses.
     let wrong = unsafe {
         [
             (In::from_raw(std::ptr::null()), Status::Null),

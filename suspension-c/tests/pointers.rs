@@ -43,7 +43,7 @@ fn a_step_from_rest_and_its_points() {
 #[test]
 fn null_misaligned_and_foreign_objects_are_told() {
     let motion = at_rest();
-    // SAFETY: null, misaligned, or to an object of another kind, of which it is told.
+    // SAFETY: null, misaligned, or to an object of another kind, which the function refuses.
     let wrong = unsafe {
         [
             (In::from_raw(std::ptr::null()), Status::Null),

@@ -5,6 +5,17 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::{Command, Output};
 
+/// A motion file of a corner that travels and steers, at its design position.
+pub(crate) const CORNER: &str = "\
+linkage = \"double_wishbone_pushrod\"
+unit = \"m\"
+vehicle = { wheel_radius = 0.3 }
+time = { instants = [0.0] }
+[drives]
+bump = 0.3
+steer = 0.34
+";
+
 pub(crate) fn command(folder: &Path) -> Command {
     let mut command = Command::new(super::PROGRAM);
     command.current_dir(folder);

@@ -1,16 +1,6 @@
 //! The page of a suspension.
 
-use super::program::{folder, run, text};
-
-const CORNER: &str = "\
-linkage = \"double_wishbone_pushrod\"
-unit = \"m\"
-vehicle = { wheel_radius = 0.3 }
-time = { instants = [0.0] }
-[drives]
-bump = 0.3
-steer = 0.34
-";
+use super::program::{CORNER, folder, run, text};
 
 /// The cells of the row of a quantity.
 fn cells<'a>(page: &'a str, quantity: &str) -> Vec<&'a str> {

@@ -1,16 +1,6 @@
 //! Grids of drives.
 
-use super::program::{folder, rows, run, text};
-
-const CORNER: &str = "\
-linkage = \"double_wishbone_pushrod\"
-unit = \"m\"
-vehicle = { wheel_radius = 0.3 }
-time = { instants = [0.0] }
-[drives]
-bump = 0.3
-steer = 0.34
-";
+use super::program::{CORNER, folder, rows, run, text};
 
 #[test]
 fn a_row_a_place_with_derivatives_that_are_those_of_differences() {

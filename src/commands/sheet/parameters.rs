@@ -1,6 +1,8 @@
 //! The quantities at the design position, with their derivatives.
 
-use crate::mechanism::{Mechanism, State, Suspension, Unit};
+use std::sync::atomic::AtomicBool;
+
+use crate::mechanism::{From, Grid, Mechanism, State, Suspension, Unit};
 use crate::quantities::{
     self, CATALOGUE, Column, DRIVES, Kind, MARKERS, POSITIONS, Quantity, RESIDUAL,
 };
@@ -25,23 +27,21 @@ pub(super) fn columns<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Vec<Col
     .collect()
 }
 
-/// All that the mechanism has where it starts.
+/// All that the mechanism has where it starts: a grid without a drive is that place alone.
 pub(super) fn parameters<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
+    interrupted: &AtomicBool,
 ) -> Vec<Parameter> {
-    let [first, _] = mechanism.instants.ends();
-    let drives = mechanism.drives.inputs::<L::Drives>(first).drives.value;
-    let position = &mechanism.start.position;
-    let inputs = suspension_core::Inputs::still(suspension_core::Signal::still(drives));
-    let points = mechanism.start.points(&mechanism.model, &inputs).value;
-    let state = mechanism.at_rest(first, &drives, points);
-    let per = |drive| mechanism.per(drive, &drives, position);
-    let state = mechanism.with_directions(state, per);
     let vehicle = mechanism.names.vehicle;
-    let per = [vehicle.travel, vehicle.steer]
-        .map(|drive| Some(mechanism.state(first, &drives, &per(drive?)?)));
-    let parameter = |column: Column| parameter(&column, mechanism.unit, &state, &per);
-    columns(mechanism).into_iter().map(parameter).collect()
+    let columns = columns(mechanism);
+    let mut read = |state: &State, per: &dyn Fn(usize) -> Option<State>| -> Vec<Parameter> {
+        let per = [vehicle.travel, vehicle.steer].map(|drive| per(drive?));
+        let parameter = |column| parameter(column, mechanism.unit, state, &per);
+        columns.iter().map(parameter).collect()
+    };
+    let grid = Grid::new(mechanism, Vec::new(), From::Start).unwrap_or_default();
+    let visited = mechanism.visit(&grid, interrupted, &mut read);
+    visited.places.into_iter().flatten().flatten().collect()
 }
 
 fn parameter(column: &Column, unit: Unit, state: &State, per: &[Option<State>; 2]) -> Parameter {

@@ -4,23 +4,8 @@ use nalgebra::Vector3;
 use suspension_core::wheel::{camber_to_ground, toe};
 
 use crate::agreement::Agreement;
-use crate::published::{folder, geometry, point, results, vector};
+use crate::published::{adams_name, folder, geometry, point, results, vector};
 use crate::suspension::{DOUBLE_WISHBONE, Suspension, half_turn, values};
-
-/// The file's names.
-fn published(name: &str) -> &str {
-    match name {
-        "lower_inboard_front" => "lca_front",
-        "lower_inboard_rear" => "lca_rear",
-        "upper_inboard_front" => "uca_front",
-        "upper_inboard_rear" => "uca_rear",
-        "lower_outboard" => "lca_outer",
-        "upper_outboard" => "uca_outer",
-        "trackrod_inboard" => "tierod_inner",
-        "trackrod_outboard" => "tierod_outer",
-        _ => "wheel_center",
-    }
-}
 
 /// Compares a side, to which `y` of the listed left one is turned.
 fn compare(side: &str, y: f64) {
@@ -29,7 +14,7 @@ fn compare(side: &str, y: f64) {
     };
     let table = geometry(&folder.join("adams_dw_tr_front.toml"));
     let suspension = Suspension::new(DOUBLE_WISHBONE, |name| {
-        let at = half_turn(point(&table["left"][published(name)]));
+        let at = half_turn(point(&table["left"][adams_name(name)]));
         // The wheel stands upright and straight ahead.
         let inboard = if name == "axle_inboard" { 100.0 } else { 0.0 };
         Vector3::new(at.x, y * (at.y - inboard), at.z)

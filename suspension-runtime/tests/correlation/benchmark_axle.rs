@@ -4,23 +4,8 @@ use nalgebra::Vector3;
 use suspension_core::wheel::{camber, toe};
 
 use crate::agreement::Agreement;
-use crate::published::{folder, geometry, numbers, point};
+use crate::published::{adams_name, folder, geometry, numbers, point};
 use crate::suspension::{DOUBLE_WISHBONE, Suspension, half_turn};
-
-/// The file's names.
-fn published(name: &str) -> &str {
-    match name {
-        "lower_inboard_front" => "lca_front",
-        "lower_inboard_rear" => "lca_rear",
-        "upper_inboard_front" => "uca_front",
-        "upper_inboard_rear" => "uca_rear",
-        "lower_outboard" => "lca_outer",
-        "upper_outboard" => "uca_outer",
-        "trackrod_inboard" => "tierod_inner",
-        "trackrod_outboard" => "tierod_outer",
-        _ => "wheel_center",
-    }
-}
 
 #[test]
 fn benchmark_axle() {
@@ -29,7 +14,7 @@ fn benchmark_axle() {
     };
     let table = geometry(&folder.join("suspension_mbd_benchmark_axle.toml"));
     let suspension = Suspension::new(DOUBLE_WISHBONE, |name| {
-        let at = half_turn(point(&table[published(name)]));
+        let at = half_turn(point(&table[adams_name(name)]));
         // The wheel stands upright and straight ahead.
         let inboard = Vector3::new(0.0, if name == "axle_inboard" { -100.0 } else { 0.0 }, 0.0);
         at + inboard

@@ -76,3 +76,18 @@ pub(crate) fn results(file: &Path) -> Vec<Row> {
 pub(crate) fn vector(row: &Row, columns: &str) -> Vector3<f64> {
     Vector3::from(["x", "y", "z"].map(|axis| row[&columns.replace('?', axis)]))
 }
+
+/// The name of a double wishbone's point as files with Adams names have it.
+pub(crate) fn adams_name(name: &str) -> &str {
+    match name {
+        "lower_inboard_front" => "lca_front",
+        "lower_inboard_rear" => "lca_rear",
+        "upper_inboard_front" => "uca_front",
+        "upper_inboard_rear" => "uca_rear",
+        "lower_outboard" => "lca_outer",
+        "upper_outboard" => "uca_outer",
+        "trackrod_inboard" => "tierod_inner",
+        "trackrod_outboard" => "tierod_outer",
+        _ => "wheel_center",
+    }
+}
