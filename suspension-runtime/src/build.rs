@@ -86,7 +86,8 @@ where
     ) -> Result<[Distance<T>; N], GeometryError> {
         let mut distances = [Distance::default(); N];
         for (place, distance) in distances.iter_mut().zip(&self.plan().distances) {
-            let [from, to] = [distance.from, distance.to].map(|site| design.get(self.point(site)));
+            let [from, to] =
+                [distance.span.from, distance.span.to].map(|site| design.get(self.point(site)));
             *place = parts::distance(distance.length.into(), from, to)?;
         }
         Ok(distances)
@@ -104,7 +105,7 @@ where
         design: &Points<Vector3<T>, N>,
     ) -> Result<Few<Stretch<T>, N>, GeometryError> {
         fill(self.plan().stretches.iter().map(|stretch| {
-            let [from, to] = [stretch.from, stretch.to].map(|site| self.point(site));
+            let [from, to] = [stretch.span.from, stretch.span.to].map(|site| self.point(site));
             parts::stretch(to.into(), (design.get(to) - design.get(from)).norm())
         }))
     }
@@ -226,6 +227,7 @@ where
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             let length = stretch
+                .span
                 .vector(&Sites::new(&q, fixed))
                 .map(|d| constant.reach(d));
             if let Some((place, length)) = q.get_mut(usize::from(stretch.length)).zip(length) {

@@ -24,8 +24,8 @@ where
         let mut result = *q;
         let [rows] = &mut result.data.0;
         for (distance, constant) in plan.distances.iter().zip(&self.distances) {
-            if let Some(vector) = distance.vector(&sites) {
-                put(rows, distance.row, constant.residual(vector));
+            if let Some(vector) = distance.span.vector(&sites) {
+                put(rows, distance.span.row, constant.residual(vector));
             }
         }
         let mut constants = self.carried.as_slice().iter();
@@ -51,7 +51,7 @@ where
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             if let Some((vector, length)) = stretch.change(&sites) {
-                put(rows, stretch.row, constant.residual(vector, length));
+                put(rows, stretch.span.row, constant.residual(vector, length));
             }
         }
         result
@@ -106,8 +106,8 @@ where
         let mut result = zeros();
         let [rows] = &mut result.data.0;
         for (distance, constant) in plan.distances.iter().zip(&self.distances) {
-            if let (Some(v), Some(w)) = (distance.vector(&v), distance.vector(&w)) {
-                put(rows, distance.row, constant.curvature(v, w));
+            if let (Some(v), Some(w)) = (distance.span.vector(&v), distance.span.vector(&w)) {
+                put(rows, distance.span.row, constant.curvature(v, w));
             }
         }
         let mut constants = self.carried.as_slice().iter();
@@ -126,7 +126,7 @@ where
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             if let (Some(v), Some(w)) = (stretch.change(&v), stretch.change(&w)) {
-                put(rows, stretch.row, constant.curvature(v, w));
+                put(rows, stretch.span.row, constant.curvature(v, w));
             }
         }
         result

@@ -6,6 +6,7 @@ mod carried;
 mod distance;
 mod linear;
 mod rates;
+mod span;
 mod stretch;
 
 pub(crate) use along::Along;

@@ -33,20 +33,24 @@ where
             let index = usize::from(index);
             let form = plan.distances.get(index).zip(self.distances.get(index));
             if let Some((distance, constant)) = form
-                && let Some(vector) = distance.vector(&sites)
-                && let Some(rate) = rates.get(distance.from)
+                && let Some(vector) = distance.span.vector(&sites)
+                && let Some(rate) = rates.get(distance.span.from)
             {
-                put(rows, distance.row, dot(constant.gradient(vector), rate));
+                put(
+                    rows,
+                    distance.span.row,
+                    dot(constant.gradient(vector), rate),
+                );
             }
         }
         for &index in &inputs.stretches {
             let index = usize::from(index);
             let constant = self.stretches.as_slice().get(index);
             if let Some((stretch, constant)) = plan.stretches.get(index).zip(constant)
-                && let Some(vector) = stretch.vector(&sites)
-                && let Some(rate) = rates.get(stretch.from)
+                && let Some(vector) = stretch.span.vector(&sites)
+                && let Some(rate) = rates.get(stretch.span.from)
             {
-                put(rows, stretch.row, dot(constant.gradient(vector), rate));
+                put(rows, stretch.span.row, dot(constant.gradient(vector), rate));
             }
         }
         for moved in &inputs.carried {

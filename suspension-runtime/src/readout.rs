@@ -65,7 +65,8 @@ where
             }
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
-            let [from, to] = [stretch.from, stretch.to].map(|site| points.get(self.point(site)));
+            let [from, to] =
+                [stretch.span.from, stretch.span.to].map(|site| points.get(self.point(site)));
             if let Some(place) = q.get_mut(usize::from(stretch.length)) {
                 *place = constant.reach(difference(to, from));
             }

@@ -3,24 +3,20 @@
 use nalgebra::{SMatrix, Vector3};
 use suspension_core::Scalar;
 use suspension_core::constraint;
-use suspension_core::generated::difference;
 use suspension_listing::form;
 use suspension_listing::system::System;
 
-use crate::site::{Site, Sites};
-use crate::table::Table;
-use crate::table::index;
+use super::span::Span;
+use crate::site::Sites;
+use crate::table::{Table, index};
 
 /// A variable length: one row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stretch {
-    pub(crate) row: u16,
-    pub(crate) from: Site,
-    pub(crate) to: Site,
+    pub(crate) span: Span,
     /// The unknown length.
     pub(crate) length: u16,
-    /// Where the factors hold the derivatives by `to`, by `from`, and by the length.
-    entries: [[u16; 3]; 2],
+    /// Where the factors hold the derivative by the length.
     by_length: u16,
 }
 
@@ -31,34 +27,21 @@ impl Stretch {
         row: usize,
         entry: impl Fn(usize, Option<usize>) -> u16,
     ) -> Self {
-        let [from, to] = [&form.from, &form.to].map(Site::from);
         let length = system.scalar_column(&form.length);
         Self {
-            row: index(row),
-            from,
-            to,
-            length: length.map_or(index(usize::MAX), index),
-            entries: [to, from].map(|site| [0, 1, 2].map(|axis| entry(row, site.column(axis)))),
             by_length: entry(row, length),
+            span: Span::new([&form.from, &form.to], row, entry),
+            length: length.map_or(index(usize::MAX), index),
         }
     }
 
-    /// From one point to the other, or its rate.
-    #[inline(always)]
-    pub(crate) fn vector<T: Scalar>(
-        &self,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-    ) -> Option<Vector3<T>> {
-        Some(difference(sites.get(self.to)?, sites.get(self.from)?))
-    }
-
-    /// The same with the length, or its rate.
+    /// The vector between the points with the length, or the rates of both.
     #[inline(always)]
     pub(crate) fn change<T: Scalar>(
         &self,
         sites: &Sites<'_, T, impl Table<Vector3<T>>>,
     ) -> Option<(Vector3<T>, T)> {
-        Some((self.vector(sites)?, sites.scalar(self.length)?))
+        Some((self.span.vector(sites)?, sites.scalar(self.length)?))
     }
 
     /// Writes the derivatives into the factors.
@@ -69,16 +52,10 @@ impl Stretch {
         sites: &Sites<'_, T, impl Table<Vector3<T>>>,
         numbers: &mut impl Table<T>,
     ) {
-        let Some((vector, length)) = self.change(sites) else {
-            return;
-        };
-        let gradient = constant.gradient(vector);
-        for (entries, gradient) in self.entries.iter().zip([gradient, -gradient]) {
-            for (entry, value) in entries.iter().zip(gradient.iter()) {
-                *numbers.place(*entry) = *value;
-            }
+        if let Some((vector, length)) = self.change(sites) {
+            self.span.write(constant.gradient(vector), numbers);
+            *numbers.place(self.by_length) = constant.by_length(length);
         }
-        *numbers.place(self.by_length) = constant.by_length(length);
     }
 
     /// Writes the derivatives into a dense matrix.
@@ -91,20 +68,10 @@ impl Stretch {
         let Some((vector, length)) = self.change(sites) else {
             return;
         };
-        let gradient = constant.gradient(vector);
-        let of = |site: Site, gradient: Vector3<T>| {
-            [0, 1, 2]
-                .map(|axis| site.column(axis))
-                .into_iter()
-                .zip(gradient.data.0.into_iter().flatten())
-        };
-        let by_length = (Some(usize::from(self.length)), constant.by_length(length));
-        let places = of(self.to, gradient).chain(of(self.from, -gradient));
-        for (column, value) in places.chain([by_length]) {
-            let place = column.map(|column| (usize::from(self.row), column));
-            if let Some(entry) = place.and_then(|place| matrix.get_mut(place)) {
-                *entry = value;
-            }
+        self.span.write_dense(constant.gradient(vector), matrix);
+        let place = (usize::from(self.span.row), usize::from(self.length));
+        if let Some(entry) = matrix.get_mut(place) {
+            *entry = constant.by_length(length);
         }
     }
 }
