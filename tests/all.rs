@@ -1,5 +1,5 @@
-//! All tests but one, as modules of one test program: what they have in common is compiled once, and
-//! they run side by side. The one that counts allocations stands alone.
+//! The tests of the library, as modules of one test program: what they have in common is compiled once, and
+//! they run side by side. The one that counts allocations stands alone, and so do those of the program, in `cli`.
 
 mod absolute_coordinates;
 mod assembly;
@@ -8,7 +8,6 @@ mod bounded;
 mod branch;
 mod certificate;
 mod chassis;
-mod cli;
 mod corner;
 mod derivatives;
 mod elimination;

@@ -1,4 +1,5 @@
-//! The program, run as a user runs it.
+//! The program, run as a user runs it. It is a test program of its own, because it is built in a
+//! fraction of the time that the others take.
 
 mod assemblies;
 mod bad_input;
@@ -16,6 +17,8 @@ mod results;
 mod sheet;
 mod signals;
 mod stops;
+#[path = "../support/mod.rs"]
+mod support;
 mod sweep;
 
 /// The program that is run.
