@@ -1,5 +1,6 @@
 //! A mechanism ready to move, whatever its linkage: the file's coordinates outside, local ones inside.
 
+mod around;
 mod drives;
 mod end;
 mod grid;
@@ -17,13 +18,14 @@ mod unit;
 mod visit;
 mod words;
 
+pub use around::Order;
 pub use drives::{DriveLaws, Law, follow, given};
 pub use end::{End, Stop};
 pub use grid::{From, Grid};
 pub use instants::Instants;
 pub use lead::Lead;
 pub(crate) use misfit::Misfit;
-pub use names::{Drive, Measure, Names, Suspension, Vehicle, WheelPoints};
+pub use names::{Axle, Car, Drive, Measure, Names, Suspension, Vehicle, WheelPoints};
 pub use polynomial::Polynomial;
 pub use ready::{Mechanism, Work};
 pub use state::State;

@@ -15,7 +15,7 @@ use suspension_runtime::Listing;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::mechanism::{From, Grid, Mechanism, State, Suspension, Visited, Work};
+use crate::mechanism::{From, Grid, Mechanism, Order, State, Suspension, Visited, Work};
 use crate::output::drawing::drawing_of;
 use crate::output::files::{announce, refuse_input, write_file};
 use page::Page;
@@ -170,7 +170,7 @@ impl Sheet<'_> {
         Along {
             drive,
             changes,
-            visited: mechanism.visit(&grid, self.interrupted, &mut read),
+            visited: mechanism.visit(&grid, Order::First, self.interrupted, &mut read),
         }
     }
 }

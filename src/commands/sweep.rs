@@ -11,7 +11,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::mechanism::{Mechanism, Suspension, Work};
+use crate::mechanism::{Mechanism, Order, Suspension, Work};
 use crate::output::csv_file::Target;
 use crate::output::files::{announce, refuse_input};
 use crate::output::progress::Progress;
@@ -86,7 +86,11 @@ impl Work for Sweep<'_> {
         let grid = grid(mechanism, drives, *absolute).map_err(Failure::Input)?;
         let columns = table::columns(&mechanism.names, *derivatives);
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
-        let visited = mechanism.visit(&grid, self.interrupted, &mut |state, per| {
+        let order = match derivatives {
+            2 => Order::Second,
+            _ => Order::First,
+        };
+        let visited = mechanism.visit(&grid, order, self.interrupted, &mut |state, per| {
             progress.step();
             columns.row(state, per)
         });
@@ -107,6 +111,11 @@ file makes known:
   wheel_radius = 0.3      # in the unit: contact point, scrub radius, mechanical trail, roll centre
   travel = \"bump\"         # the drive that moves the wheel up and down; without a word the one named
   steer = \"steer\"         # bump, and the one that steers it: the one named steer
+  axle = \"front\"          # or rear; with the next four anti-dive, anti-lift, anti-squat
+  wheelbase = 2.6         # in the unit
+  cg_height = 0.5         # of the car's centre of gravity above the ground, in the unit
+  brake_share = 0.6       # the axle's share of the brake force, from 0 to 1
+  drive_share = 1.0       # the same of the drive force, where it is driven
 
 Derivatives follow: camber_rad_per_bump is that of camber with respect to the drive bump, the other drives held,
 camber_rad_per_bump2 the second. They come from the equations, not from differences.

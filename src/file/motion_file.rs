@@ -12,7 +12,7 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::source::Source;
-use crate::mechanism::Unit;
+use crate::mechanism::{Axle, Unit};
 
 /// Values by name, each with its place in the file.
 pub type Table<V> = Spanned<BTreeMap<Spanned<String>, Spanned<V>>>;
@@ -126,6 +126,16 @@ pub struct VehicleTable {
     pub travel: Option<Spanned<String>>,
     /// The drive that steers it.
     pub steer: Option<Spanned<String>>,
+    /// Which axle the wheel is on.
+    pub axle: Option<Axle>,
+    /// From axle to axle, in the unit.
+    pub wheelbase: Option<Spanned<f64>>,
+    /// The height of the centre of gravity above the ground, in the unit.
+    pub cg_height: Option<Spanned<f64>>,
+    /// The axle's share of the brake force, from 0 to 1.
+    pub brake_share: Option<Spanned<f64>>,
+    /// The axle's share of the drive force, from 0 to 1.
+    pub drive_share: Option<Spanned<f64>>,
 }
 
 /// The instants of the motion, in one of two forms.

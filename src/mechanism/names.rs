@@ -1,6 +1,7 @@
 //! What a listing calls its parts, and what they are.
 
 use nalgebra::Vector3;
+use serde::Deserialize;
 use suspension_core::listing::Kind;
 use suspension_core::{Build, DriveKind, Linkage, Listing, MeasureKind, Part, Parts, Values};
 
@@ -53,6 +54,33 @@ pub struct Vehicle {
     pub travel: Option<usize>,
     /// The number of the drive that steers it.
     pub steer: Option<usize>,
+    /// The car that the wheel is of.
+    pub car: Option<Car>,
+}
+
+/// What a car's braking and driving make of a wheel's support angles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Car {
+    /// Which axle the wheel is on.
+    pub axle: Axle,
+    /// From axle to axle, in the unit of lengths.
+    pub wheelbase: f64,
+    /// The height of the centre of gravity above the ground, in the unit of lengths.
+    pub cg_height: f64,
+    /// The axle's share of the brake force.
+    pub brake_share: Option<f64>,
+    /// The axle's share of the drive force.
+    pub drive_share: Option<f64>,
+}
+
+/// An axle of a car.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Axle {
+    /// The leading one.
+    Front,
+    /// The trailing one.
+    Rear,
 }
 
 /// A drive.

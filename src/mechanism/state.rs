@@ -1,7 +1,7 @@
 //! The mechanism at one place of its motion, whatever its linkage.
 
-use nalgebra::{SVector, Vector3};
-use suspension_core::{Motion, Signal, Values};
+use nalgebra::Vector3;
+use suspension_core::{Signal, Values};
 
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
@@ -19,10 +19,11 @@ pub struct State {
     pub origin: Vector3<f64>,
     /// What the linkage measures, in the file's coordinates, with its rates.
     pub measures: Signal<Vec<f64>>,
-    /// All points with their first and second derivative with respect to the drive of travel, the other drives
-    /// held; `None` where the file has none, and where the mechanism locks.
+    /// Velocities of all points as the drive of travel moves them, the other drives held, with their derivatives
+    /// along the rates of `points`, NaN where those are not known; `None` where the file names no such drive, and
+    /// where the mechanism locks.
     pub travel: Option<Signal<Vec<Vector3<f64>>>>,
-    /// The same with respect to the drive of steering.
+    /// The same of the drive of steering.
     pub steer: Option<Signal<Vec<Vector3<f64>>>>,
     /// Iterations of Newton's method, steps in between included.
     pub iterations: usize,
@@ -62,41 +63,13 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     }
 
     /// The points of the listing.
-    fn listed(&self, points: &Signal<L::Points>) -> Signal<Vec<Vector3<f64>>> {
+    pub(crate) fn listed(&self, points: &Signal<L::Points>) -> Signal<Vec<Vector3<f64>>> {
         let count = self.names.points.len();
         points.map(|points: &L::Points| points.values().take(count).collect())
     }
 
-    /// Points with their derivatives with respect to a drive, the others held, at local values of the drives;
-    /// `None` where the mechanism locks.
-    pub fn per(
-        &self,
-        drive: usize,
-        drives: &L::Drives,
-        position: &SVector<f64, N>,
-    ) -> Option<Signal<L::Points>> {
-        let change = L::Drives::from_values([]).with(drive, 1.0);
-        let motion = Motion::at_rest(*position);
-        motion.derivatives(&self.model, *drives, change).ok()
-    }
-
-    /// A state with the derivatives with respect to travel and steering, which `per` gives of each drive.
-    pub fn with_directions(
-        &self,
-        state: State,
-        per: impl Fn(usize) -> Option<Signal<L::Points>>,
-    ) -> State {
-        let vehicle = &self.names.vehicle;
-        let listed = |drive: Option<usize>| Some(self.listed(&per(drive?)?));
-        State {
-            travel: listed(vehicle.travel),
-            steer: listed(vehicle.steer),
-            ..state
-        }
-    }
-
     /// The same at rest.
-    pub fn at_rest(&self, t: f64, drives: &L::Drives, points: L::Points) -> State {
+    pub(crate) fn at_rest(&self, t: f64, drives: &L::Drives, points: L::Points) -> State {
         let still = L::Points::from_values([]);
         let points = Signal {
             value: points,

@@ -60,6 +60,6 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             residual: advanced.residual(),
             ..self.state(t, drives, &motion.points(&self.model, inputs))
         };
-        self.with_directions(state, |drive| self.per(drive, drives, &motion.position))
+        self.with_velocities(state, *drives, &motion.position)
     }
 }

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use suspension_core::{Inputs, Motion, Signal, SolveError, Values};
 
 use crate::failure::Failure;
+use crate::mechanism::around::{Around, Order};
 use crate::mechanism::drives::{DriveLaws, follow};
 use crate::mechanism::grid::Grid;
 use crate::mechanism::names::Suspension;
@@ -48,10 +49,11 @@ impl<R> Visited<R> {
 }
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// Solves the mechanism at each place of a grid.
+    /// Solves the mechanism at each place of a grid; derivatives of quantities have the wanted order.
     pub fn visit<R>(
         &self,
         grid: &Grid,
+        order: Order,
         interrupted: &AtomicBool,
         read: &mut Read<'_, R>,
     ) -> Visited<R> {
@@ -60,6 +62,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         let mut visitor = Visitor {
             mechanism: self,
             grid,
+            order,
             interrupted,
             read,
             visited: Visited {
@@ -92,6 +95,7 @@ struct Place<const N: usize> {
 struct Visitor<'a, 'r, L: suspension_core::Linkage<N>, R, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     grid: &'a Grid,
+    order: Order,
     interrupted: &'a AtomicBool,
     read: &'a mut Read<'r, R>,
     visited: Visited<R>,
@@ -167,11 +171,9 @@ impl<L: Suspension<N>, R, const N: usize> Visitor<'_, '_, L, R, N> {
             residual: place.residual,
             ..mechanism.at_rest(0.0, &drives, points.value)
         };
-        let of_each = 0..mechanism.names.drives.len();
-        let of_each = of_each.map(|drive| mechanism.per(drive, &drives, position));
-        let of_each: Vec<Option<Signal<L::Points>>> = of_each.collect();
-        let state = mechanism.with_directions(state, |drive| of_each[drive]);
-        let per = |drive: usize| Some(mechanism.state(0.0, &drives, &of_each[drive]?));
-        self.visited.places[place.index] = Some((self.read)(&state, &per));
+        let around = Around::new(mechanism, drives, position, self.order);
+        let state = around.with_velocities(state);
+        let read = (self.read)(&state, &|drive| around.per(drive));
+        self.visited.places[place.index] = Some(read);
     }
 }

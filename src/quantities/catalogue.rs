@@ -7,7 +7,7 @@ use suspension_core::wheel::{
     InstantCentre, SteeringAxis, camber, camber_to_ground, caster, kingpin_angle, toe,
 };
 
-use crate::mechanism::{Names, State, WheelPoints};
+use crate::mechanism::{Axle, Names, State, WheelPoints};
 use crate::quantities::kind::Kind;
 use crate::quantities::on_ground::{
     Along, Moving, of_contact, of_kingpin_at_centre, of_kingpin_at_ground, of_moving,
@@ -18,6 +18,7 @@ use crate::quantities::readings::{
     alone, at, each, number, of_kingpin, of_kingpin_and_spin_axis, of_spin_axis, place, point,
     vector,
 };
+use crate::quantities::support::{Torque, of_support, of_support_angle};
 
 /// Makes a `static` of each row and the list of all.
 macro_rules! catalogue {
@@ -255,7 +256,7 @@ catalogue! {
         shown: Shown::InTables,
         read: |names| of_moving_place(names, Along::Travel, &[Axis::Y, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.carrier.front_view(&moving.axis);
-            Vector3::new(f64::NAN, across, z)
+            Vector3::new(alone(f64::NAN), across, z)
         }),
     }
     FRONT_ARM: "swing arm in the front view" {
@@ -276,7 +277,7 @@ catalogue! {
         shown: Shown::InTables,
         read: |names| of_moving_place(names, Along::Travel, &[Axis::X, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.carrier.side_view();
-            Vector3::new(across, f64::NAN, z)
+            Vector3::new(across, alone(f64::NAN), z)
         }),
     }
     SIDE_ARM: "swing arm in the side view" {
@@ -296,9 +297,7 @@ catalogue! {
                      side view, atan2(v_x, |v_z|) with v_z upwards; its tangent is anti-dive or anti-lift without the car's share",
         source: "side-view support angle, brake torque borne by the carrier",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Travel, Kind::Angle, true, |moving| {
-            forward_of_upward(&moving.carrier.velocity_of(&moving.contact))
-        }),
+        read: |names| of_support_angle(names, Torque::OfBrakes),
     }
     DRIVE_ANGLE: "support angle of inboard drive" {
         name: "drive_angle",
@@ -307,9 +306,39 @@ catalogue! {
                      with v_z upwards; its tangent is anti-squat without the car's share",
         source: "side-view support angle, drive torque borne by the chassis",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Travel, Kind::Angle, false, |moving| {
-            forward_of_upward(&moving.carrier.velocity)
-        }),
+        read: |names| of_support_angle(names, Torque::OfShafts),
+    }
+    ANTI_DIVE: "anti-dive" {
+        name: "anti_dive",
+        sign: "positive where braking pushes the front wheels down",
+        definition: "of a front axle with outboard brakes, 100 tan(brake_angle) brake_share wheelbase / cg_height",
+        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_support(names, Axle::Front, Torque::OfBrakes, 1.0),
+    }
+    ANTI_LIFT: "anti-lift" {
+        name: "anti_lift",
+        sign: "positive where braking pulls the rear wheels up",
+        definition: "of a rear axle with outboard brakes, -100 tan(brake_angle) brake_share wheelbase / cg_height",
+        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_support(names, Axle::Rear, Torque::OfBrakes, -1.0),
+    }
+    ANTI_SQUAT: "anti-squat" {
+        name: "anti_squat",
+        sign: "positive where driving pushes the rear wheels down",
+        definition: "of a rear axle driven by shafts, -100 tan(drive_angle) drive_share wheelbase / cg_height",
+        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_support(names, Axle::Rear, Torque::OfShafts, -1.0),
+    }
+    ANTI_LIFT_IN_DRIVE: "anti-lift in drive" {
+        name: "anti_lift_in_drive",
+        sign: "positive where driving pulls the front wheels up",
+        definition: "of a front axle driven by shafts, 100 tan(drive_angle) drive_share wheelbase / cg_height",
+        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_support(names, Axle::Front, Torque::OfShafts, 1.0),
     }
     TOE: "toe angle" {
         name: "toe",
@@ -371,11 +400,6 @@ fn of_carrier(
     vector(None, kind, &Axis::ALL, move |state| {
         which(rotation(state, carrier))
     })
-}
-
-/// The angle of a velocity from the vertical in the side view, whichever way the drive moves the wheel.
-fn forward_of_upward(velocity: &Vector3<f64>) -> f64 {
-    (velocity.x * velocity.z.signum()).atan2(velocity.z.abs())
 }
 
 /// Angular velocity and acceleration of the body of three points; not finite where they are in line.

@@ -23,6 +23,8 @@ pub enum Kind {
     AngularAcceleration,
     /// A length for an angle.
     LengthPerAngle,
+    /// A part of a whole.
+    Percent,
     /// How many.
     Count,
 }
@@ -40,19 +42,24 @@ impl Kind {
             Self::AngularVelocity => "rad/s".to_owned(),
             Self::AngularAcceleration => "rad/s^2".to_owned(),
             Self::LengthPerAngle => format!("{length}/rad"),
+            Self::Percent => "percent".to_owned(),
             Self::Count => String::new(),
         }
     }
 
     /// Whether positions alone determine it.
     pub fn is_of_positions(self) -> bool {
-        matches!(self, Self::Length | Self::Angle | Self::LengthPerAngle)
+        matches!(
+            self,
+            Self::Length | Self::Angle | Self::LengthPerAngle | Self::Percent
+        )
     }
 
     /// In text and plots for people, angles are in degrees: what to multiply with, and the unit's symbol.
     pub fn for_people(self, unit: Unit) -> (f64, String) {
         match self {
             Self::Angle => (1_f64.to_degrees(), "deg".to_owned()),
+            Self::Percent => (1.0, "%".to_owned()),
             _ => (1.0, self.symbol(unit)),
         }
     }
@@ -65,7 +72,7 @@ impl Kind {
             Self::Length | Self::Velocity | Self::Acceleration | Self::LengthPerAngle => {
                 unit.decimals()
             }
-            Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => 3,
+            Self::Angle | Self::AngularVelocity | Self::AngularAcceleration | Self::Percent => 3,
         }
     }
 }

@@ -2,13 +2,14 @@
 
 use nalgebra::Vector3;
 use suspension_core::Signal;
-use suspension_core::body::angular_velocity;
+use suspension_core::body::angular_velocity_and_rates;
+use suspension_core::signal::Number as _;
 use suspension_core::wheel::{Carrier, Heading, SteeringAxis, contact};
 
 use crate::mechanism::{Names, State, WheelPoints};
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Axis, Number, Reading};
-use crate::quantities::readings::{alone, at, from_to, place, reading, vector};
+use crate::quantities::readings::{alone, at, components, from_to, place, reading};
 
 /// A wheel in a state, in local coordinates.
 struct Wheel {
@@ -71,36 +72,41 @@ fn of_kingpin_at(
 
 /// A carrier and its wheel in one direction of motion, in the file's coordinates.
 pub(super) struct Moving {
-    pub(super) carrier: Carrier<f64>,
-    pub(super) axis: Vector3<f64>,
+    pub(super) carrier: Carrier<Number>,
+    pub(super) axis: Vector3<Number>,
     /// Not finite where the file has no wheel radius.
-    pub(super) contact: Vector3<f64>,
+    pub(super) contact: Vector3<Number>,
 }
 
 impl Moving {
     fn of(state: &State, along: Along, wheel: WheelPoints, radius: f64) -> Option<Self> {
-        let points = match along {
+        let velocities = match along {
             Along::Travel => state.travel.as_ref()?,
             Along::Steer => state.steer.as_ref()?,
         };
-        let [inner, centre] = wheel.axis;
-        let [at, rates] =
-            [&points.value, &points.rate].map(|all| wheel.carrier.map(|point| all[point]));
-        let axis = points.value[centre] - points.value[inner];
-        let carrier = Carrier {
-            centre: points.value[centre] + state.origin,
-            velocity: points.rate[centre],
-            omega: angular_velocity(&at, &rates)?,
-        };
+        let of_carrier = |all: &Vec<Vector3<f64>>| wheel.carrier.map(|point| all[point]);
+        let (points, rates) = (state.points.map(of_carrier), velocities.map(of_carrier));
+        let omega = angular_velocity_and_rates(&points, &rates)?.components();
+        let [first, _, _] = wheel.carrier;
+        let velocity = velocities
+            .map(|all: &Vec<Vector3<f64>>| all[first])
+            .components();
+        let mut of_wheel = Wheel::of(state, wheel);
+        let velocity = velocity + omega.cross(&(of_wheel.centre - at(state, first)));
+        of_wheel.centre += state.origin.map(Signal::still);
         Some(Self {
-            contact: contact(&carrier.centre, &axis, radius),
-            carrier,
-            axis,
+            contact: of_wheel.contact(radius),
+            axis: of_wheel.axis,
+            carrier: Carrier {
+                centre: of_wheel.centre,
+                velocity,
+                omega,
+            },
         })
     }
 
     /// The axis about which the carrier turns.
-    pub(super) fn screw(&self) -> SteeringAxis<f64> {
+    pub(super) fn screw(&self) -> SteeringAxis<Number> {
         let Carrier {
             centre,
             velocity,
@@ -110,16 +116,20 @@ impl Moving {
     }
 
     /// How far the carrier moves along that axis for a radian about it.
-    pub(super) fn pitch(&self) -> f64 {
+    pub(super) fn pitch(&self) -> Number {
         let Carrier {
             velocity, omega, ..
         } = &self.carrier;
-        let upwards = omega.z.signum();
-        upwards * omega.dot(velocity) / (omega.norm() * omega.norm())
+        let pitch = omega.dot(velocity) / omega.dot(omega);
+        if omega.z.is_below_zero() {
+            -pitch
+        } else {
+            pitch
+        }
     }
 
     /// Horizontal directions of the wheel.
-    pub(super) fn heading(&self) -> Heading<f64> {
+    pub(super) fn heading(&self) -> Heading<Number> {
         Heading::of(&self.axis)
     }
 }
@@ -137,12 +147,11 @@ pub(super) fn of_moving(
     along: Along,
     kind: Kind,
     on_ground: bool,
-    value: fn(&Moving) -> f64,
+    value: impl Fn(&Moving) -> Number + 'static,
 ) -> Vec<Reading> {
-    let read = reader(names, along, on_ground).map(|read| Reading {
-        has_derivatives: false,
-        ..reading(kind, move |state| {
-            alone(read(state).map_or(f64::NAN, |moving| value(&moving)))
+    let read = reader(names, along, on_ground).map(|read| {
+        reading(kind, move |state| {
+            read(state).map_or(alone(f64::NAN), |moving| value(&moving))
         })
     });
     read.into_iter().collect()
@@ -153,14 +162,14 @@ pub(super) fn of_moving_place(
     names: &Names,
     along: Along,
     axes: &[Axis],
-    place: fn(&Moving) -> Vector3<f64>,
+    place: fn(&Moving) -> Vector3<Number>,
 ) -> Vec<Reading> {
     let Some(read) = reader(names, along, false) else {
         return Vec::new();
     };
-    vector(None, Kind::Length, axes, move |state| {
+    components(None, Kind::Length, axes, move |state| {
         let moving = read(state);
-        moving.map_or_else(|| Vector3::repeat(f64::NAN), |moving| place(&moving))
+        moving.map_or_else(|| Vector3::repeat(alone(f64::NAN)), |moving| place(&moving))
     })
 }
 

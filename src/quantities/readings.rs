@@ -56,13 +56,26 @@ pub(super) fn vector(
     axes: &[Axis],
     value: impl Fn(&State) -> Vector3<f64> + Clone + 'static,
 ) -> Vec<Reading> {
+    let mut readings = components(name, kind, axes, move |state| value(state).map(alone));
+    for reading in &mut readings {
+        reading.has_derivatives = false;
+    }
+    readings
+}
+
+/// Components of a vector, by a formula of positions.
+pub(super) fn components(
+    name: Option<&str>,
+    kind: Kind,
+    axes: &[Axis],
+    value: impl Fn(&State) -> Vector3<Number> + Clone + 'static,
+) -> Vec<Reading> {
     let component = |axis: &Axis| {
         let (axis, value) = (*axis, value.clone());
         Reading {
             name: name.map(str::to_owned),
             axis: Some(axis),
-            has_derivatives: false,
-            ..reading(kind, move |state| alone(value(state)[axis as usize]))
+            ..reading(kind, move |state| value(state)[axis as usize])
         }
     };
     axes.iter().map(component).collect()
@@ -73,19 +86,9 @@ pub(super) fn place(
     name: Option<&str>,
     local: impl Fn(&State) -> Vector3<Number> + Clone + 'static,
 ) -> Vec<Reading> {
-    let coordinate = |axis: Axis| {
-        let local = local.clone();
-        Reading {
-            name: name.map(str::to_owned),
-            axis: Some(axis),
-            ..reading(Kind::Length, move |state| {
-                let mut number = local(state)[axis as usize];
-                number.value += state.origin[axis as usize];
-                number
-            })
-        }
-    };
-    Axis::ALL.map(coordinate).into()
+    components(name, Kind::Length, &Axis::ALL, move |state| {
+        local(state) + state.origin.map(Signal::still)
+    })
 }
 
 /// Positions, velocities or accelerations of a point.

@@ -177,7 +177,8 @@ macro_rules! functions_of_a_linkage {
             respond(failure, &NAMES, || {
                 let (model, motion, points) = (model.object()?, motion.object()?, points.get()?);
                 let (inputs, change) = (inputs.get()?, change.get()?);
-                let found = motion.derivatives(model, named(&inputs.value), named(change))?;
+                let directions = solver::Directions::new(model, named(&inputs.value), &motion.position)?;
+                let found = directions.points(named(change))?;
                 points.write(Rates::from_signal(&found, values_of_points));
                 Ok(())
             })

@@ -8,6 +8,7 @@ use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vect
 use crate::constraint::Frame;
 use crate::error::Indeterminate;
 use crate::scalar::Real;
+use crate::signal::Signal;
 
 type Triple<T> = [Vector3<T>; 3];
 
@@ -43,6 +44,35 @@ fn axes<T: Real>([a, b, c]: &Triple<T>) -> Option<Matrix3<T>> {
 /// where they are, or where a number is not finite.
 pub fn angular_velocity<T: Real>(at: &Triple<T>, velocities: &Triple<T>) -> Option<Vector3<T>> {
     fit_rotation(at, velocities)
+}
+
+/// The same with its derivatives, where points and velocities come with theirs; those that are not known
+/// are NaN.
+pub fn angular_velocity_and_rates<T: Real>(
+    at: &Signal<Triple<T>>,
+    velocities: &Signal<Triple<T>>,
+) -> Option<Signal<Vector3<T>>> {
+    let fit = |rates: &Triple<T>| fit_rotation(&at.value, rates);
+    let known =
+        |found: Option<Vector3<T>>| found.unwrap_or_else(|| Vector3::repeat(T::constant(f64::NAN)));
+    // v = v0 + omega x r, differentiated.
+    let less = |rates: &Triple<T>, omega: &Vector3<T>, r: &Triple<T>| {
+        let [a, b, c] = rates;
+        let [to_a, to_b, to_c] = r;
+        [
+            a - omega.cross(to_a),
+            b - omega.cross(to_b),
+            c - omega.cross(to_c),
+        ]
+    };
+    let value = fit(&velocities.value)?;
+    let rate = known(fit(&less(&velocities.rate, &value, &at.rate)));
+    let second = less(&velocities.second_rate, &(rate + rate), &at.rate);
+    Some(Signal {
+        value,
+        rate,
+        second_rate: known(fit(&less(&second, &value, &at.second_rate))),
+    })
 }
 
 /// Angular acceleration, rad/s^2: the least-squares fit of

@@ -1,6 +1,7 @@
 //! A suspension that moves: its model, configuration, drives and time in one value.
 
 use crate::assemble::assemble;
+use crate::directions::Directions;
 use crate::error::{Failure, GeometryError, SolveError};
 use crate::linkage::{Build, Designed, Linkage};
 use crate::motion::Motion;
@@ -196,9 +197,9 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         &self,
         change: L::Drives,
     ) -> Result<Derivatives<L, N>, Failure<SolveError<T>, L::Listing>> {
-        let derived = self
-            .motion
-            .derivatives(&self.model, self.drives.value, change);
+        let position = &self.motion.position;
+        let derived = Directions::new(&self.model, self.drives.value, position)
+            .and_then(|directions| directions.points(change));
         let points = derived.map_err(|error| error.named(self.model.listing()))?;
         Ok(Derivatives {
             measures: self.model.measures(&points),

@@ -59,6 +59,7 @@ pub mod constraint;
 pub mod corner;
 #[doc = include_str!("../docs/controller.md")]
 pub mod controller {}
+pub mod directions;
 mod entrywise;
 pub mod error;
 mod expansion;
@@ -98,6 +99,7 @@ pub use bounded::{Bounded, Outputs};
 pub use certificate::{Certificate, Certifier, Unproved};
 pub use chassis::RigidMotion;
 pub use corner::Corner;
+pub use directions::Directions;
 pub use error::{GeometryError, SolveError};
 pub use linkage::{Build, Designed, HasKingpin, HasWheel, Linkage, Listing, Named, Values};
 pub use listing::{DriveKind, Kind, MeasureKind, Part, Parts};

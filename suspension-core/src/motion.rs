@@ -63,29 +63,6 @@ impl<T: Real, const N: usize> Motion<T, N> {
             second_rate,
         }
     }
-
-    /// All points of the linkage with their derivatives where the drives, which have these values, change
-    /// as `change` says: `rate` per unit of that change, `second_rate` per unit squared. The chassis rests.
-    ///
-    /// # Errors
-    ///
-    /// As [`Tangent::new`] and [`Tangent::motion`].
-    pub fn derivatives<L>(
-        &self,
-        linkage: &L,
-        drives: L::Drives,
-        change: L::Drives,
-    ) -> Result<Signal<L::Points>, SolveError<T>>
-    where
-        L: Linkage<N, Scalar = T>,
-    {
-        let inputs = Inputs::still(Signal {
-            rate: change,
-            ..Signal::still(drives)
-        });
-        let tangent = Tangent::new(linkage, &inputs, &self.position)?;
-        Ok(tangent.motion()?.points(linkage, &inputs))
-    }
 }
 
 /// Inputs in the form that the equations take them.

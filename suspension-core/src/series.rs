@@ -63,6 +63,21 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
         })?
     }
 
+    /// The same with factors that are at hand.
+    pub(crate) fn of<L, C>(
+        linkage: &L,
+        inputs: &InputSeries<C, L::Drives, K>,
+        position: &SVector<T, N>,
+        factors: &dyn Factors<T, N>,
+    ) -> Result<Self, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisSeries<T, L::Fixed, K>,
+    {
+        let prescribed = PrescribedSeries::new(linkage, inputs);
+        Self::expand::<L, C>(linkage, &prescribed, *position, factors)
+    }
+
     #[inline(always)]
     fn expand<L, C>(
         linkage: &L,

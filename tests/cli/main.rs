@@ -19,6 +19,7 @@ mod signals;
 mod stops;
 #[path = "../support/mod.rs"]
 mod support;
+mod support_angles;
 mod sweep;
 
 /// The program that is run.

@@ -5,8 +5,10 @@ use super::program::{CORNER, folder, rows, run, text};
 #[test]
 fn a_row_a_place_with_derivatives_that_are_those_of_differences() {
     let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
-    let (bump, steer) = ("bump=-0.004:0.004:5", "steer=0.006:0.014:5");
+    // Arms that are not parallel in the side view: the instant centre there is not far away.
+    let file = format!("{CORNER}[points]\nupper_rear = [-0.15, 0.42, 0.36]\n");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let (bump, steer) = ("bump=-0.001:0.001:5", "steer=0.009:0.011:5");
     let arguments = [
         "sweep",
         "a.toml",
@@ -26,7 +28,7 @@ fn a_row_a_place_with_derivatives_that_are_those_of_differences() {
     assert!((table[12]["bump_m"] - 0.3).abs() < 1e-15);
     assert!((table[12]["steer_m"] - 0.35).abs() < 1e-15);
     assert!(
-        (table[13]["steer_m"] - 0.352).abs() < 1e-15,
+        (table[13]["steer_m"] - 0.3505).abs() < 1e-15,
         "the last drive changes fastest"
     );
     let middle = &table[12];
@@ -37,23 +39,23 @@ fn a_row_a_place_with_derivatives_that_are_those_of_differences() {
         for (drive, stride) in [("bump", 5), ("steer", 1)] {
             let [a, b, c, d, e] =
                 [-2, -1, 0, 1, 2].map(|k: isize| table[(12 + k * stride) as usize][quantity]);
-            let h = 0.002;
+            let h = 0.0005;
             let first = (8.0 * (d - b) - (e - a)) / (12.0 * h);
             let second = (16.0 * (b + d) - (a + e) - 30.0 * c) / (12.0 * h * h);
             let per = middle[&format!("{quantity}_per_{drive}")];
             assert!(
-                (per - first).abs() < 1e-6,
+                (per - first).abs() < 1e-6 * (1.0 + first.abs()),
                 "{quantity} per {drive}: {per} {first}"
             );
             let per = middle[&format!("{quantity}_per_{drive}2")];
             assert!(
-                (per - second).abs() < 1e-4,
+                (per - second).abs() < 1e-4 * (1.0 + second.abs()),
                 "{quantity} per {drive}: {per} {second}"
             );
             checked += 1;
         }
     }
-    assert!(checked > 60, "{checked}");
+    assert!(checked > 100, "{checked}");
     for name in [
         "roll_centre_m",
         "virtual_caster_rad",

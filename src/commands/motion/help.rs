@@ -37,7 +37,7 @@ const FILE: &str = r#"The file:
   [design]                           # optional: the drives' values at which the mechanism is
   theta = 1.5707963267948966         # assembled and markers are attached; else as the points are
   [vehicle]                          # optional: what more quantities need, see suspension sheet --help
-  wheel_radius = 0.3
+  wheel_radius = 0.3                 # and for anti-dive and the like axle, wheelbase, cg_height
   [time]                             # in seconds; or: instants = [0.0, 0.25, 0.5]
   start = 0.0
   stop = 1.95                        # the last instant is the last multiple of step within stop

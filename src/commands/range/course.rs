@@ -142,9 +142,7 @@ fn run<L: Suspension<N>, const N: usize>(
             freed: index,
             turns,
             speed: speed(curve, place, turns),
-            state: mechanism.with_directions(state, |drive| {
-                mechanism.per(drive, &drives, &place.configuration.unknowns)
-            }),
+            state: mechanism.with_velocities(state, drives, &place.configuration.unknowns),
         }
     };
     let mut run = Run {

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::mechanism::{From, Grid, Mechanism, State, Suspension, Unit};
+use crate::mechanism::{From, Grid, Mechanism, Order, State, Suspension, Unit};
 use crate::quantities::{
     self, CATALOGUE, Column, DRIVES, Kind, MARKERS, POSITIONS, Quantity, RESIDUAL,
 };
@@ -40,7 +40,7 @@ pub(super) fn parameters<L: Suspension<N>, const N: usize>(
         columns.iter().map(parameter).collect()
     };
     let grid = Grid::new(mechanism, Vec::new(), From::Start).unwrap_or_default();
-    let visited = mechanism.visit(&grid, interrupted, &mut read);
+    let visited = mechanism.visit(&grid, Order::First, interrupted, &mut read);
     visited.places.into_iter().flatten().flatten().collect()
 }
 

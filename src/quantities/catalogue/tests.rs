@@ -68,6 +68,7 @@ fn what_the_vehicle_makes_known_has_columns() {
         wheel_radius: Some(0.3),
         travel: Some(0),
         steer: Some(1),
+        ..Vehicle::default()
     });
     let more = |than: &Names, all: &Names| {
         let (than, all) = (tabled(than), tabled(all));

@@ -1,0 +1,76 @@
+//! Readings of how a suspension bears the forces of brakes and drive.
+
+use suspension_core::signal::Number as _;
+
+use crate::mechanism::{Axle, Names};
+use crate::quantities::kind::Kind;
+use crate::quantities::on_ground::{Along, Moving, of_moving};
+use crate::quantities::quantity::{Number, Reading};
+
+/// What the wheel's torque is borne by, which decides where the force acts.
+#[derive(Clone, Copy)]
+pub(super) enum Torque {
+    /// Brakes on the carrier: the force acts at the contact point, as if that were of the carrier.
+    OfBrakes,
+    /// Shafts from the chassis: the force acts at the wheel centre.
+    OfShafts,
+}
+
+impl Torque {
+    fn is_on_ground(self) -> bool {
+        matches!(self, Self::OfBrakes)
+    }
+
+    /// How far the point where the force acts goes forward and upwards in bump, whichever way the drive moves the wheel.
+    fn forward_and_upward(self, moving: &Moving) -> [Number; 2] {
+        let velocity = match self {
+            Self::OfBrakes => moving.carrier.velocity_of(&moving.contact),
+            Self::OfShafts => moving.carrier.velocity,
+        };
+        if velocity.z.is_below_zero() {
+            [-velocity.x, -velocity.z]
+        } else {
+            [velocity.x, velocity.z]
+        }
+    }
+}
+
+/// The angle of the path in bump from the vertical in the side view.
+pub(super) fn of_support_angle(names: &Names, torque: Torque) -> Vec<Reading> {
+    of_moving(
+        names,
+        Along::Travel,
+        Kind::Angle,
+        torque.is_on_ground(),
+        move |moving| {
+            let [forward, upward] = torque.forward_and_upward(moving);
+            Number::arc_tangent(forward, upward)
+        },
+    )
+}
+
+/// The part of the car's load transfer that links bear in place of springs; `towards` is 1 where a path forward
+/// in bump bears it, -1 where one rearward does.
+pub(super) fn of_support(names: &Names, axle: Axle, torque: Torque, towards: f64) -> Vec<Reading> {
+    let Some(car) = names.vehicle.car.filter(|car| car.axle == axle) else {
+        return Vec::new();
+    };
+    let share = match torque {
+        Torque::OfBrakes => car.brake_share,
+        Torque::OfShafts => car.drive_share,
+    };
+    let Some(share) = share else {
+        return Vec::new();
+    };
+    let factor = Number::still(100.0 * towards * share * car.wheelbase / car.cg_height);
+    of_moving(
+        names,
+        Along::Travel,
+        Kind::Percent,
+        torque.is_on_ground(),
+        move |moving| {
+            let [forward, upward] = torque.forward_and_upward(moving);
+            forward / upward * factor
+        },
+    )
+}

@@ -1,0 +1,70 @@
+//! How much of a car's load transfer in braking and driving the links bear.
+
+use super::program::{folder, rows, run, text};
+
+/// A trailing arm, whose wheel turns about its pivot: 0.42 m ahead of the wheel centre and of the contact point, 0.30 m
+/// above the ground, 0.01 m above the wheel centre.
+fn file(vehicle: &str) -> String {
+    format!(
+        "linkage = \"trailing_arm\"\nunit = \"m\"\n[vehicle]\nwheel_radius = 0.29\n{vehicle}\n\
+         [time]\ninstants = [0.0]\n[drives]\nbump = 0.29\n"
+    )
+}
+
+const CAR: &str = "wheelbase = 2.5\ncg_height = 0.5\nbrake_share = 0.4\ndrive_share = 0.5\n";
+
+#[test]
+fn a_trailing_arm_bears_what_the_slope_to_its_pivot_says() {
+    let folder = folder();
+    let path = folder.path().join("rear.toml");
+    std::fs::write(path, file(&format!("axle = \"rear\"\n{CAR}"))).expect("written");
+    let arguments = [
+        "sweep",
+        "rear.toml",
+        "--drive",
+        "bump=-0.002:0.002:5",
+        "--csv",
+        "-",
+    ];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let table = rows(&output.stdout);
+    let design = &table[2];
+    let lift = 100.0 * 0.30 / 0.42 * 0.4 * 2.5 / 0.5;
+    let squat = 100.0 * 0.01 / 0.42 * 0.5 * 2.5 / 0.5;
+    assert!(
+        (design["anti_lift_percent"] - lift).abs() < 1e-10,
+        "{design:?}"
+    );
+    assert!(
+        (design["anti_squat_percent"] - squat).abs() < 1e-10,
+        "{design:?}"
+    );
+    assert!(!design.contains_key("anti_dive_percent"));
+    let [before, after] = [1, 3].map(|place: usize| table[place]["anti_lift_percent"]);
+    let slope = (after - before) / 0.002;
+    let per_bump = design["anti_lift_percent_per_bump"];
+    assert!((per_bump / slope - 1.0).abs() < 1e-4, "{per_bump} {slope}");
+}
+
+#[test]
+fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
+    for (vehicle, expected) in [
+        (CAR, "axle = \"front\" or \"rear\" is missing"),
+        ("axle = \"rear\"\nwheelbase = 2.5\n", "cg_height is missing"),
+        ("axle = \"rear\"\ncg_height = 0.5\n", "wheelbase is missing"),
+        ("axle = \"middle\"\n", "unknown variant `middle`"),
+        (
+            "brake_share = 60\n",
+            "brake_share is the axle's share of the force, from 0 to 1",
+        ),
+    ] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), file(vehicle)).expect("written");
+        let output = run(folder.path(), &["sheet", "a.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let message = text(&output.stderr);
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(message.contains(expected), "{message}");
+    }
+}
