@@ -2,9 +2,11 @@
 
 mod catalogue;
 mod kind;
+mod moving;
 mod on_ground;
 mod quantity;
 mod readings;
+mod seen;
 mod support;
 mod words;
 
@@ -18,4 +20,5 @@ pub use catalogue::{
 };
 pub use kind::Kind;
 pub use quantity::{Axis, Column, Quantity, Shown, columns};
+pub use seen::Seen;
 pub use words::in_words;

@@ -1,4 +1,4 @@
-//! Rows as comma-separated values, 17 significant digits each.
+//! Rows as comma-separated values, each with as many digits as it takes to read the same number.
 
 use std::io::{self, BufWriter, Stdout, Write};
 use std::path::{Path, PathBuf};
@@ -92,17 +92,17 @@ impl CsvFile {
     ///
     /// See [`Failure::writing`].
     pub fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
-        let values = values.iter().zip(&self.counts);
-        let fields: Vec<String> = values
-            .map(|(value, counts)| {
-                if *counts {
-                    format!("{value}")
-                } else {
-                    format!("{value:.16e}")
-                }
-            })
-            .collect();
-        self.record(fields.iter().map(String::as_str))
+        let mut buffer = zmij::Buffer::new();
+        for (value, counts) in values.iter().zip(&self.counts) {
+            let written = if *counts {
+                self.writer.write_field(value.to_string())
+            } else {
+                self.writer.write_field(buffer.format(*value))
+            };
+            written.map_err(|error| failed(&self.name, error))?;
+        }
+        // Without a field: the end of the row.
+        self.record(std::iter::empty())
     }
 
     /// Ends the table; a file takes its name.
@@ -122,10 +122,14 @@ impl CsvFile {
 
     fn record<'a>(&mut self, fields: impl Iterator<Item = &'a str>) -> Result<(), Failure> {
         let written = self.writer.write_record(fields);
-        written.map_err(|error| match error.into_kind() {
-            csv::ErrorKind::Io(error) => Failure::writing(&self.name, &error),
-            other => Failure::Output(format!("{}: cannot be written: {other:?}", self.name)),
-        })
+        written.map_err(|error| failed(&self.name, error))
+    }
+}
+
+fn failed(name: &str, error: csv::Error) -> Failure {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => Failure::writing(name, &error),
+        other => Failure::Output(format!("{name}: cannot be written: {other:?}")),
     }
 }
 

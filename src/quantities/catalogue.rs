@@ -9,14 +9,13 @@ use suspension_core::wheel::{
 
 use crate::mechanism::{Axle, Names, State, WheelPoints};
 use crate::quantities::kind::Kind;
+use crate::quantities::moving::{Along, Moving, at};
 use crate::quantities::on_ground::{
-    Along, Moving, of_contact, of_kingpin_at_centre, of_kingpin_at_ground, of_moving,
-    of_moving_place,
+    of_contact, of_kingpin_at_centre, of_kingpin_at_ground, of_moving, of_moving_place,
 };
 use crate::quantities::quantity::{Axis, Quantity, Reading, Shown};
 use crate::quantities::readings::{
-    alone, at, each, number, of_kingpin, of_kingpin_and_spin_axis, of_spin_axis, place, point,
-    vector,
+    alone, each, number, of_kingpin, of_kingpin_and_spin_axis, of_spin_axis, place, point, vector,
 };
 use crate::quantities::support::{Torque, of_support, of_support_angle};
 

@@ -6,6 +6,8 @@ use suspension_core::Signal;
 
 use crate::mechanism::{Names, State, Unit};
 use crate::quantities::kind::Kind;
+use crate::quantities::moving::Number;
+use crate::quantities::seen::Seen;
 
 /// What is read off a mechanism: a row of the catalogue.
 pub struct Quantity {
@@ -36,11 +38,8 @@ pub enum Shown {
     InBoth,
 }
 
-/// A number with its derivatives along the rates of a state.
-pub(super) type Number = Signal<f64>;
-
 /// What reads a number of any state.
-pub(super) type Read = dyn Fn(&State) -> Number;
+pub(super) type Read = dyn Fn(&Seen<'_>) -> Number;
 
 /// One number of a quantity.
 pub(super) struct Reading {
@@ -87,7 +86,7 @@ pub struct Column {
     pub kind: Kind,
     /// The component, of a vector.
     pub axis: Option<Axis>,
-    /// Whether [`along`](Self::along) has derivatives: whether positions alone determine it.
+    /// Whether [`seen`](Self::seen) has derivatives: whether positions alone determine it.
     pub has_derivatives: bool,
     value: Box<Read>,
 }
@@ -98,10 +97,15 @@ impl Column {
         self.along(state).value
     }
 
+    /// The same with its derivatives: see [`seen`](Self::seen).
+    pub fn along(&self, state: &State) -> Signal<f64> {
+        self.seen(&Seen::of(state))
+    }
+
     /// The number with its derivatives along the rates of the state's points: with respect to time, or to a drive. They are
     /// NaN of what is not determined by positions.
-    pub fn along(&self, state: &State) -> Signal<f64> {
-        (self.value)(state)
+    pub fn seen(&self, seen: &Seen<'_>) -> Signal<f64> {
+        (self.value)(seen)
     }
 
     /// Its name in a CSV file: `p6_x`, `p6_vx`, `omega_x`, `camber_rad`.

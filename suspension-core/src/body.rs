@@ -52,7 +52,7 @@ pub fn angular_velocity_and_rates<T: Real>(
     at: &Signal<Triple<T>>,
     velocities: &Signal<Triple<T>>,
 ) -> Option<Signal<Vector3<T>>> {
-    let fit = |rates: &Triple<T>| fit_rotation(&at.value, rates);
+    let fit = rotation_fit(&at.value)?;
     let known =
         |found: Option<Vector3<T>>| found.unwrap_or_else(|| Vector3::repeat(T::constant(f64::NAN)));
     // v = v0 + omega x r, differentiated.
@@ -101,21 +101,28 @@ fn without_centripetal<T: Real>(
 /// The vector `w` for which `w x r` fits the differences of `rates` best, with `r` measured from
 /// the centroid: `sum (|r|^2 - r r') w = sum r x rate`.
 fn fit_rotation<T: Real>(at: &Triple<T>, rates: &Triple<T>) -> Option<Vector3<T>> {
+    rotation_fit(at)?(rates)
+}
+
+/// What fits any rates of three points; `None` where these are in line.
+fn rotation_fit<T: Real>(at: &Triple<T>) -> Option<impl Fn(&Triple<T>) -> Option<Vector3<T>>> {
     let [a, b, c] = at;
     Frame::new(*a, *b, *c).normal()?;
     let centroid = mean(at);
-    let mean_rate = mean(rates);
-    let mut inertia = Matrix3::zeros();
-    let mut moment = Vector3::zeros();
-    for (point, rate) in at.iter().zip(rates) {
-        let r = point - centroid;
-        inertia += Matrix3::from_diagonal_element(r.norm_squared()) - r * r.transpose();
-        moment += r.cross(&(rate - mean_rate));
-    }
+    let from_centroid = at.map(|point| point - centroid);
+    let inertia =
+        from_centroid.map(|r| Matrix3::from_diagonal_element(r.norm_squared()) - r * r.transpose());
+    let inertia: Matrix3<T> = inertia.iter().sum();
     // Of the size of 1, so that the determinant neither overflows nor vanishes.
     let size = inertia.trace();
-    let rotation = (inertia / size).try_inverse()? * (moment / size);
-    rotation.iter().all(|x| x.is_finite()).then_some(rotation)
+    let inverse = (inertia / size).try_inverse()?;
+    Some(move |rates: &Triple<T>| {
+        let mean_rate = mean(rates);
+        let moments = from_centroid.iter().zip(rates);
+        let moment: Vector3<T> = moments.map(|(r, rate)| r.cross(&(rate - mean_rate))).sum();
+        let rotation = inverse * (moment / size);
+        rotation.iter().all(|x| x.is_finite()).then_some(rotation)
+    })
 }
 
 fn mean<T: Real>([a, b, c]: &Triple<T>) -> Vector3<T> {

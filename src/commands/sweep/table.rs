@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::mechanism::{Mechanism, Names, State};
 use crate::output::csv_file::{CsvFile, Heading, Target};
-use crate::quantities::{self, CATALOGUE, Column, DRIVES, Shown};
+use crate::quantities::{self, CATALOGUE, Column, DRIVES, Seen, Shown};
 
 /// The numbers of a place.
 pub(super) type Row = Vec<f64>;
@@ -31,18 +31,20 @@ pub(super) fn columns(names: &Names, derivatives: u8) -> Columns {
 impl Columns {
     /// The numbers of a state; `per` is the state with derivatives with respect to a drive, `None` where the mechanism locks.
     pub(super) fn row(&self, state: &State, per: impl Fn(usize) -> Option<State>) -> Row {
-        let mut row: Row = self
-            .quantities
-            .iter()
-            .map(|column| column.value(state))
-            .collect();
+        let seen = Seen::of(state);
+        let quantities = self.quantities.iter();
+        let mut row: Row = quantities.map(|column| column.seen(&seen).value).collect();
         if self.derivatives == 0 {
             return row;
         }
         let per: Vec<Option<State>> = (0..self.drives).map(per).collect();
+        let seen: Vec<Option<Seen<'_>>> = per
+            .iter()
+            .map(|state| state.as_ref().map(Seen::of))
+            .collect();
         for column in self.with_derivatives() {
-            for state in &per {
-                let along = state.as_ref().map(|state| column.along(state));
+            for seen in &seen {
+                let along = seen.as_ref().map(|seen| column.seen(seen));
                 let [first, second] =
                     along.map_or([f64::NAN; 2], |along| [along.rate, along.second_rate]);
                 row.extend([first, second].iter().take(self.derivatives.into()));

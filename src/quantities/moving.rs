@@ -1,0 +1,125 @@
+//! A wheel on the ground, and its carrier as one drive moves it.
+
+use nalgebra::Vector3;
+use suspension_core::Signal;
+use suspension_core::body::angular_velocity_and_rates;
+use suspension_core::signal::Number as _;
+use suspension_core::wheel::{Carrier, Heading, SteeringAxis, contact};
+
+use crate::mechanism::{State, WheelPoints};
+
+/// A number with its derivatives along the rates of a state.
+pub(super) type Number = Signal<f64>;
+
+/// A point in local coordinates.
+pub(super) fn at(state: &State, point: usize) -> Vector3<Number> {
+    let of = |points: &Vec<Vector3<f64>>| points[point];
+    state.points.map(of).components()
+}
+
+/// From one point to another.
+pub(super) fn from_to(state: &State, [from, to]: [usize; 2]) -> Vector3<Number> {
+    let between = |points: &Vec<Vector3<f64>>| points[to] - points[from];
+    state.points.map(between).components()
+}
+
+/// The points of a wheel and its radius, NaN where the file has none.
+#[derive(Clone, Copy)]
+pub(super) struct Rolling {
+    pub(super) points: WheelPoints,
+    pub(super) radius: f64,
+}
+
+/// A wheel in a state, in local coordinates.
+pub(super) struct Wheel {
+    pub(super) centre: Vector3<Number>,
+    pub(super) axis: Vector3<Number>,
+    /// Not finite where the file has no wheel radius.
+    pub(super) contact: Vector3<Number>,
+}
+
+impl Wheel {
+    pub(super) fn of(state: &State, Rolling { points, radius }: Rolling) -> Self {
+        let [_, centre] = points.axis;
+        let (centre, axis) = (at(state, centre), from_to(state, points.axis));
+        Self {
+            contact: contact(&centre, &axis, Signal::still(radius)),
+            centre,
+            axis,
+        }
+    }
+}
+
+/// The drive by which a mechanism moves, the others held.
+#[derive(Clone, Copy)]
+pub(super) enum Along {
+    Travel,
+    Steer,
+}
+
+/// A carrier and its wheel as one drive moves them, in the file's coordinates.
+pub(super) struct Moving {
+    pub(super) carrier: Carrier<Number>,
+    pub(super) axis: Vector3<Number>,
+    /// Not finite where the file has no wheel radius.
+    pub(super) contact: Vector3<Number>,
+}
+
+impl Moving {
+    /// `None` where the file names no such drive, and where the mechanism locks.
+    pub(super) fn of(
+        state: &State,
+        along: Along,
+        points: WheelPoints,
+        wheel: &Wheel,
+    ) -> Option<Self> {
+        let velocities = match along {
+            Along::Travel => state.travel.as_ref()?,
+            Along::Steer => state.steer.as_ref()?,
+        };
+        let of_carrier = |all: &Vec<Vector3<f64>>| points.carrier.map(|point| all[point]);
+        let (places, rates) = (state.points.map(of_carrier), velocities.map(of_carrier));
+        let omega = angular_velocity_and_rates(&places, &rates)?.components();
+        let [first, _, _] = points.carrier;
+        let of_first = |all: &Vec<Vector3<f64>>| all[first];
+        let to_centre = wheel.centre - at(state, first);
+        let origin = state.origin.map(Signal::still);
+        Some(Self {
+            contact: wheel.contact + origin,
+            axis: wheel.axis,
+            carrier: Carrier {
+                centre: wheel.centre + origin,
+                velocity: velocities.map(of_first).components() + omega.cross(&to_centre),
+                omega,
+            },
+        })
+    }
+
+    /// The axis about which the carrier turns.
+    pub(super) fn screw(&self) -> SteeringAxis<Number> {
+        let Carrier {
+            centre,
+            velocity,
+            omega,
+        } = &self.carrier;
+        SteeringAxis::of_screw(centre, velocity, omega)
+    }
+
+    /// How far the carrier moves along that axis for a radian about it.
+    pub(super) fn pitch(&self) -> Number {
+        let Carrier {
+            velocity, omega, ..
+        } = &self.carrier;
+        let pitch = omega.dot(velocity) / omega.dot(omega);
+        if omega.z.is_below_zero() {
+            -pitch
+        } else {
+            pitch
+        }
+    }
+
+    /// Horizontal directions of the wheel.
+    pub(super) fn heading(&self) -> Heading<Number> {
+        Heading::of(&self.axis)
+    }
+}
