@@ -6,6 +6,7 @@ mod double_wishbone;
 mod drives;
 mod four_bar;
 mod hinge;
+mod plane;
 mod rocker;
 mod slide;
 mod trailing_arm;

@@ -20,7 +20,7 @@ use crate::scalar::Scalar;
 use crate::signal::Signal;
 use crate::trigonometry::sine_cosine;
 
-pub use along::{Along, AlongGradient};
+pub use along::{Along, AlongGradient, InPlane, OnLine};
 pub use carried::{Carried, CarriedGradient};
 pub use distance::Distance;
 pub use frame::Frame;

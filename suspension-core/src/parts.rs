@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::constraint::{Along, Carried, Distance, Frame, Stretch};
+use crate::constraint::{Carried, Distance, Frame, InPlane, OnLine, Stretch};
 use crate::error::GeometryError;
 use crate::factored::growth_limit;
 use crate::handedness::Linked;
@@ -83,9 +83,9 @@ pub fn distance<T: Real>(
 /// # Errors
 ///
 /// [`GeometryError::NoLine`] where they coincide, or are too far apart to square.
-pub fn line<T: Real>(end: usize, length: T) -> Result<Along<T>, GeometryError> {
+pub fn line<T: Real>(end: usize, length: T) -> Result<OnLine<T>, GeometryError> {
     if is_usable(length) {
-        Ok(Along::new(length))
+        Ok(OnLine::new([length]))
     } else {
         Err(GeometryError::NoLine { point: end })
     }
@@ -137,6 +137,16 @@ pub fn frame_of_lengths<T: Real>(
         third,
         at_rest.ok_or(GeometryError::NotClosed { point: third })?,
     )
+}
+
+/// A plane of three points, with `third` the index of the last.
+///
+/// # Errors
+///
+/// [`GeometryError::Collinear`] where they are in line.
+pub fn plane<T: Real>(third: usize, points: Frame<T>) -> Result<InPlane<T>, GeometryError> {
+    let Frame { u, v, .. } = frame(third, points)?;
+    Ok(InPlane::new([u.norm(), v.norm()]))
 }
 
 /// The constants of a carried point as it stands.

@@ -10,6 +10,7 @@ mod link;
 mod marker;
 mod measure;
 pub(crate) mod operands;
+mod plane;
 mod points;
 mod quantity;
 mod role;
@@ -26,6 +27,7 @@ pub(crate) const STATEMENTS: &[Word] = &[
     body::BODY,
     hinge::HINGE,
     slide::SLIDE,
+    plane::PLANE,
     drive::DRIVE,
     measure::MEASURE,
     marker::POINT,

@@ -136,6 +136,11 @@ pub fn length_name(drive: &Name) -> Name {
     Name::made(format!("{drive}_length"))
 }
 
+/// The distance from the first point of a plane towards another under its name in the generated code.
+pub fn distance_name(plane: &Name, towards: &Name) -> Name {
+    Name::made(format!("{plane}_{towards}"))
+}
+
 /// A coordinate of a vector under its name in the generated code.
 pub fn coordinate_name(vector: &Name, axis: usize) -> Name {
     Name::made(format!("{vector}_{}", AXES[axis]))
@@ -225,9 +230,11 @@ impl System {
         };
         for equation in &self.equations {
             let form = equation.form.equations();
-            let index = form.scalar().and_then(|(name, _)| self.scalar(name));
-            if let (Some(index), Some(value)) = (index, form.scalar_at(&positions.of_sites(form))) {
-                positions.scalars[index] = value;
+            let values = form.scalars_at(&positions.of_sites(form));
+            for ((name, _), value) in form.scalars().into_iter().zip(values.into_iter().flatten()) {
+                if let Some(index) = self.scalar(name) {
+                    positions.scalars[index] = value;
+                }
             }
         }
         positions

@@ -44,9 +44,14 @@ where
                 put(rows, linear.row, off);
             }
         }
-        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
-            if let Some(off) = along.residual(constant, &sites) {
-                put_three(rows, along.row, off);
+        for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
+            if let Some(off) = line.residual(constant, &sites) {
+                put_three(rows, line.row, off);
+            }
+        }
+        for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
+            if let Some(off) = plane.residual(constant, &sites) {
+                put_three(rows, plane.row, off);
             }
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
@@ -80,8 +85,11 @@ where
         for linear in &plan.linear {
             linear.write_dense(&mut matrix);
         }
-        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
-            along.write_dense(constant, &sites, &mut matrix);
+        for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
+            line.write_dense(constant, &sites, &mut matrix);
+        }
+        for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
+            plane.write_dense(constant, &sites, &mut matrix);
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             stretch.write_dense(constant, &sites, &mut matrix);
@@ -119,9 +127,14 @@ where
                 put_three(rows, carried.row, constant.curvature(&frame_v, &frame_w));
             }
         }
-        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
-            if let (Some(v), Some(w)) = (along.change(&v), along.change(&w)) {
-                put_three(rows, along.row, constant.curvature(v, w));
+        for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
+            if let (Some(v), Some(w)) = (line.change(&v), line.change(&w)) {
+                put_three(rows, line.row, constant.curvature(v, w));
+            }
+        }
+        for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
+            if let (Some(v), Some(w)) = (plane.change(&v), plane.change(&w)) {
+                put_three(rows, plane.row, constant.curvature(v, w));
             }
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {

@@ -1,7 +1,7 @@
 //! Constant lengths: into the model, and out of it.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Along, Carried, Distance, Frame};
+use suspension_core::constraint::{Carried, Distance, Frame, OnLine};
 use suspension_core::handedness::Linked;
 use suspension_core::{GeometryError, Real, Values, parts};
 
@@ -54,7 +54,7 @@ where
         let model = Self {
             distances,
             carried,
-            along: self.along_with(lengths, &frames, &carried)?,
+            lines: self.lines_with(lengths, &frames, &carried)?,
             linked: self.linked_with(lengths, &cluster_frames)?,
             frames,
             cluster_frames,
@@ -75,16 +75,16 @@ where
         parts::frame_of_lengths(self.point(c).into(), edges)
     }
 
-    fn along_with(
+    fn lines_with(
         &self,
         lengths: &Lengths<T, N>,
         frames: &Few<Frame<T>, N>,
         carried: &Few<Carried<T>, N>,
-    ) -> Result<Few<Along<T>, N>, GeometryError> {
-        fill(self.plan().along.iter().map(|along| {
-            let [from, to] = along.line;
-            let length = match along.length {
-                LineLength::Given(length) => self.given(lengths, length, [from, to]),
+    ) -> Result<Few<OnLine<T>, N>, GeometryError> {
+        fill(self.plan().lines.iter().map(|line| {
+            let [to] = line.ends;
+            let length = match line.length {
+                LineLength::Given(length) => self.given(lengths, length, [line.from, to]),
                 LineLength::Body { body, ends } => {
                     let frame = frames.get(body);
                     let [from, to] = ends.map(|end| match end {

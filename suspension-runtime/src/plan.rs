@@ -37,7 +37,8 @@ pub(crate) struct Plan {
     /// All bodies of three points or more, each with the points that it carries.
     pub(crate) bodies: Vec<Body>,
     pub(crate) linear: Vec<Linear>,
-    pub(crate) along: Vec<Along>,
+    pub(crate) lines: Vec<Along<1>>,
+    pub(crate) planes: Vec<Along<2>>,
     pub(crate) stretches: Vec<Stretch>,
     /// What drives contribute to rates, with the chassis points that they move.
     pub(crate) driven: InputRates,
@@ -59,7 +60,7 @@ impl Plan {
         let entry = |row, column: Option<usize>| elimination.entry(row, column);
         let lengths = LengthNames::new(system);
         let (mut distances, mut linear) = (Vec::new(), Vec::new());
-        let (mut along, mut stretches) = (Vec::new(), Vec::new());
+        let (mut lines, mut planes, mut stretches) = (Vec::new(), Vec::new(), Vec::new());
         let mut bodies: Vec<Body> = (system.bodies.iter())
             .map(|body| Body::new(body, &lengths))
             .collect();
@@ -85,7 +86,8 @@ impl Plan {
                     }
                 }
                 Form::Along(form) => {
-                    along.push(Along::new(system, form, row, &lengths, entry));
+                    lines.extend(Along::new(system, form, row, &lengths, entry));
+                    planes.extend(Along::new(system, form, row, &lengths, entry));
                 }
                 Form::Stretch(form) => stretches.push(Stretch::new(system, form, row, entry)),
             }
@@ -109,7 +111,8 @@ impl Plan {
             distances,
             bodies,
             linear,
-            along,
+            lines,
+            planes,
             stretches,
             elimination,
         }

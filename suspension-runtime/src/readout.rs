@@ -58,15 +58,23 @@ where
         for ([x, y, z], point) in places.iter_mut().zip(free) {
             (*x, *y, *z) = (point.x, point.y, point.z);
         }
-        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
-            let point = |site| points.get(self.point(site));
-            if let Some(place) = q.get_mut(usize::from(along.distance)) {
-                *place = constant.distance(point(along.point), along.line.map(point));
-            }
+        let point = |site| points.get(self.point(site));
+        for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
+            let ends = line.ends.map(point);
+            line.put(
+                constant.distances(point(line.point), point(line.from), ends),
+                &mut q,
+            );
+        }
+        for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
+            let ends = plane.ends.map(point);
+            plane.put(
+                constant.distances(point(plane.point), point(plane.from), ends),
+                &mut q,
+            );
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
-            let [from, to] =
-                [stretch.span.from, stretch.span.to].map(|site| points.get(self.point(site)));
+            let [from, to] = [stretch.span.from, stretch.span.to].map(point);
             if let Some(place) = q.get_mut(usize::from(stretch.length)) {
                 *place = constant.reach(difference(to, from));
             }

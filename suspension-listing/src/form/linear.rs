@@ -25,8 +25,9 @@ impl Equations for Linear {
         self.terms.iter().map(|term| &term.site).collect()
     }
 
-    fn scalar(&self) -> Option<(&Name, Dependence)> {
-        self.scalar.as_ref().map(|name| (name, Dependence::Unit))
+    fn scalars(&self) -> Vec<(&Name, Dependence)> {
+        let scalar = self.scalar.iter();
+        scalar.map(|name| (name, Dependence::Unit)).collect()
     }
 
     fn dependence(&self, _row: usize, site: usize, axis: usize) -> Dependence {
@@ -44,10 +45,10 @@ impl Equations for Linear {
         Some([0.0; 3])
     }
 
-    fn residual(&self, _constants: &Vector, at: &[Vector], scalar: f64) -> Vector {
+    fn residual(&self, _constants: &Vector, at: &[Vector], scalars: &[f64]) -> Vector {
         let terms = self.terms.iter().zip(at);
         let sum: f64 = terms.map(|(term, at)| term.factor * at[term.axis]).sum();
-        [sum + scalar, 0.0, 0.0]
+        [sum + scalars.iter().sum::<f64>(), 0.0, 0.0]
     }
 
     fn drive(&self) -> Option<&Name> {

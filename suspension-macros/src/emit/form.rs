@@ -40,9 +40,9 @@ pub(super) trait Emit {
         false
     }
 
-    /// The value of the unknown that it has beside coordinates, with each site where `place` says;
+    /// Sets the unknowns in `free` that it has beside coordinates, with each site where `place` says;
     /// `None` where it has none.
-    fn scalar(&self, _name: &Name, _place: &dyn Fn(&Site) -> TokenStream) -> Option<TokenStream> {
+    fn scalars(&self, _name: &Name, _place: &dyn Fn(&Site) -> TokenStream) -> Option<TokenStream> {
         None
     }
 
@@ -91,11 +91,11 @@ fn gradient_entries(site: &Site, row: &Name, sign: &TokenStream, write: &Write<'
     quote!(#(#entries)*)
 }
 
-/// The values of the scalar unknowns, with each site where `place` says.
+/// Sets the scalar unknowns in `free`, with each site where `place` says.
 pub(super) fn scalars(system: &System, place: &dyn Fn(&Site) -> TokenStream) -> Vec<TokenStream> {
     let equations = system.equations.iter();
     equations
-        .filter_map(|equation| of(equation).scalar(&equation.named.name, place))
+        .filter_map(|equation| of(equation).scalars(&equation.named.name, place))
         .collect()
 }
 

@@ -18,8 +18,20 @@ pub(crate) struct InputRates {
     pub(crate) linear: Vec<LinearRate>,
     /// Variable lengths from such a point.
     pub(crate) stretches: Vec<u16>,
-    /// Points on lines, and which of the point and the line's ends are such points.
-    pub(crate) along: Vec<(u16, [bool; 3])>,
+    /// Points on lines, of which something is such a point.
+    pub(crate) lines: Vec<MovedLines>,
+    /// Points in planes.
+    pub(crate) planes: Vec<MovedLines>,
+}
+
+/// A point on a line or in a plane, and which of the points concerned are moved.
+#[derive(Clone, Debug)]
+pub(crate) struct MovedLines {
+    /// Of the points on lines, or of those in planes.
+    pub(crate) form: u16,
+    pub(crate) point: bool,
+    pub(crate) from: bool,
+    pub(crate) ends: Vec<bool>,
 }
 
 /// A carried point with its frame partly on the chassis.
@@ -47,7 +59,8 @@ impl InputRates {
     /// Of the chassis points with a motion and, with those that are driven, of the drives.
     pub(crate) fn new(system: &System, motion: SiteMotion) -> Self {
         let mut rates = Self::default();
-        let (mut row, mut distance, mut along, mut stretch) = (0, 0, 0, 0);
+        let (mut row, mut distance, mut stretch) = (0, 0, 0);
+        let (mut line, mut plane) = (0, 0);
         let mut carried = vec![0; system.bodies.len()];
         for equation in &system.equations {
             match &equation.form {
@@ -67,12 +80,12 @@ impl InputRates {
                     rates.linear.extend(rate);
                 }
                 Form::Along(form) => {
-                    let [from, to] = &form.line;
-                    let moved = [&form.point, from, to].map(|site| site.motion == motion);
-                    if moved.contains(&true) {
-                        rates.along.push((along, moved));
-                    }
-                    along += 1;
+                    let (forms, index) = match form.ends.len() {
+                        1 => (&mut rates.lines, &mut line),
+                        _ => (&mut rates.planes, &mut plane),
+                    };
+                    forms.extend(moved_lines(form, *index, motion));
+                    *index += 1;
                 }
                 Form::Stretch(form) => {
                     if form.from.motion == motion {
@@ -112,6 +125,18 @@ fn linear(
         drive,
         terms,
     })
+}
+
+/// `None` where none of the points has that motion.
+fn moved_lines(form: &form::Along, index: u16, motion: SiteMotion) -> Option<MovedLines> {
+    let is_moved = |site: &system::Site| site.motion == motion;
+    let moved = MovedLines {
+        form: index,
+        point: is_moved(&form.point),
+        from: is_moved(&form.from),
+        ends: form.ends.iter().map(is_moved).collect(),
+    };
+    (moved.point || moved.from || moved.ends.contains(&true)).then_some(moved)
 }
 
 /// `None` where no point of the frame has that motion. `carried` counts the points of each body.
