@@ -2,6 +2,7 @@
 //! answers, finite differences, and the published results of another program.
 
 mod checks;
+mod couple;
 mod double_wishbone;
 mod drives;
 mod four_bar;

@@ -14,6 +14,7 @@ mod along;
 mod carried;
 mod distance;
 mod frame;
+mod held;
 mod stretch;
 
 use crate::scalar::Scalar;
@@ -24,6 +25,7 @@ pub use along::{Along, AlongGradient, InPlane, OnLine};
 pub use carried::{Carried, CarriedGradient};
 pub use distance::Distance;
 pub use frame::Frame;
+pub use held::Held;
 pub use stretch::Stretch;
 
 /// The coordinate that a driving angle prescribes: `h = L cos(theta)` and its rates by the

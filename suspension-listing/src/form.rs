@@ -16,7 +16,7 @@ use crate::vector::Vector;
 pub use along::Along;
 pub use carried::Carried;
 pub use distance::Distance;
-pub use linear::{Linear, Term};
+pub use linear::{Linear, Prescribed, Term};
 pub use stretch::Stretch;
 
 /// One of the forms.

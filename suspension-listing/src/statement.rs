@@ -4,6 +4,7 @@
 //! statement what [`Statement`](crate::listing::Statement) has it answer.
 
 mod body;
+mod couple;
 mod drive;
 mod hinge;
 mod link;
@@ -15,6 +16,7 @@ mod points;
 mod quantity;
 mod role;
 mod slide;
+mod sum;
 pub(crate) mod word;
 
 use word::Word;
@@ -28,6 +30,7 @@ pub(crate) const STATEMENTS: &[Word] = &[
     hinge::HINGE,
     slide::SLIDE,
     plane::PLANE,
+    couple::COUPLE,
     drive::DRIVE,
     measure::MEASURE,
     marker::POINT,

@@ -88,18 +88,22 @@ pub struct Measure {
 /// What is prescribed, or read off the points.
 #[derive(Clone, Debug)]
 pub enum Quantity {
-    /// A coordinate, or difference of two.
-    Coordinate {
-        axis: usize,
-        of: Name,
-        minus: Option<Name>,
-    },
+    /// A sum of coordinates.
+    Sum(Vec<Term>),
     /// The angle of the line between two points from an axis, radians.
     Angle { axis: usize, line: [Name; 2] },
     /// The distance of two points.
     Length { line: [Name; 2] },
     /// The coordinate of a point along a unit vector.
     Along { point: Name, direction: Vector },
+}
+
+/// A coordinate of a point, times a factor.
+#[derive(Clone, Debug)]
+pub struct Term {
+    pub factor: f64,
+    pub point: Name,
+    pub axis: usize,
 }
 
 #[derive(Clone, Debug)]

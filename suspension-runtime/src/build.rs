@@ -1,15 +1,16 @@
 //! The model from positions.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Carried, Distance, Frame, InPlane, OnLine, Stretch};
+use suspension_core::constraint::{Carried, Distance, Frame, Held, InPlane, OnLine, Stretch};
 use suspension_core::generated::dot;
 use suspension_core::handedness::Linked;
 use suspension_core::{GeometryError, Real, Values, parts};
 
 use crate::fitted::Fitted;
+use crate::form::Prescribed;
 use crate::model::Model;
 use crate::plan::Measure;
-use crate::readout::coordinate;
+use crate::readout::{coordinate, sum};
 use crate::size::{Few, Points, Room, Size};
 use crate::table::Table;
 
@@ -33,6 +34,7 @@ where
             lines: Default::default(),
             planes: Default::default(),
             stretches: Default::default(),
+            held: Default::default(),
             markers: Default::default(),
             cluster_frames: Default::default(),
             linked: Default::default(),
@@ -48,6 +50,7 @@ where
             lines: model.lines_at(design)?,
             planes: model.planes_at(design)?,
             stretches: model.stretches_at(design)?,
+            held: model.held_at(design),
             linked: model.linked_at(design, &cluster_frames)?,
             markers: model.markers_at(design)?,
             ..model
@@ -123,6 +126,18 @@ where
         }))
     }
 
+    fn held_at(&self, design: &Points<Vector3<T>, N>) -> Few<Held<T>, N> {
+        let linear = self.plan().linear.iter();
+        let held = linear.filter(|linear| matches!(linear.prescribed, Prescribed::Design(_)));
+        let sums = held.map(|linear| {
+            let terms = linear.terms.iter();
+            let values = terms.map(|term| term.value(&design.get(self.point(term.site))));
+            let sum = values.reduce(|sum, value| sum + value);
+            Held::new(sum.unwrap_or_else(T::zero))
+        });
+        Few::<_, N>::from_values(sums)
+    }
+
     fn carried_at(
         &self,
         design: &Points<Vector3<T>, N>,
@@ -186,26 +201,27 @@ where
     }
 
     pub(crate) fn drives_in(&self, points: &Points<Vector3<T>, N>) -> Few<T, N> {
-        let drives = self.plan().drives.iter().map(|drive| match drive.quantity {
-            Measure::Coordinate { axis, of, minus } => {
-                let of = coordinate(&points.get(of), axis);
-                minus.map_or(of, |minus| of - coordinate(&points.get(minus), axis))
-            }
-            Measure::Angle { axis, line } => {
-                let [from, to] = line.map(|point| coordinate(&points.get(point), axis));
-                let of = drive.angle_of.map(usize::from);
-                let distance = of.and_then(|distance| self.distances.get(distance));
-                let length = distance.map_or(T::zero(), Distance::length);
-                parts::angle(to - from, length)
-            }
-            Measure::Length { line } => {
-                let [from, to] = line.map(|point| points.get(point));
-                (to - from).norm()
-            }
-            Measure::Along { point, direction } => {
-                dot(points.get(point), direction.map(T::constant).into())
-            }
-        });
+        let drives = self
+            .plan()
+            .drives
+            .iter()
+            .map(|drive| match &drive.quantity {
+                Measure::Sum(terms) => sum(terms, points),
+                Measure::Angle { axis, line } => {
+                    let [from, to] = line.map(|point| coordinate(&points.get(point), *axis));
+                    let of = drive.angle_of.map(usize::from);
+                    let distance = of.and_then(|distance| self.distances.get(distance));
+                    let length = distance.map_or(T::zero(), Distance::length);
+                    parts::angle(to - from, length)
+                }
+                Measure::Length { line } => {
+                    let [from, to] = line.map(|point| points.get(point));
+                    (to - from).norm()
+                }
+                Measure::Along { point, direction } => {
+                    dot(points.get(*point), direction.map(T::constant).into())
+                }
+            });
         Few::<T, N>::from_values(drives)
     }
 }

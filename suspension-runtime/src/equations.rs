@@ -3,6 +3,7 @@
 use nalgebra::{ArrayStorage, SMatrix, SVector, Vector3};
 use suspension_core::Scalar;
 
+use crate::form::Prescribed;
 use crate::model::Model;
 use crate::site::Sites;
 use crate::size::{Few, Room, Size};
@@ -40,7 +41,11 @@ where
             }
         }
         for linear in &plan.linear {
-            if let Some(off) = linear.residual(&sites, drives.get(linear.drive)) {
+            if let Some(sum) = linear.sum(&sites) {
+                let off = match linear.prescribed {
+                    Prescribed::Drive(drive) => sum - drives.get(drive),
+                    Prescribed::Design(held) => self.held.get(held).residual(sum),
+                };
                 put(rows, linear.row, off);
             }
         }

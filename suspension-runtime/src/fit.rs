@@ -38,14 +38,18 @@ where
             fit::<T, N>(&mut q, fixed, cluster.frame, frame, shape);
         }
         for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
-            if let Some((point, from, ends)) = line.places(&Sites::new(&q, fixed)) {
-                line.put(constant.distances(point, from, ends), &mut q);
-            }
+            let sites = Sites::new(&q, fixed);
+            let at = |site| sites.get(site).unwrap_or_default();
+            let ends = line.ends.map(at);
+            let distances = constant.distances(at(line.point), at(line.from), ends);
+            line.put(distances, &mut q);
         }
         for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
-            if let Some((point, from, ends)) = plane.places(&Sites::new(&q, fixed)) {
-                plane.put(constant.distances(point, from, ends), &mut q);
-            }
+            let sites = Sites::new(&q, fixed);
+            let at = |site| sites.get(site).unwrap_or_default();
+            let ends = plane.ends.map(at);
+            let distances = constant.distances(at(plane.point), at(plane.from), ends);
+            plane.put(distances, &mut q);
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             let length = stretch

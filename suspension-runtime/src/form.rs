@@ -12,6 +12,6 @@ mod stretch;
 pub(crate) use along::Along;
 pub(crate) use carried::Body;
 pub(crate) use distance::Distance;
-pub(crate) use linear::Linear;
+pub(crate) use linear::{Linear, Prescribed};
 pub(crate) use rates::InputRates;
 pub(crate) use stretch::Stretch;

@@ -9,18 +9,18 @@ mod room;
 mod substitution;
 
 use suspension_listing::eliminate::Order;
-use suspension_listing::form::Form;
+use suspension_listing::form::{self, Form};
 use suspension_listing::name::Name;
 use suspension_listing::system::{SiteMotion, System};
 
-use crate::form::{Along, Body, Distance, InputRates, Linear, Stretch};
+use crate::form::{Along, Body, Distance, InputRates, Linear, Prescribed, Stretch};
 use crate::site::Site;
 use crate::table::{SPARE, index};
 
 pub(crate) use clusters::Cluster;
 pub(crate) use elimination::{Elimination, Step};
 pub(crate) use lengths::{BodyPoint, Length, LengthNames, LineLength};
-pub(crate) use readout::{Drive, Measure, Roles};
+pub(crate) use readout::{Coordinate, Drive, Measure, Roles};
 pub(crate) use substitution::{Carrier, Term};
 
 /// The last place but one: zero among the numbers of the factors.
@@ -37,6 +37,8 @@ pub(crate) struct Plan {
     /// All bodies of three points or more, each with the points that it carries.
     pub(crate) bodies: Vec<Body>,
     pub(crate) linear: Vec<Linear>,
+    /// How many of them stay as they are.
+    pub(crate) held: usize,
     pub(crate) lines: Vec<Along<1>>,
     pub(crate) planes: Vec<Along<2>>,
     pub(crate) stretches: Vec<Stretch>,
@@ -67,7 +69,7 @@ impl Plan {
         let substituted: Vec<&Name> = (system.substituted().iter())
             .map(|substituted| substituted.point)
             .collect();
-        let mut row = 0;
+        let (mut row, mut held) = (0, 0);
         for equation in &system.equations {
             match &equation.form {
                 Form::Distance(form) => {
@@ -75,8 +77,17 @@ impl Plan {
                     distances.push(Distance::new(form, row, length, entry));
                 }
                 Form::Linear(form) => {
-                    let drive = position(system.drives.iter().map(|d| &d.named.name), &form.drive);
-                    linear.push(Linear::new(system, form, row, drive, entry));
+                    let prescribed = match &form.prescribed {
+                        form::Prescribed::Drive(drive) => {
+                            let drives = system.drives.iter().map(|drive| &drive.named.name);
+                            Prescribed::Drive(position(drives, drive))
+                        }
+                        form::Prescribed::Design => {
+                            held += 1;
+                            Prescribed::Design(index(held - 1))
+                        }
+                    };
+                    linear.push(Linear::new(system, form, row, prescribed, entry));
                 }
                 Form::Carried(form) => {
                     let mut named = system.bodies.iter().zip(&mut bodies);
@@ -111,6 +122,7 @@ impl Plan {
             distances,
             bodies,
             linear,
+            held,
             lines,
             planes,
             stretches,

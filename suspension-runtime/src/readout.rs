@@ -6,7 +6,7 @@ use suspension_core::generated::{difference, dot, moved_along};
 use suspension_core::{Real, Scalar, Signal, measure};
 
 use crate::model::Model;
-use crate::plan::Measure;
+use crate::plan::{Coordinate, Measure};
 use crate::site::{Site, Sites};
 use crate::size::{Few, Points, Room, Size};
 use crate::table::Table;
@@ -109,8 +109,12 @@ where
                 continue;
             };
             let (point, value) = (fixed.place(point), drives.get(place));
-            match drive.quantity {
-                Measure::Coordinate { axis, .. } => *coordinate_mut(point, axis) = value,
+            match &drive.quantity {
+                Measure::Sum(terms) => {
+                    for term in terms {
+                        *coordinate_mut(point, term.axis) = value;
+                    }
+                }
                 Measure::Along { direction, .. } => {
                     *point = moved_along(*point, direction.map(T::constant).into(), value);
                 }
@@ -148,22 +152,29 @@ where
 /// A quantity and its rates.
 fn measured<T: Real, P: Table<Vector3<T>>>(quantity: &Measure, points: &Signal<P>) -> Signal<T> {
     let line = |[from, to]: [u16; 2]| points.map(|points| points.get(to) - points.get(from));
-    match *quantity {
-        Measure::Coordinate { axis, of, minus } => points.map(|points| {
-            let of = coordinate(&points.get(of), axis);
-            minus.map_or(of, |minus| of - coordinate(&points.get(minus), axis))
-        }),
+    match quantity {
+        Measure::Sum(terms) => points.map(|points| sum(terms, points)),
         Measure::Angle { axis, line: ends } => {
             let mut along = Vector3::zeros();
-            *coordinate_mut(&mut along, axis) = T::one();
-            measure::angle(&line(ends), along)
+            *coordinate_mut(&mut along, *axis) = T::one();
+            measure::angle(&line(*ends), along)
         }
-        Measure::Length { line: ends } => measure::length(&line(ends)),
+        Measure::Length { line: ends } => measure::length(&line(*ends)),
         Measure::Along { point, direction } => {
             let direction = direction.map(T::constant).into();
-            points.map(|points| dot(points.get(point), direction))
+            points.map(|points| dot(points.get(*point), direction))
         }
     }
+}
+
+/// A sum of coordinates.
+pub(crate) fn sum<T: Scalar>(terms: &[Coordinate], points: &impl Table<Vector3<T>>) -> T {
+    let terms = terms.iter();
+    let values =
+        terms.map(|term| T::constant(term.factor) * coordinate(&points.get(term.point), term.axis));
+    values
+        .reduce(|sum, value| sum + value)
+        .unwrap_or_else(T::zero)
 }
 
 pub(crate) fn coordinate<T: Scalar>(vector: &Vector3<T>, axis: u16) -> T {

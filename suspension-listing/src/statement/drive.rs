@@ -8,7 +8,7 @@ use syn::{Error, Ident};
 use super::quantity::Quantity;
 use super::word::{Head, Word};
 use crate::errors::{self, Errors};
-use crate::form::{Form, Linear, Stretch};
+use crate::form::{Form, Linear, Prescribed, Stretch};
 use crate::kind::Kind;
 use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
 use crate::lower::origin;
@@ -53,10 +53,7 @@ impl Statement for Drive {
             }
             None => check.not_all_fixed(name, KIND, points),
         }
-        let same = earlier.iter().find(|other| other.claim() == self.claim());
-        if let Some((other, _)) = same.and_then(|other| other.named()) {
-            check.report(driven_twice(name, &other.name));
-        }
+        check.prescribed_once(self, earlier);
     }
 
     fn rank(&self) -> Rank {
@@ -76,7 +73,7 @@ impl Statement for Drive {
             let form = Form::Linear(Linear {
                 terms: self.quantity.terms(site),
                 scalar: is_length.then(|| name.clone()),
-                drive: name.clone(),
+                prescribed: Prescribed::Drive(name.clone()),
             });
             let origin = origin(KIND, &name, None);
             lowering.equation(self.named.plain(), origin, form);
@@ -108,7 +105,7 @@ impl Statement for Drive {
 
     fn moves(&self) -> Option<&Ident> {
         match &self.quantity {
-            Quantity::Coordinate { of, minus: None } => Some(&of.point),
+            Quantity::Sum(sum) => sum.single(),
             Quantity::Along { point, .. } => Some(point),
             _ => None,
         }
@@ -119,7 +116,7 @@ impl Statement for Drive {
     }
 
     fn claim(&self) -> Option<String> {
-        Some(format!("drive {}", self.quantity.text()))
+        Some(self.quantity.text())
     }
 }
 
@@ -162,13 +159,6 @@ impl Drive {
             }
         }
     }
-}
-
-fn driven_twice(name: &Ident, other: &Ident) -> Error {
-    errors::at(
-        name,
-        format!("drive `{other}` prescribes the same already; remove one of them"),
-    )
 }
 
 fn moved_twice(name: &Ident, point: &Ident, other: &Ident) -> Error {

@@ -72,6 +72,21 @@ pub(super) fn vector(input: ParseStream<'_>, what: &str) -> syn::Result<Vector> 
         .map_err(|numbers| not_three_coordinates(bracket.span.join(), what, numbers.len()))
 }
 
+/// A number without sign.
+pub(super) fn number(input: ParseStream<'_>) -> syn::Result<f64> {
+    let number: Lit = input.parse()?;
+    let value: f64 = match &number {
+        Lit::Int(digits) => digits.base10_parse(),
+        Lit::Float(digits) => digits.base10_parse(),
+        other => Err(not_a_number(other)),
+    }?;
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(not_a_number(&number))
+    }
+}
+
 /// A number with or without sign.
 struct Number(f64);
 
@@ -82,18 +97,7 @@ impl Parse for Number {
         } else {
             1.0
         };
-        let number: Lit = input.parse()?;
-        let value = match &number {
-            Lit::Int(digits) => digits.base10_parse::<f64>(),
-            Lit::Float(digits) => digits.base10_parse::<f64>(),
-            other => Err(not_a_number(other)),
-        };
-        let value: f64 = value?;
-        if value.is_finite() {
-            Ok(Self(sign * value))
-        } else {
-            Err(not_a_number(&number))
-        }
+        Ok(Self(sign * number(input)?))
     }
 }
 
@@ -121,6 +125,6 @@ fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
 fn not_a_number(literal: &Lit) -> Error {
     Error::new(
         literal.span(),
-        "a coordinate is a finite number, for example `-1.25`",
+        "a coordinate or a factor is a finite number, for example `-1.25`",
     )
 }

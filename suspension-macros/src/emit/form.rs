@@ -18,7 +18,7 @@ use super::indices;
 use super::operations::Operations;
 use super::terms::{Rows, ident};
 
-pub(super) use linear::constant;
+pub(super) use linear::{constant, sum};
 
 /// Writes an entry: its row, its column, its value.
 pub(super) type Write<'a> = dyn Fn(&Name, &Name, TokenStream) -> TokenStream + 'a;

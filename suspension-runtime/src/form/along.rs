@@ -88,15 +88,6 @@ impl<const K: usize> Along<K> {
         }
     }
 
-    /// Where the point is, where the lines start, and where they end.
-    pub(crate) fn places<T: Scalar>(
-        &self,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-    ) -> Option<(Vector3<T>, Vector3<T>, [Vector3<T>; K])> {
-        let (point, from) = (sites.get(self.point)?, sites.get(self.from)?);
-        Some((point, from, self.lines(sites)?.map(|(to, _)| to)))
-    }
-
     /// What is left between the point and the line or plane.
     #[inline(always)]
     pub(crate) fn residual<T: Scalar>(

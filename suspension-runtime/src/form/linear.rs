@@ -1,4 +1,4 @@
-//! `Linear`: a prescribed sum of coordinates, or a prescribed scalar.
+//! `Linear`: a sum of coordinates, or a scalar, that a drive prescribes or that stays as it is.
 
 use nalgebra::{SMatrix, Vector3};
 use suspension_core::Scalar;
@@ -9,17 +9,25 @@ use crate::site::{Site, Sites};
 use crate::table::Table;
 use crate::table::index;
 
-/// A sum of unknowns that a drive prescribes: one row.
+/// A prescribed sum of unknowns: one row.
 #[derive(Clone, Debug)]
 pub(crate) struct Linear {
     pub(crate) row: u16,
-    pub(crate) drive: u16,
-    terms: Vec<Term>,
+    pub(crate) prescribed: Prescribed,
+    pub(crate) terms: Vec<Term>,
     /// An unknown that is no coordinate, added to the terms.
     scalar: Option<u16>,
     /// Where the factors hold the derivative by each term's coordinate, and by the scalar.
     entries: Vec<u16>,
     by_scalar: u16,
+}
+
+/// What prescribes a sum.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Prescribed {
+    Drive(u16),
+    /// Its place among the sums that stay as they are.
+    Design(u16),
 }
 
 /// A coordinate of a site, times a factor.
@@ -70,7 +78,7 @@ impl Linear {
         system: &System,
         form: &form::Linear,
         row: usize,
-        drive: u16,
+        prescribed: Prescribed,
         entry: impl Fn(usize, Option<usize>) -> u16,
     ) -> Self {
         let terms: Vec<Term> = form.terms.iter().map(Term::from).collect();
@@ -79,7 +87,7 @@ impl Linear {
         let scalar = scalar.and_then(|scalar| system.scalar_column(scalar));
         Self {
             row: index(row),
-            drive,
+            prescribed,
             entries: columns.map(|column| entry(row, column)).collect(),
             scalar: scalar.map(index),
             by_scalar: entry(row, scalar),
@@ -87,13 +95,9 @@ impl Linear {
         }
     }
 
-    /// How far the sum is from the drive's value.
+    /// The sum.
     #[inline(always)]
-    pub(crate) fn residual<T: Scalar>(
-        &self,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        drive: T,
-    ) -> Option<T> {
+    pub(crate) fn sum<T: Scalar>(&self, sites: &Sites<'_, T, impl Table<Vector3<T>>>) -> Option<T> {
         let mut sum = None;
         for term in &self.terms {
             let value = term.value(&sites.get(term.site)?);
@@ -103,7 +107,7 @@ impl Linear {
             let value = sites.scalar(scalar)?;
             sum = Some(sum.map_or(value, |sum| sum + value));
         }
-        Some(sum? - drive)
+        sum
     }
 
     /// Writes the derivatives into the factors.

@@ -1,7 +1,6 @@
 //! What moving chassis points, and drives, contribute to rates: the forms concerned.
 
 use suspension_listing::form::{self, Form};
-use suspension_listing::name::Name;
 use suspension_listing::system::{self, SiteMotion, System};
 
 use super::linear::Term;
@@ -107,12 +106,11 @@ fn linear(
     row: usize,
     motion: SiteMotion,
 ) -> Option<LinearRate> {
-    let drives = system.drives.iter();
-    let drive = drives.map(|drive| &drive.named.name);
-    let drive = drive
-        .collect::<Vec<&Name>>()
-        .iter()
-        .position(|name| **name == form.drive);
+    let is_drive = |drive: &system::Drive| match &form.prescribed {
+        form::Prescribed::Drive(name) => drive.named.name == *name,
+        form::Prescribed::Design => false,
+    };
+    let drive = system.drives.iter().position(is_drive);
     let drive = drive
         .filter(|_| motion == SiteMotion::DrivenAnchor)
         .map(index);
