@@ -1,6 +1,7 @@
 //! Mechanisms outside the catalogue, written with `linkage!` and proved against closed-form
 //! answers, finite differences, and the published results of another program.
 
+mod angle;
 mod checks;
 mod couple;
 mod double_wishbone;

@@ -15,6 +15,7 @@ mod carried;
 mod distance;
 mod frame;
 mod held;
+mod product;
 mod stretch;
 
 use crate::scalar::Scalar;
@@ -26,6 +27,7 @@ pub use carried::{Carried, CarriedGradient};
 pub use distance::Distance;
 pub use frame::Frame;
 pub use held::Held;
+pub use product::Product;
 pub use stretch::Stretch;
 
 /// The coordinate that a driving angle prescribes: `h = L cos(theta)` and its rates by the

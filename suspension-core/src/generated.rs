@@ -5,7 +5,7 @@ pub use suspension_macros::linkage as expand;
 
 pub use crate::assemble::best_rigid_fit;
 pub use crate::constraint::{
-    Carried, Distance, Frame, Held, InPlane, OnLine, Stretch, angle_to_coordinate,
+    Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, angle_to_coordinate,
 };
 pub use crate::corner;
 pub use crate::error::GeometryError;

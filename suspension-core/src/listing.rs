@@ -111,7 +111,7 @@ pub enum DriveKind {
 pub enum MeasureKind {
     /// A length, a coordinate or a sum of coordinates, in the unit of the hardpoints.
     Length,
-    /// An angle in radians, from 0 to pi.
+    /// An angle in radians, from 0 to pi, or about a line from -pi to pi.
     Angle,
 }
 

@@ -7,6 +7,7 @@ mod along;
 mod carried;
 mod distance;
 mod linear;
+mod product;
 mod stretch;
 
 use crate::name::Name;
@@ -17,6 +18,7 @@ pub use along::Along;
 pub use carried::Carried;
 pub use distance::Distance;
 pub use linear::{Linear, Prescribed, Term};
+pub use product::Product;
 pub use stretch::Stretch;
 
 /// One of the forms.
@@ -27,6 +29,7 @@ pub enum Form {
     Linear(Linear),
     Along(Along),
     Stretch(Stretch),
+    Product(Product),
 }
 
 impl Form {
@@ -38,6 +41,7 @@ impl Form {
             Self::Linear(form) => form,
             Self::Along(form) => form,
             Self::Stretch(form) => form,
+            Self::Product(form) => form,
         }
     }
 }

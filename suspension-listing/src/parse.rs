@@ -60,9 +60,14 @@ fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Err
     if !is_of_the_parser(&message) {
         return error;
     }
+    let article = if word.starts_with(['a', 'e', 'i', 'o', 'u']) {
+        "an"
+    } else {
+        "a"
+    };
     syn::Error::new(
         error.span(),
-        format!("{message}; a `{word}` is written `{syntax}`"),
+        format!("{message}; {article} `{word}` is written `{syntax}`"),
     )
 }
 

@@ -3,6 +3,7 @@
 //! The register below is the only place that tells the statements apart; everything else asks a
 //! statement what [`Statement`](crate::listing::Statement) has it answer.
 
+mod angle;
 mod body;
 mod couple;
 mod drive;
@@ -31,6 +32,7 @@ pub(crate) const STATEMENTS: &[Word] = &[
     slide::SLIDE,
     plane::PLANE,
     couple::COUPLE,
+    angle::ANGLE,
     drive::DRIVE,
     measure::MEASURE,
     marker::POINT,

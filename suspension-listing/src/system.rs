@@ -92,6 +92,11 @@ pub enum Quantity {
     Sum(Vec<Term>),
     /// The angle of the line between two points from an axis, radians.
     Angle { axis: usize, line: [Name; 2] },
+    /// The angle between two lines, radians: about a third one from -pi to pi, otherwise from 0 to pi.
+    Between {
+        lines: [[Name; 2]; 2],
+        about: Option<[Name; 2]>,
+    },
     /// The distance of two points.
     Length { line: [Name; 2] },
     /// The coordinate of a point along a unit vector.

@@ -1,16 +1,18 @@
 //! The model from positions.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Carried, Distance, Frame, Held, InPlane, OnLine, Stretch};
+use suspension_core::constraint::{
+    Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch,
+};
 use suspension_core::generated::dot;
 use suspension_core::handedness::Linked;
-use suspension_core::{GeometryError, Real, Values, parts};
+use suspension_core::{GeometryError, Real, Signal, Values, parts};
 
 use crate::fitted::Fitted;
 use crate::form::Prescribed;
 use crate::model::Model;
 use crate::plan::Measure;
-use crate::readout::{coordinate, sum};
+use crate::readout::{coordinate, measured, sum};
 use crate::size::{Few, Points, Room, Size};
 use crate::table::Table;
 
@@ -34,6 +36,7 @@ where
             lines: Default::default(),
             planes: Default::default(),
             stretches: Default::default(),
+            products: Default::default(),
             held: Default::default(),
             markers: Default::default(),
             cluster_frames: Default::default(),
@@ -50,6 +53,7 @@ where
             lines: model.lines_at(design)?,
             planes: model.planes_at(design)?,
             stretches: model.stretches_at(design)?,
+            products: model.products_at(design)?,
             held: model.held_at(design),
             linked: model.linked_at(design, &cluster_frames)?,
             markers: model.markers_at(design)?,
@@ -123,6 +127,18 @@ where
         fill(self.plan().stretches.iter().map(|stretch| {
             let [from, to] = [stretch.span.from, stretch.span.to].map(|site| self.point(site));
             parts::stretch(to.into(), (design.get(to) - design.get(from)).norm())
+        }))
+    }
+
+    fn products_at(
+        &self,
+        design: &Points<Vector3<T>, N>,
+    ) -> Result<Few<Product<T>, N>, GeometryError> {
+        fill(self.plan().products.iter().map(|product| {
+            let points = product.lines.map(|line| line.map(|site| self.point(site)));
+            let [_, [_, end]] = points;
+            let lines = points.map(|[from, to]| design.get(to) - design.get(from));
+            parts::product(end.into(), lines)
         }))
     }
 
@@ -214,6 +230,7 @@ where
                     let length = distance.map_or(T::zero(), Distance::length);
                     parts::angle(to - from, length)
                 }
+                Measure::Between { .. } => measured(&drive.quantity, &Signal::still(*points)).value,
                 Measure::Length { line } => {
                     let [from, to] = line.map(|point| points.get(point));
                     (to - from).norm()

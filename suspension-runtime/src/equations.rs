@@ -64,6 +64,11 @@ where
                 put(rows, stretch.span.row, constant.residual(vector, length));
             }
         }
+        for (product, constant) in plan.products.iter().zip(self.products.as_slice()) {
+            if let Some([d, e]) = product.vectors(&sites) {
+                put(rows, product.row, constant.residual(d, e));
+            }
+        }
         result
     }
 
@@ -98,6 +103,9 @@ where
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             stretch.write_dense(constant, &sites, &mut matrix);
+        }
+        for (product, constant) in plan.products.iter().zip(self.products.as_slice()) {
+            product.write_dense(constant, &sites, &mut matrix);
         }
         for beyond in usize::from(plan.unknowns)..N {
             if let Some(entry) = matrix.get_mut((beyond, beyond)) {
@@ -145,6 +153,11 @@ where
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             if let (Some(v), Some(w)) = (stretch.change(&v), stretch.change(&w)) {
                 put(rows, stretch.span.row, constant.curvature(v, w));
+            }
+        }
+        for (product, constant) in plan.products.iter().zip(self.products.as_slice()) {
+            if let (Some(v), Some(w)) = (product.vectors(&v), product.vectors(&w)) {
+                put(rows, product.row, constant.curvature(v, w));
             }
         }
         result

@@ -89,6 +89,9 @@ where
         for (stretch, constant) in plan.stretches.iter().zip(model.stretches.as_slice()) {
             stretch.write(constant, &sites, numbers);
         }
+        for (product, constant) in plan.products.iter().zip(model.products.as_slice()) {
+            product.write(constant, &sites, numbers);
+        }
         *numbers.place(ZERO) = T::zero();
     }
 

@@ -13,7 +13,7 @@ use suspension_listing::form::{self, Form};
 use suspension_listing::name::Name;
 use suspension_listing::system::{SiteMotion, System};
 
-use crate::form::{Along, Body, Distance, InputRates, Linear, Prescribed, Stretch};
+use crate::form::{Along, Body, Distance, InputRates, Linear, Prescribed, Product, Stretch};
 use crate::site::Site;
 use crate::table::{SPARE, index};
 
@@ -42,6 +42,7 @@ pub(crate) struct Plan {
     pub(crate) lines: Vec<Along<1>>,
     pub(crate) planes: Vec<Along<2>>,
     pub(crate) stretches: Vec<Stretch>,
+    pub(crate) products: Vec<Product>,
     /// What drives contribute to rates, with the chassis points that they move.
     pub(crate) driven: InputRates,
     /// What the other chassis points contribute.
@@ -63,6 +64,7 @@ impl Plan {
         let lengths = LengthNames::new(system);
         let (mut distances, mut linear) = (Vec::new(), Vec::new());
         let (mut lines, mut planes, mut stretches) = (Vec::new(), Vec::new(), Vec::new());
+        let mut products = Vec::new();
         let mut bodies: Vec<Body> = (system.bodies.iter())
             .map(|body| Body::new(body, &lengths))
             .collect();
@@ -101,6 +103,7 @@ impl Plan {
                     planes.extend(Along::new(system, form, row, &lengths, entry));
                 }
                 Form::Stretch(form) => stretches.push(Stretch::new(system, form, row, entry)),
+                Form::Product(form) => products.push(Product::new(form, row, &lengths, entry)),
             }
             row += equation.form.equations().rows();
         }
@@ -126,6 +129,7 @@ impl Plan {
             lines,
             planes,
             stretches,
+            products,
             elimination,
         }
     }

@@ -91,6 +91,15 @@ where
                 put_three(rows, plane.row, sum);
             }
         }
+        for &(index, moved) in &inputs.products {
+            let index = usize::from(index);
+            let constant = self.products.as_slice().get(index);
+            if let Some((product, constant)) = plan.products.get(index).zip(constant)
+                && let Some(sum) = product.input_rate(constant, moved, &sites, &rates)
+            {
+                put(rows, product.row, sum);
+            }
+        }
         for linear in &inputs.linear {
             let of_drive = linear.drive.map(&drive_rate);
             let terms = linear.terms.iter();

@@ -118,7 +118,7 @@ where
                 Measure::Along { direction, .. } => {
                     *point = moved_along(*point, direction.map(T::constant).into(), value);
                 }
-                Measure::Angle { .. } | Measure::Length { .. } => {}
+                _ => {}
             }
         }
         fixed
@@ -150,7 +150,10 @@ where
 }
 
 /// A quantity and its rates.
-fn measured<T: Real, P: Table<Vector3<T>>>(quantity: &Measure, points: &Signal<P>) -> Signal<T> {
+pub(crate) fn measured<T: Real, P: Table<Vector3<T>>>(
+    quantity: &Measure,
+    points: &Signal<P>,
+) -> Signal<T> {
     let line = |[from, to]: [u16; 2]| points.map(|points| points.get(to) - points.get(from));
     match quantity {
         Measure::Sum(terms) => points.map(|points| sum(terms, points)),
@@ -158,6 +161,13 @@ fn measured<T: Real, P: Table<Vector3<T>>>(quantity: &Measure, points: &Signal<P
             let mut along = Vector3::zeros();
             *coordinate_mut(&mut along, *axis) = T::one();
             measure::angle(&line(*ends), along)
+        }
+        Measure::Between { lines, about } => {
+            let [first, second] = lines.map(line);
+            match about.map(line) {
+                Some(about) => measure::turn(&first, &second, &about),
+                None => measure::between(&first, &second),
+            }
         }
         Measure::Length { line: ends } => measure::length(&line(*ends)),
         Measure::Along { point, direction } => {

@@ -46,6 +46,9 @@ impl Statement for Drive {
         let (name, points) = (&self.named.name, self.quantity.points());
         self.quantity.check(check);
         check.sites(points.iter().copied());
+        if let Quantity::Between { .. } = self.quantity {
+            check.report(not_driven(name));
+        }
         match self.moves() {
             Some(point) => {
                 self.bends_no_body(check, point);
@@ -159,6 +162,14 @@ impl Drive {
             }
         }
     }
+}
+
+fn not_driven(name: &Ident) -> Error {
+    errors::at(
+        name,
+        "an angle between two lines is measured, or held by an `angle` statement; drive a length or a coordinate \
+         that turns one of them",
+    )
 }
 
 fn moved_twice(name: &Ident, point: &Ident, other: &Ident) -> Error {

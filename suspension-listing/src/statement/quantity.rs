@@ -1,5 +1,5 @@
 //! Quantities, which drives prescribe and measures read: sums of coordinates, `p along [0.1, 1.0, 0.0]`,
-//! `angle(p -> q, z)`, `length(p -> q)`.
+//! `angle(p -> q, z)`, `angle(p -> q, r -> s)`, `length(p -> q)`.
 
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Token, parenthesized};
@@ -19,6 +19,11 @@ pub(super) enum Quantity {
     Sum(Sum),
     /// `angle(from -> to, axis)`.
     Angle { line: [Ident; 2], axis: Ident },
+    /// `angle(p -> q, r -> s)`, or the same `about t -> u`.
+    Between {
+        lines: [[Ident; 2]; 2],
+        about: Option<[Ident; 2]>,
+    },
     /// `length(from -> to)`.
     Length { line: [Ident; 2] },
     /// `point along [x, y, z]`, with a unit vector.
@@ -30,12 +35,7 @@ impl Quantity {
         match function(input)? {
             None if input.peek(Ident) && input.peek2(Ident) => along(input),
             None => Ok(Self::Sum(input.parse()?)),
-            Some(function) if function == "angle" => operands(input, |content| {
-                let line = arrow(content)?;
-                content.parse::<Token![,]>()?;
-                let axis = content.parse()?;
-                Ok(Self::Angle { line, axis })
-            }),
+            Some(function) if function == "angle" => operands(input, angle),
             Some(function) if function == "length" => {
                 let line = operands(input, arrow)?;
                 Ok(Self::Length { line })
@@ -48,6 +48,13 @@ impl Quantity {
         match self {
             Self::Sum(sum) => sum.points(),
             Self::Angle { line, .. } | Self::Length { line } => line.iter().collect(),
+            Self::Between { lines, about } => {
+                let lines = lines.iter().chain(about).flatten();
+                let mut points: Vec<&Ident> = lines.collect();
+                points.sort();
+                points.dedup();
+                points
+            }
             Self::Along { point, .. } => vec![point],
         }
     }
@@ -57,6 +64,13 @@ impl Quantity {
         match self {
             Self::Sum(sum) => sum.check(check),
             Self::Angle { axis, .. } => check.axis(axis),
+            Self::Between { lines, about } => {
+                for [from, to] in lines.iter().chain(about) {
+                    if from == to {
+                        check.report(errors::same_point_twice(to));
+                    }
+                }
+            }
             Self::Length { .. } | Self::Along { .. } => {}
         }
     }
@@ -66,6 +80,7 @@ impl Quantity {
         let what = match self {
             Self::Sum(sum) => return format!("sum {}", sum.text()),
             Self::Angle { axis, .. } => format!("angle {axis}"),
+            Self::Between { .. } => "between".to_owned(),
             Self::Length { .. } => "length".to_owned(),
             Self::Along { direction, .. } => format!("along {direction:?}"),
         };
@@ -102,7 +117,7 @@ impl Quantity {
                 };
                 axes.map(term).collect()
             }
-            Self::Length { .. } => Vec::new(),
+            Self::Length { .. } | Self::Between { .. } => Vec::new(),
         }
     }
 
@@ -121,6 +136,10 @@ impl Quantity {
                 axis: axis_index(axis),
                 line: line.each_ref().map(Name::from),
             },
+            Self::Between { lines, about } => system::Quantity::Between {
+                lines: lines.each_ref().map(|line| line.each_ref().map(Name::from)),
+                about: about.as_ref().map(|line| line.each_ref().map(Name::from)),
+            },
             Self::Length { line } => system::Quantity::Length {
                 line: line.each_ref().map(Name::from),
             },
@@ -130,6 +149,27 @@ impl Quantity {
             },
         }
     }
+}
+
+/// `from -> to, axis`, or two lines, with or without the one about which their angle is seen.
+fn angle(content: ParseStream<'_>) -> syn::Result<Quantity> {
+    let line = arrow(content)?;
+    content.parse::<Token![,]>()?;
+    if !content.peek2(Token![->]) {
+        let axis = content.parse()?;
+        return Ok(Quantity::Angle { line, axis });
+    }
+    let lines = [line, arrow(content)?];
+    let about = if content.peek(Ident) {
+        let word: Ident = content.parse()?;
+        if word != "about" {
+            return Err(not_about(&word));
+        }
+        Some(arrow(content)?)
+    } else {
+        None
+    };
+    Ok(Quantity::Between { lines, about })
 }
 
 /// `point along [x, y, z]`.
@@ -176,7 +216,16 @@ fn unknown_quantity(function: &Ident) -> Error {
         function,
         format!(
             "there is no quantity `{function}(..)`; write `p.z`, `0.5 p.z + 0.5 q.z`, `p along [0, 1, 0]`, \
-             `angle(p -> q, z)` or `length(p -> q)`"
+             `angle(p -> q, z)`, `angle(p -> q, r -> s)` or `length(p -> q)`"
+        ),
+    )
+}
+
+fn not_about(word: &Ident) -> Error {
+    errors::at(
+        word,
+        format!(
+            "unexpected `{word}`; write `)`, or the line that the angle is about: `about t -> u`"
         ),
     )
 }

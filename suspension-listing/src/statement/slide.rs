@@ -11,7 +11,7 @@ use crate::kind::Kind;
 use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
 use crate::lower::origin;
 use crate::name::Name;
-use crate::system::{Body, System, distance_between};
+use crate::system::{Body, System};
 
 const KIND: Kind = Kind("slide");
 
@@ -81,9 +81,7 @@ impl Statement for Slide {
         if let Some(body) = carrier.filter(|body| lists(body, &names[0])) {
             errors.push(cannot_slide(point, body));
         }
-        let is_kept = distance_between(&system.equations, a, b).is_some();
-        let on_the_chassis = [from, to].iter().all(|end| listing.is_at_rest(end));
-        if carrier.is_none() && !is_kept && !on_the_chassis {
+        if !listing.keeps_apart(system, [from, to]) {
             errors.push(loose_line(from, to));
         }
     }

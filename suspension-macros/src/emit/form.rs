@@ -5,6 +5,7 @@ mod along;
 mod carried;
 mod distance;
 mod linear;
+mod product;
 mod stretch;
 
 use proc_macro2::TokenStream;
@@ -77,6 +78,7 @@ pub(super) fn of(equation: &Equation) -> &dyn Emit {
         Form::Linear(form) => form,
         Form::Along(form) => form,
         Form::Stretch(form) => form,
+        Form::Product(form) => form,
     }
 }
 

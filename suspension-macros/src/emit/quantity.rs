@@ -19,6 +19,16 @@ pub(super) fn in_words(quantity: &Quantity) -> String {
             let axis = AXES[*axis];
             format!(" Angle of `{from} -> {to}` from the {axis} axis, radians.")
         }
+        Quantity::Between { lines, about } => {
+            let [first, second] = lines
+                .each_ref()
+                .map(|[from, to]| format!("`{from} -> {to}`"));
+            let about = about.as_ref();
+            let about = about.map_or(String::new(), |[from, to]| {
+                format!(", about `{from} -> {to}`")
+            });
+            format!(" Angle from {first} to {second}{about}, radians.")
+        }
         Quantity::Length { line: [from, to] } => format!(" From `{from}` to `{to}`."),
         Quantity::Along { point, direction } => {
             let [x, y, z] = direction.map(|x| (x * 1e4).round() / 1e4);
@@ -61,7 +71,7 @@ fn sum_of(terms: &[Term]) -> TokenStream {
 /// `MeasureKind`.
 pub(super) fn measure_kind(quantity: &Quantity) -> TokenStream {
     match quantity {
-        Quantity::Angle { .. } => quote!(MeasureKind::Angle),
+        Quantity::Angle { .. } | Quantity::Between { .. } => quote!(MeasureKind::Angle),
         _ => quote!(MeasureKind::Length),
     }
 }
@@ -69,7 +79,7 @@ pub(super) fn measure_kind(quantity: &Quantity) -> TokenStream {
 /// `DriveKind`.
 pub(super) fn drive_kind(quantity: &Quantity) -> TokenStream {
     match quantity {
-        Quantity::Angle { .. } => quote!(DriveKind::Angle),
+        Quantity::Angle { .. } | Quantity::Between { .. } => quote!(DriveKind::Angle),
         _ => quote!(DriveKind::Coordinate),
     }
 }
@@ -85,6 +95,13 @@ pub(super) fn measured(quantity: &Quantity) -> TokenStream {
         Quantity::Angle { axis, line: ends } => {
             let (axis, line) = (ident(AXES[*axis]), line(ends));
             quote!(measure::angle(&#line, Vector3::#axis()))
+        }
+        Quantity::Between { lines, about } => {
+            let [first, second] = lines.each_ref().map(line);
+            match about.as_ref().map(line) {
+                Some(about) => quote!(measure::turn(&#first, &#second, &#about)),
+                None => quote!(measure::between(&#first, &#second)),
+            }
         }
         Quantity::Length { line: ends } => {
             let line = line(ends);
@@ -107,6 +124,10 @@ pub(super) fn driven(drive: &Drive) -> TokenStream {
         } => {
             let (axis, distance) = (ident(AXES[*axis]), &drive.angle_of);
             quote!(parts::angle(points.#to.#axis - points.#from.#axis, self.#distance.length()))
+        }
+        Quantity::Between { .. } => {
+            let measured = measured(&drive.quantity);
+            quote!({ let points = Signal::still(*points); #measured.value })
         }
         Quantity::Length { line: [from, to] } => quote!((points.#to - points.#from).norm()),
         Quantity::Along { point, direction } => {
@@ -146,7 +167,7 @@ pub(super) fn moves(drive: &Drive) -> Option<TokenStream> {
             let direction = vector(direction);
             Some(quote!(fixed.#point = moved_along(fixed.#point, #direction, drives.#name);))
         }
-        Quantity::Angle { .. } | Quantity::Length { .. } => None,
+        _ => None,
     }
 }
 

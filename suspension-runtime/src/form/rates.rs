@@ -17,6 +17,8 @@ pub(crate) struct InputRates {
     pub(crate) linear: Vec<LinearRate>,
     /// Variable lengths from such a point.
     pub(crate) stretches: Vec<u16>,
+    /// Lines at an angle, and which of their ends are such points.
+    pub(crate) products: Vec<(u16, [[bool; 2]; 2])>,
     /// Points on lines, of which something is such a point.
     pub(crate) lines: Vec<MovedLines>,
     /// Points in planes.
@@ -59,7 +61,7 @@ impl InputRates {
     pub(crate) fn new(system: &System, motion: SiteMotion) -> Self {
         let mut rates = Self::default();
         let (mut row, mut distance, mut stretch) = (0, 0, 0);
-        let (mut line, mut plane) = (0, 0);
+        let (mut line, mut plane, mut product) = (0, 0, 0);
         let mut carried = vec![0; system.bodies.len()];
         for equation in &system.equations {
             match &equation.form {
@@ -85,6 +87,15 @@ impl InputRates {
                     };
                     forms.extend(moved_lines(form, *index, motion));
                     *index += 1;
+                }
+                Form::Product(form) => {
+                    let is_moved = |site: &system::Site| site.motion == motion;
+                    let lines = form.lines.each_ref();
+                    let moved = lines.map(|line| line.each_ref().map(is_moved));
+                    if moved.as_flattened().contains(&true) {
+                        rates.products.push((product, moved));
+                    }
+                    product += 1;
                 }
                 Form::Stretch(form) => {
                     if form.from.motion == motion {

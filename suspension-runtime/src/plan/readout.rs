@@ -22,6 +22,11 @@ pub(crate) enum Measure {
     Sum(Vec<Coordinate>),
     /// The angle of a line from an axis.
     Angle { axis: u16, line: [u16; 2] },
+    /// The angle between two lines, seen about a third one where there is one.
+    Between {
+        lines: [[u16; 2]; 2],
+        about: Option<[u16; 2]>,
+    },
     /// The distance of two points.
     Length { line: [u16; 2] },
     /// The coordinate of a point along a unit vector.
@@ -61,6 +66,10 @@ impl Measure {
                 axis: index(*axis),
                 line: line.each_ref().map(point),
             },
+            Quantity::Between { lines, about } => Self::Between {
+                lines: lines.each_ref().map(|line| line.each_ref().map(point)),
+                about: about.as_ref().map(|line| line.each_ref().map(point)),
+            },
             Quantity::Length { line } => Self::Length {
                 line: line.each_ref().map(point),
             },
@@ -76,14 +85,14 @@ impl Measure {
 
     pub(crate) fn drive_kind(&self) -> DriveKind {
         match self {
-            Self::Angle { .. } => DriveKind::Angle,
+            Self::Angle { .. } | Self::Between { .. } => DriveKind::Angle,
             _ => DriveKind::Coordinate,
         }
     }
 
     pub(crate) fn measure_kind(&self) -> MeasureKind {
         match self {
-            Self::Angle { .. } => MeasureKind::Angle,
+            Self::Angle { .. } | Self::Between { .. } => MeasureKind::Angle,
             _ => MeasureKind::Length,
         }
     }

@@ -39,6 +39,7 @@ impl Plan {
             (linked.sum(), few, "points that links alone hold rigidly"),
             (self.lines.len(), few, "slides"),
             (self.planes.len(), few, "planes"),
+            (self.products.len(), few, "angles"),
             (self.held, few, "couples"),
             (self.stretches.len(), few, "driven lengths"),
             (self.lengths.len(), lengths, "lengths"),
