@@ -11,6 +11,7 @@ mod hinge;
 mod link;
 mod marker;
 mod measure;
+pub(crate) mod mirror;
 pub(crate) mod operands;
 mod plane;
 mod points;
@@ -38,4 +39,5 @@ pub(crate) const STATEMENTS: &[Word] = &[
     marker::POINT,
     role::WHEEL,
     role::KINGPIN,
+    mirror::MIRROR,
 ];

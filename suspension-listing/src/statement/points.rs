@@ -92,12 +92,10 @@ struct Number(f64);
 
 impl Parse for Number {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        let sign = if input.parse::<Option<Token![-]>>()?.is_some() {
-            -1.0
-        } else {
-            1.0
-        };
-        Ok(Self(sign * number(input)?))
+        let is_negative = input.parse::<Option<Token![-]>>()?.is_some();
+        let number = number(input)?;
+        // No negative zero comes of the image of a zero.
+        Ok(Self(if is_negative { 0.0 - number } else { number }))
     }
 }
 
