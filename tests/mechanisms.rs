@@ -8,6 +8,7 @@ mod double_wishbone;
 mod drives;
 mod four_bar;
 mod hinge;
+mod joints;
 mod plane;
 mod rocker;
 mod slide;
