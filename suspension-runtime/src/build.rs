@@ -9,7 +9,6 @@ use suspension_core::handedness::Linked;
 use suspension_core::{GeometryError, Real, Signal, Values, parts};
 
 use crate::fitted::Fitted;
-use crate::form::Prescribed;
 use crate::model::Model;
 use crate::plan::Measure;
 use crate::readout::{coordinate, measured, sum};
@@ -143,9 +142,7 @@ where
     }
 
     fn held_at(&self, design: &Points<Vector3<T>, N>) -> Few<Held<T>, N> {
-        let linear = self.plan().linear.iter();
-        let held = linear.filter(|linear| matches!(linear.prescribed, Prescribed::Design(_)));
-        let sums = held.map(|linear| {
+        let sums = self.plan().held().map(|linear| {
             let terms = linear.terms.iter();
             let values = terms.map(|term| term.value(&design.get(self.point(term.site))));
             let sum = values.reduce(|sum, value| sum + value);

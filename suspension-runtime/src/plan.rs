@@ -9,11 +9,11 @@ mod room;
 mod substitution;
 
 use suspension_listing::eliminate::Order;
-use suspension_listing::form::{self, Form};
+use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{SiteMotion, System};
 
-use crate::form::{Along, Body, Distance, InputRates, Linear, Prescribed, Product, Stretch};
+use crate::form::{Along, Body, Distance, InputRates, Linear, Product, Stretch};
 use crate::site::Site;
 use crate::table::{SPARE, index};
 
@@ -37,8 +37,6 @@ pub(crate) struct Plan {
     /// All bodies of three points or more, each with the points that it carries.
     pub(crate) bodies: Vec<Body>,
     pub(crate) linear: Vec<Linear>,
-    /// How many of them stay as they are.
-    pub(crate) held: usize,
     pub(crate) lines: Vec<Along<1>>,
     pub(crate) planes: Vec<Along<2>>,
     pub(crate) stretches: Vec<Stretch>,
@@ -62,7 +60,7 @@ impl Plan {
         let elimination = Elimination::new(system, order);
         let entry = |row, column: Option<usize>| elimination.entry(row, column);
         let lengths = LengthNames::new(system);
-        let (mut distances, mut linear) = (Vec::new(), Vec::new());
+        let (mut distances, mut linear) = (Vec::new(), Vec::<Linear>::new());
         let (mut lines, mut planes, mut stretches) = (Vec::new(), Vec::new(), Vec::new());
         let mut products = Vec::new();
         let mut bodies: Vec<Body> = (system.bodies.iter())
@@ -71,7 +69,7 @@ impl Plan {
         let substituted: Vec<&Name> = (system.substituted().iter())
             .map(|substituted| substituted.point)
             .collect();
-        let (mut row, mut held) = (0, 0);
+        let mut row = 0;
         for equation in &system.equations {
             match &equation.form {
                 Form::Distance(form) => {
@@ -79,17 +77,8 @@ impl Plan {
                     distances.push(Distance::new(form, row, length, entry));
                 }
                 Form::Linear(form) => {
-                    let prescribed = match &form.prescribed {
-                        form::Prescribed::Drive(drive) => {
-                            let drives = system.drives.iter().map(|drive| &drive.named.name);
-                            Prescribed::Drive(position(drives, drive))
-                        }
-                        form::Prescribed::Design => {
-                            held += 1;
-                            Prescribed::Design(index(held - 1))
-                        }
-                    };
-                    linear.push(Linear::new(system, form, row, prescribed, entry));
+                    let held = linear.iter().filter(|other| other.is_held()).count();
+                    linear.push(Linear::new(system, form, row, held, entry));
                 }
                 Form::Carried(form) => {
                     let mut named = system.bodies.iter().zip(&mut bodies);
@@ -125,13 +114,17 @@ impl Plan {
             distances,
             bodies,
             linear,
-            held,
             lines,
             planes,
             stretches,
             products,
             elimination,
         }
+    }
+
+    /// The sums of coordinates that stay as they are.
+    pub(crate) fn held(&self) -> impl Iterator<Item = &Linear> {
+        self.linear.iter().filter(|linear| linear.is_held())
     }
 
     /// How many points bodies carry.

@@ -6,8 +6,7 @@ use suspension_listing::form;
 use suspension_listing::system::System;
 
 use crate::site::{Site, Sites};
-use crate::table::Table;
-use crate::table::index;
+use crate::table::{SPARE, Table, index};
 
 /// A prescribed sum of unknowns: one row.
 #[derive(Clone, Debug)]
@@ -74,17 +73,26 @@ impl Term {
 }
 
 impl Linear {
+    /// `held` others before it stay as they are.
     pub(crate) fn new(
         system: &System,
         form: &form::Linear,
         row: usize,
-        prescribed: Prescribed,
+        held: usize,
         entry: impl Fn(usize, Option<usize>) -> u16,
     ) -> Self {
         let terms: Vec<Term> = form.terms.iter().map(Term::from).collect();
         let columns = terms.iter().map(|term| term.site.column(term.axis));
         let scalar = form.scalar.as_ref();
         let scalar = scalar.and_then(|scalar| system.scalar_column(scalar));
+        let prescribed = match &form.prescribed {
+            form::Prescribed::Drive(name) => {
+                let mut drives = system.drives.iter();
+                let drive = drives.position(|drive| drive.named.name == *name);
+                Prescribed::Drive(drive.map_or(SPARE, index))
+            }
+            form::Prescribed::Design => Prescribed::Design(index(held)),
+        };
         Self {
             row: index(row),
             prescribed,
@@ -93,6 +101,11 @@ impl Linear {
             by_scalar: entry(row, scalar),
             terms,
         }
+    }
+
+    /// Whether it stays as it is.
+    pub(crate) fn is_held(&self) -> bool {
+        matches!(self.prescribed, Prescribed::Design(_))
     }
 
     /// The sum.

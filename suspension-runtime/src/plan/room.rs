@@ -40,7 +40,7 @@ impl Plan {
             (self.lines.len(), few, "slides"),
             (self.planes.len(), few, "planes"),
             (self.products.len(), few, "angles"),
-            (self.held, few, "couples"),
+            (self.held().count(), few, "couples"),
             (self.stretches.len(), few, "driven lengths"),
             (self.lengths.len(), lengths, "lengths"),
             (
