@@ -228,6 +228,9 @@ fn measures() {
             measure from_x: angle(hub -> p, x);
             measure from_y: angle(a -> q, y);
             measure from_z: angle(q -> hub, z);
+            measure mean: 0.5 hub.z - 2 q.x + p.y;
+            measure apart: angle(a -> p, hub -> q);
+            measure about: angle(a -> p, hub -> q about p -> hub);
         }
     }
     use gauge::{Measures, Model, Points};

@@ -14,16 +14,20 @@ mod along;
 mod carried;
 mod distance;
 mod frame;
+mod held;
+mod product;
 mod stretch;
 
 use crate::scalar::Scalar;
 use crate::signal::Signal;
 use crate::trigonometry::sine_cosine;
 
-pub use along::{Along, AlongGradient};
+pub use along::{Along, AlongGradient, InPlane, OnLine};
 pub use carried::{Carried, CarriedGradient};
 pub use distance::Distance;
 pub use frame::Frame;
+pub use held::Held;
+pub use product::Product;
 pub use stretch::Stretch;
 
 /// The coordinate that a driving angle prescribes: `h = L cos(theta)` and its rates by the

@@ -4,7 +4,9 @@ pub use nalgebra::{SMatrix, SVector, Vector3};
 pub use suspension_macros::linkage as expand;
 
 pub use crate::assemble::best_rigid_fit;
-pub use crate::constraint::{Along, Carried, Distance, Frame, Stretch, angle_to_coordinate};
+pub use crate::constraint::{
+    Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, angle_to_coordinate,
+};
 pub use crate::corner;
 pub use crate::error::GeometryError;
 pub use crate::handedness::Linked;

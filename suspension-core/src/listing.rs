@@ -99,7 +99,7 @@ pub enum Kind {
 /// What a drive's value measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DriveKind {
-    /// A coordinate of a point, or the difference of two, in the unit of the hardpoints.
+    /// A coordinate of a point, or a sum of coordinates, or a length, in the unit of the hardpoints.
     Coordinate,
     /// The angle in radians, from 0 to pi, between a link and the positive direction of an axis.
     /// Only its cosine enters: an angle beyond that range acts as the one within that has the same.
@@ -109,9 +109,9 @@ pub enum DriveKind {
 /// What a measure is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeasureKind {
-    /// A length, a coordinate or the difference of two, in the unit of the hardpoints.
+    /// A length, a coordinate or a sum of coordinates, in the unit of the hardpoints.
     Length,
-    /// An angle in radians, from 0 to pi.
+    /// An angle in radians, from 0 to pi, or about a line from -pi to pi.
     Angle,
 }
 

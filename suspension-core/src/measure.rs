@@ -5,7 +5,7 @@
 use nalgebra::Vector3;
 
 use crate::scalar::Real;
-use crate::signal::Signal;
+use crate::signal::{Number, Signal};
 
 /// `|d|`, in the unit of the points. The rates are NaN where the two points coincide: the length
 /// turns back there.
@@ -38,4 +38,27 @@ pub fn angle<T: Real>(line: &Signal<Vector3<T>>, axis: Vector3<T>) -> Signal<T> 
         rate,
         second_rate: swept_rate / square - (rate + rate) * growth,
     }
+}
+
+/// The angle in radians, from 0 to pi, between two lines: `atan2(|d x e|, d . e)`. The rates are NaN where the lines
+/// are parallel, and the angle turns back.
+pub fn between<T: Real>(first: &Signal<Vector3<T>>, second: &Signal<Vector3<T>>) -> Signal<T> {
+    let (d, e) = (first.components(), second.components());
+    let normal = d.cross(&e);
+    Signal::arc_tangent(normal.dot(&normal).square_root(), d.dot(&e))
+}
+
+/// The angle in radians, from -pi to pi, by which a line appears turned against another to one towards whom `axis`
+/// points, anticlockwise: of what is left of both without their parts along the axis.
+pub fn turn<T: Real>(
+    first: &Signal<Vector3<T>>,
+    second: &Signal<Vector3<T>>,
+    axis: &Signal<Vector3<T>>,
+) -> Signal<T> {
+    let [d, e, n] = [first, second, axis].map(Signal::components);
+    let square = n.dot(&n);
+    Signal::arc_tangent(
+        d.cross(&e).dot(&n) * square.square_root(),
+        d.dot(&e) * square - d.dot(&n) * e.dot(&n),
+    )
 }

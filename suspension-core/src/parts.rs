@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::constraint::{Along, Carried, Distance, Frame, Stretch};
+use crate::constraint::{Carried, Distance, Frame, InPlane, OnLine, Product, Stretch};
 use crate::error::GeometryError;
 use crate::factored::growth_limit;
 use crate::handedness::Linked;
@@ -83,9 +83,9 @@ pub fn distance<T: Real>(
 /// # Errors
 ///
 /// [`GeometryError::NoLine`] where they coincide, or are too far apart to square.
-pub fn line<T: Real>(end: usize, length: T) -> Result<Along<T>, GeometryError> {
+pub fn line<T: Real>(end: usize, length: T) -> Result<OnLine<T>, GeometryError> {
     if is_usable(length) {
-        Ok(Along::new(length))
+        Ok(OnLine::new([length]))
     } else {
         Err(GeometryError::NoLine { point: end })
     }
@@ -137,6 +137,48 @@ pub fn frame_of_lengths<T: Real>(
         third,
         at_rest.ok_or(GeometryError::NotClosed { point: third })?,
     )
+}
+
+/// A plane of three points, with `third` the index of the last.
+///
+/// # Errors
+///
+/// [`GeometryError::Collinear`] where they are in line.
+pub fn plane<T: Real>(third: usize, points: Frame<T>) -> Result<InPlane<T>, GeometryError> {
+    let Frame { u, v, .. } = frame(third, points)?;
+    Ok(InPlane::new([u.norm(), v.norm()]))
+}
+
+/// Two lines at the angle at which they stand, `end` being the index of the last of their ends.
+///
+/// # Errors
+///
+/// [`GeometryError::NoLine`] where a line has no length, or is too long to square.
+pub fn product<T: Real>(end: usize, lines: [Vector3<T>; 2]) -> Result<Product<T>, GeometryError> {
+    let (lengths, [d, e]) = (lines.map(|line| line.norm()), lines);
+    let [of_d, of_e] = lengths;
+    product_at(
+        end,
+        &Product::new(d.dot(&e) / (of_d * of_e), lengths),
+        lengths,
+    )
+}
+
+/// Two lines at the same angle with other lengths.
+///
+/// # Errors
+///
+/// As [`product`].
+pub fn product_at<T: Real>(
+    end: usize,
+    now: &Product<T>,
+    lengths: [T; 2],
+) -> Result<Product<T>, GeometryError> {
+    if lengths.into_iter().all(is_usable) {
+        Ok(Product::new(now.cosine(), lengths))
+    } else {
+        Err(GeometryError::NoLine { point: end })
+    }
 }
 
 /// The constants of a carried point as it stands.

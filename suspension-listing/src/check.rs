@@ -12,7 +12,7 @@ use syn::Ident;
 
 use crate::errors::{self, Errors};
 use crate::kind::Kind;
-use crate::listing::{Check, Listing, Rank};
+use crate::listing::{Check, Listing, Rank, Statement};
 use crate::name::Name;
 
 pub(crate) use determined::determined;
@@ -119,6 +119,20 @@ impl<'a> Check<'a> {
             if !seen.insert(point) {
                 self.report(errors::same_point_twice(point));
             }
+        }
+    }
+
+    /// Checks that no statement before prescribes the same.
+    pub(crate) fn prescribed_once(
+        &mut self,
+        later: &dyn Statement,
+        earlier: &[Box<dyn Statement>],
+    ) {
+        let same = earlier.iter().find(|other| other.claim() == later.claim());
+        let other = same.and_then(|other| other.named());
+        if let (Some((other, kind)), Some((named, _))) = (other, later.named()) {
+            let error = errors::prescribed_twice(&named.name, &other.name, kind);
+            self.report(error);
         }
     }
 

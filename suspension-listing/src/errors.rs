@@ -99,6 +99,13 @@ pub(crate) fn same_point_twice(name: &Ident) -> Error {
     )
 }
 
+pub(crate) fn prescribed_twice(name: &Ident, other: &Ident, kind: Kind) -> Error {
+    at(
+        name,
+        format!("{kind} `{other}` prescribes the same already; remove one of them"),
+    )
+}
+
 pub(crate) fn all_fixed(name: &Ident, kind: Kind) -> Error {
     at(
         name,

@@ -7,6 +7,7 @@ mod along;
 mod carried;
 mod distance;
 mod linear;
+mod product;
 mod stretch;
 
 use crate::name::Name;
@@ -16,7 +17,8 @@ use crate::vector::Vector;
 pub use along::Along;
 pub use carried::Carried;
 pub use distance::Distance;
-pub use linear::{Linear, Term};
+pub use linear::{Linear, Prescribed, Term};
+pub use product::Product;
 pub use stretch::Stretch;
 
 /// One of the forms.
@@ -27,6 +29,7 @@ pub enum Form {
     Linear(Linear),
     Along(Along),
     Stretch(Stretch),
+    Product(Product),
 }
 
 impl Form {
@@ -38,6 +41,7 @@ impl Form {
             Self::Linear(form) => form,
             Self::Along(form) => form,
             Self::Stretch(form) => form,
+            Self::Product(form) => form,
         }
     }
 }
@@ -47,13 +51,13 @@ pub trait Equations {
     /// The points that it joins.
     fn sites(&self) -> Vec<&Site>;
 
-    /// The unknown that it has beside the coordinates of points, and how all rows depend on it.
-    fn scalar(&self) -> Option<(&Name, Dependence)> {
-        None
+    /// The unknowns that it has beside the coordinates of points, and how all rows depend on each.
+    fn scalars(&self) -> Vec<(&Name, Dependence)> {
+        Vec::new()
     }
 
-    /// That unknown's value where the sites are; `None` where others tell it.
-    fn scalar_at(&self, _at: &[Vector]) -> Option<f64> {
+    /// Their values where the sites are; `None` where others tell them.
+    fn scalars_at(&self, _at: &[Vector]) -> Option<Vec<f64>> {
         None
     }
 
@@ -70,8 +74,8 @@ pub trait Equations {
     fn constants(&self, at: &[Vector]) -> Option<Vector>;
 
     /// The residual, a row an entry, of sites `at` other positions than those of the constants, and of the
-    /// scalar. What is driven counts as zero.
-    fn residual(&self, constants: &Vector, at: &[Vector], scalar: f64) -> Vector;
+    /// scalars. What is driven counts as zero.
+    fn residual(&self, constants: &Vector, at: &[Vector], scalars: &[f64]) -> Vector;
 
     /// The two points whose distance it keeps.
     fn keeps(&self) -> Option<[&Site; 2]> {

@@ -20,6 +20,8 @@ pub struct Listing {
     pub(crate) free: Vec<Point>,
     /// All others, in the order stated.
     pub(crate) statements: Vec<Box<dyn Statement>>,
+    /// The words that the sides of the vehicle have in their names.
+    pub(crate) mirror: Option<[Ident; 2]>,
     /// The token for messages about the listing as a whole.
     pub(crate) span: Span,
     /// Where the free points are declared: the token for messages about counts.
@@ -58,6 +60,7 @@ impl Listing {
             fixed: Vec::new(),
             free: Vec::new(),
             statements: Vec::new(),
+            mirror: None,
             span,
             free_span: span,
             incomplete: false,

@@ -1,12 +1,13 @@
 //! From tokens to the listing. A statement that cannot be read is reported and skipped.
 
 use proc_macro2::{Span, TokenTree};
-use syn::parse::ParseStream;
+use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident, Token};
 
 use crate::errors::{self, Errors};
 use crate::listing::Listing;
 use crate::statement::STATEMENTS;
+use crate::statement::mirror::Mirror;
 use crate::statement::operands::{docs, lines};
 use crate::statement::word::{Head, Word};
 
@@ -23,14 +24,47 @@ pub fn statements(input: ParseStream<'_>, span: Span) -> syn::Result<(Listing, E
         Ok(lines) => listing.docs = lines,
         Err(error) => errors.push(error),
     }
+    let mut texts = Vec::new();
     while !input.is_empty() {
-        if let Err(error) = statement(input, &mut listing) {
-            errors.push(error);
-            listing.incomplete = true;
-            skip_statement(input)?;
+        let ahead = input.fork();
+        match statement(input, &mut listing) {
+            Ok(()) => texts.push(tokens(&ahead)?),
+            Err(error) => {
+                errors.push(error);
+                listing.incomplete = true;
+                skip_statement(input)?;
+            }
         }
     }
+    if let Some(sides) = listing.mirror.clone()
+        && let Err(error) = mirror(&Mirror { sides }, &texts, &mut listing)
+    {
+        errors.push(error);
+    }
     Ok((listing, errors))
+}
+
+/// The tokens of the next statement, to its semicolon.
+fn tokens(input: ParseStream<'_>) -> syn::Result<Vec<TokenTree>> {
+    let mut tokens = Vec::new();
+    loop {
+        let token: TokenTree = input.parse()?;
+        let is_last = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == ';');
+        tokens.push(token);
+        if is_last {
+            return Ok(tokens);
+        }
+    }
+}
+
+/// Adds the other side of the vehicle.
+fn mirror(mirror: &Mirror, texts: &[Vec<TokenTree>], listing: &mut Listing) -> syn::Result<()> {
+    mirror.points(listing)?;
+    for image in texts.iter().filter_map(|text| mirror.statement(text)) {
+        let read = |input: ParseStream<'_>| statement(input, listing);
+        read.parse2(image)?;
+    }
+    Ok(())
 }
 
 fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
@@ -60,9 +94,14 @@ fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Err
     if !is_of_the_parser(&message) {
         return error;
     }
+    let article = if word.starts_with(['a', 'e', 'i', 'o', 'u']) {
+        "an"
+    } else {
+        "a"
+    };
     syn::Error::new(
         error.span(),
-        format!("{message}; a `{word}` is written `{syntax}`"),
+        format!("{message}; {article} `{word}` is written `{syntax}`"),
     )
 }
 

@@ -12,7 +12,7 @@ pub use likely::likely;
 pub use path::positions;
 
 /// The derivatives of an equation's rows by each of its arguments: the coordinates of its sites, then its
-/// scalar.
+/// scalars.
 pub type Gradient = Vec<Vector>;
 
 /// The gradients of all equations, each with the constants that the positions give it; `None` where the
@@ -29,24 +29,27 @@ fn gradient(system: &System, form: &Form, positions: &Positions) -> Option<Gradi
     let mut sites = positions.of_sites(form);
     let constants = form.constants(&sites)?;
     let step = extent(&sites);
-    let index = form.scalar().and_then(|(name, _)| system.scalar(name));
-    let scalar = index.map(|index| positions.scalars[index]);
-    let mut gradient = Vec::with_capacity(3 * sites.len() + 1);
+    let indices = form.scalars().into_iter();
+    let indices = indices.filter_map(|(name, _)| system.scalar(name));
+    let mut scalars: Vec<f64> = indices.map(|index| positions.scalars[index]).collect();
+    let mut gradient = Vec::with_capacity(3 * sites.len() + scalars.len());
     for index in 0..3 * sites.len() {
         let (site, axis) = (index / 3, index % 3);
         let here = sites[site][axis];
         gradient.push(difference(here, step, |x| {
             sites[site][axis] = x;
-            form.residual(&constants, &sites, scalar.unwrap_or_default())
+            form.residual(&constants, &sites, &scalars)
         }));
         sites[site][axis] = here;
     }
-    let by_scalar = |here| {
-        difference(here, step, |scalar| {
-            form.residual(&constants, &sites, scalar)
-        })
-    };
-    gradient.extend(scalar.map(by_scalar));
+    for index in 0..scalars.len() {
+        let here = scalars[index];
+        gradient.push(difference(here, step, |scalar| {
+            scalars[index] = scalar;
+            form.residual(&constants, &sites, &scalars)
+        }));
+        scalars[index] = here;
+    }
     let mut numbers = gradient.iter().flatten();
     numbers.all(|x| x.is_finite()).then_some(gradient)
 }

@@ -3,17 +3,22 @@
 //! The register below is the only place that tells the statements apart; everything else asks a
 //! statement what [`Statement`](crate::listing::Statement) has it answer.
 
+mod angle;
 mod body;
+mod couple;
 mod drive;
 mod hinge;
 mod link;
 mod marker;
 mod measure;
+pub(crate) mod mirror;
 pub(crate) mod operands;
+mod plane;
 mod points;
 mod quantity;
 mod role;
 mod slide;
+mod sum;
 pub(crate) mod word;
 
 use word::Word;
@@ -26,9 +31,13 @@ pub(crate) const STATEMENTS: &[Word] = &[
     body::BODY,
     hinge::HINGE,
     slide::SLIDE,
+    plane::PLANE,
+    couple::COUPLE,
+    angle::ANGLE,
     drive::DRIVE,
     measure::MEASURE,
     marker::POINT,
     role::WHEEL,
     role::KINGPIN,
+    mirror::MIRROR,
 ];

@@ -88,18 +88,27 @@ pub struct Measure {
 /// What is prescribed, or read off the points.
 #[derive(Clone, Debug)]
 pub enum Quantity {
-    /// A coordinate, or difference of two.
-    Coordinate {
-        axis: usize,
-        of: Name,
-        minus: Option<Name>,
-    },
+    /// A sum of coordinates.
+    Sum(Vec<Term>),
     /// The angle of the line between two points from an axis, radians.
     Angle { axis: usize, line: [Name; 2] },
+    /// The angle between two lines, radians: about a third one from -pi to pi, otherwise from 0 to pi.
+    Between {
+        lines: [[Name; 2]; 2],
+        about: Option<[Name; 2]>,
+    },
     /// The distance of two points.
     Length { line: [Name; 2] },
     /// The coordinate of a point along a unit vector.
     Along { point: Name, direction: Vector },
+}
+
+/// A coordinate of a point, times a factor.
+#[derive(Clone, Debug)]
+pub struct Term {
+    pub factor: f64,
+    pub point: Name,
+    pub axis: usize,
 }
 
 #[derive(Clone, Debug)]
@@ -134,6 +143,11 @@ pub fn pair_name(body: &Name, a: &Name, b: &Name) -> Name {
 /// The length that a drive prescribes under its name in the generated code.
 pub fn length_name(drive: &Name) -> Name {
     Name::made(format!("{drive}_length"))
+}
+
+/// The distance from the first point of a plane towards another under its name in the generated code.
+pub fn distance_name(plane: &Name, towards: &Name) -> Name {
+    Name::made(format!("{plane}_{towards}"))
 }
 
 /// A coordinate of a vector under its name in the generated code.
@@ -225,9 +239,11 @@ impl System {
         };
         for equation in &self.equations {
             let form = equation.form.equations();
-            let index = form.scalar().and_then(|(name, _)| self.scalar(name));
-            if let (Some(index), Some(value)) = (index, form.scalar_at(&positions.of_sites(form))) {
-                positions.scalars[index] = value;
+            let values = form.scalars_at(&positions.of_sites(form));
+            for ((name, _), value) in form.scalars().into_iter().zip(values.into_iter().flatten()) {
+                if let Some(index) = self.scalar(name) {
+                    positions.scalars[index] = value;
+                }
             }
         }
         positions

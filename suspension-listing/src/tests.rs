@@ -3,6 +3,7 @@
 mod catalogue;
 mod elimination;
 mod lowering;
+mod mirror;
 mod sampling;
 mod texts;
 

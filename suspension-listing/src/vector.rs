@@ -19,7 +19,7 @@ pub fn cross(a: Vector, b: Vector) -> Vector {
 }
 
 /// The sum of multiples of vectors.
-pub fn combined<const K: usize>(terms: [(f64, Vector); K]) -> Vector {
+pub fn combined(terms: impl IntoIterator<Item = (f64, Vector)>) -> Vector {
     let mut sum = [0.0; 3];
     for (factor, vector) in terms {
         for (sum, x) in sum.iter_mut().zip(vector) {

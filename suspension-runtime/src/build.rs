@@ -1,16 +1,17 @@
 //! The model from positions.
 
-use nalgebra::{SVector, Vector3};
-use suspension_core::constraint::{Along, Carried, Distance, Frame, Stretch};
+use nalgebra::Vector3;
+use suspension_core::constraint::{
+    Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch,
+};
 use suspension_core::generated::dot;
 use suspension_core::handedness::Linked;
-use suspension_core::{GeometryError, Real, Values, assemble, parts};
+use suspension_core::{GeometryError, Real, Signal, Values, parts};
 
 use crate::fitted::Fitted;
 use crate::model::Model;
 use crate::plan::Measure;
-use crate::readout::coordinate;
-use crate::site::{Site, Sites};
+use crate::readout::{coordinate, measured, sum};
 use crate::size::{Few, Points, Room, Size};
 use crate::table::Table;
 
@@ -31,8 +32,11 @@ where
             distances: [Distance::default(); N],
             frames: Default::default(),
             carried: Default::default(),
-            along: Default::default(),
+            lines: Default::default(),
+            planes: Default::default(),
             stretches: Default::default(),
+            products: Default::default(),
+            held: Default::default(),
             markers: Default::default(),
             cluster_frames: Default::default(),
             linked: Default::default(),
@@ -45,8 +49,11 @@ where
             cluster_frames,
             distances: model.distances_at(design)?,
             carried: model.carried_at(design, &frames)?,
-            along: model.along_at(design)?,
+            lines: model.lines_at(design)?,
+            planes: model.planes_at(design)?,
             stretches: model.stretches_at(design)?,
+            products: model.products_at(design)?,
+            held: model.held_at(design),
             linked: model.linked_at(design, &cluster_frames)?,
             markers: model.markers_at(design)?,
             ..model
@@ -93,10 +100,22 @@ where
         Ok(distances)
     }
 
-    fn along_at(&self, design: &Points<Vector3<T>, N>) -> Result<Few<Along<T>, N>, GeometryError> {
-        fill(self.plan().along.iter().map(|along| {
-            let [from, to] = along.line.map(|site| self.point(site));
+    fn lines_at(&self, design: &Points<Vector3<T>, N>) -> Result<Few<OnLine<T>, N>, GeometryError> {
+        fill(self.plan().lines.iter().map(|line| {
+            let [to] = line.ends;
+            let [from, to] = [line.from, to].map(|site| self.point(site));
             parts::line(to.into(), (design.get(to) - design.get(from)).norm())
+        }))
+    }
+
+    fn planes_at(
+        &self,
+        design: &Points<Vector3<T>, N>,
+    ) -> Result<Few<InPlane<T>, N>, GeometryError> {
+        fill(self.plan().planes.iter().map(|plane| {
+            let [second, third] = plane.ends;
+            let frame = self.frame_of([plane.from, second, third], design);
+            parts::plane(self.point(third).into(), frame)
         }))
     }
 
@@ -108,6 +127,28 @@ where
             let [from, to] = [stretch.span.from, stretch.span.to].map(|site| self.point(site));
             parts::stretch(to.into(), (design.get(to) - design.get(from)).norm())
         }))
+    }
+
+    fn products_at(
+        &self,
+        design: &Points<Vector3<T>, N>,
+    ) -> Result<Few<Product<T>, N>, GeometryError> {
+        fill(self.plan().products.iter().map(|product| {
+            let points = product.lines.map(|line| line.map(|site| self.point(site)));
+            let [_, [_, end]] = points;
+            let lines = points.map(|[from, to]| design.get(to) - design.get(from));
+            parts::product(end.into(), lines)
+        }))
+    }
+
+    fn held_at(&self, design: &Points<Vector3<T>, N>) -> Few<Held<T>, N> {
+        let sums = self.plan().held().map(|linear| {
+            let terms = linear.terms.iter();
+            let values = terms.map(|term| term.value(&design.get(self.point(term.site))));
+            let sum = values.reduce(|sum, value| sum + value);
+            Held::new(sum.unwrap_or_else(T::zero))
+        });
+        Few::<_, N>::from_values(sums)
     }
 
     fn carried_at(
@@ -158,83 +199,44 @@ where
     /// With `size` brought up to the other constants.
     pub(crate) fn sized(self) -> Self {
         let distances = self.distances.iter().take(self.plan().distances.len());
-        let lines = self.along.as_slice().iter().take(self.plan().along.len());
+        let lines = self.lines.as_slice().iter().take(self.plan().lines.len());
+        let planes = self.planes.as_slice().iter();
+        let planes = planes.take(self.plan().planes.len());
         let stretches = self.stretches.as_slice().iter();
         let stretches = stretches.take(self.plan().stretches.len());
         let lengths = distances
             .map(Distance::length)
-            .chain(lines.map(Along::length))
+            .chain(lines.map(OnLine::length))
+            .chain(planes.map(InPlane::length))
             .chain(stretches.map(Stretch::length));
         let size = lengths.fold(T::zero(), |longest, length| longest.max(length));
         Self { size, ..self }
     }
 
     pub(crate) fn drives_in(&self, points: &Points<Vector3<T>, N>) -> Few<T, N> {
-        let drives = self.plan().drives.iter().map(|drive| match drive.quantity {
-            Measure::Coordinate { axis, of, minus } => {
-                let of = coordinate(&points.get(of), axis);
-                minus.map_or(of, |minus| of - coordinate(&points.get(minus), axis))
-            }
-            Measure::Angle { axis, line } => {
-                let [from, to] = line.map(|point| coordinate(&points.get(point), axis));
-                let of = drive.angle_of.map(usize::from);
-                let distance = of.and_then(|distance| self.distances.get(distance));
-                let length = distance.map_or(T::zero(), Distance::length);
-                parts::angle(to - from, length)
-            }
-            Measure::Length { line } => {
-                let [from, to] = line.map(|point| points.get(point));
-                (to - from).norm()
-            }
-            Measure::Along { point, direction } => {
-                dot(points.get(point), direction.map(T::constant).into())
-            }
-        });
+        let drives = self
+            .plan()
+            .drives
+            .iter()
+            .map(|drive| match &drive.quantity {
+                Measure::Sum(terms) => sum(terms, points),
+                Measure::Angle { axis, line } => {
+                    let [from, to] = line.map(|point| coordinate(&points.get(point), *axis));
+                    let of = drive.angle_of.map(usize::from);
+                    let distance = of.and_then(|distance| self.distances.get(distance));
+                    let length = distance.map_or(T::zero(), Distance::length);
+                    parts::angle(to - from, length)
+                }
+                Measure::Between { .. } => measured(&drive.quantity, &Signal::still(*points)).value,
+                Measure::Length { line } => {
+                    let [from, to] = line.map(|point| points.get(point));
+                    (to - from).norm()
+                }
+                Measure::Along { point, direction } => {
+                    dot(points.get(*point), direction.map(T::constant).into())
+                }
+            });
         Few::<T, N>::from_values(drives)
-    }
-
-    /// The guess `q` with each body, and each cluster of links, put where it fits best.
-    pub(crate) fn fitted(&self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) -> SVector<T, N> {
-        let plan = self.plan();
-        let mut q = *q;
-        let mut carried = self.carried.as_slice().iter();
-        for (body, frame) in plan.bodies.iter().zip(self.frames.as_slice()) {
-            let points = body.carried.iter().map(|carried| carried.point);
-            let shape = points.zip(carried.by_ref());
-            let shape = shape.map(|(site, constant)| (site, constant.position(frame)));
-            fit::<T, N>(
-                &mut q,
-                fixed,
-                body.frame,
-                frame,
-                shape.take(body.carried.len()),
-            );
-        }
-        let mut linked = self.linked.as_slice().iter();
-        for (cluster, frame) in plan.clusters.iter().zip(self.cluster_frames.as_slice()) {
-            let points = cluster.points.iter().map(|point| point.site);
-            let shape = points.zip(linked.by_ref());
-            let shape = shape.map(|(site, constant)| (site, constant.position(frame)));
-            fit::<T, N>(&mut q, fixed, cluster.frame, frame, shape);
-        }
-        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
-            let sites = Sites::new(&q, fixed);
-            let ends = sites.get(along.point).zip(along.ends(&sites));
-            let distance = ends.map(|(point, line)| constant.distance(point, line));
-            if let Some((place, distance)) = q.get_mut(usize::from(along.distance)).zip(distance) {
-                *place = distance;
-            }
-        }
-        for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
-            let length = stretch
-                .span
-                .vector(&Sites::new(&q, fixed))
-                .map(|d| constant.reach(d));
-            if let Some((place, length)) = q.get_mut(usize::from(stretch.length)).zip(length) {
-                *place = length;
-            }
-        }
-        q
     }
 }
 
@@ -254,42 +256,4 @@ where
         }
     }));
     error.map_or(Ok(table), Err)
-}
-
-/// Puts the free points of a rigid shape, the sites of a frame and others, where it fits `q` best.
-fn fit<T: Real, const N: usize>(
-    q: &mut SVector<T, N>,
-    fixed: &Few<Vector3<T>, N>,
-    of_frame: [Site; 3],
-    frame: &Frame<T>,
-    others: impl Iterator<Item = (Site, Vector3<T>)>,
-) where
-    Room<N>: Size,
-{
-    let mut sites = [None; N];
-    let (mut shape, mut guess) = ([Vector3::zeros(); N], [Vector3::zeros(); N]);
-    let mut count = 0;
-    let at = Sites::new(q, fixed);
-    let corners = of_frame.into_iter().zip(frame.points());
-    let places = sites.iter_mut().zip(&mut shape).zip(&mut guess);
-    for (((site_place, shape_place), guess_place), (site, position)) in
-        places.zip(corners.chain(others))
-    {
-        (*site_place, *shape_place) = (Some(site), position);
-        *guess_place = at.get(site).unwrap_or_default();
-        count += 1;
-    }
-    let of_shape = shape.get(..count).zip(guess.get(..count));
-    let motion = of_shape.and_then(|(shape, guess)| assemble::best_rigid_motion(shape, guess));
-    let Some(motion) = motion else {
-        return;
-    };
-    for (site, position) in sites.into_iter().flatten().zip(shape) {
-        let moved = motion(position);
-        for (axis, value) in moved.iter().enumerate() {
-            if let Some(place) = site.column(axis).and_then(|column| q.get_mut(column)) {
-                *place = *value;
-            }
-        }
-    }
 }

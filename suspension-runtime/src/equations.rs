@@ -3,6 +3,7 @@
 use nalgebra::{ArrayStorage, SMatrix, SVector, Vector3};
 use suspension_core::Scalar;
 
+use crate::form::Prescribed;
 use crate::model::Model;
 use crate::site::Sites;
 use crate::size::{Few, Room, Size};
@@ -40,18 +41,32 @@ where
             }
         }
         for linear in &plan.linear {
-            if let Some(off) = linear.residual(&sites, drives.get(linear.drive)) {
+            if let Some(sum) = linear.sum(&sites) {
+                let off = match linear.prescribed {
+                    Prescribed::Drive(drive) => sum - drives.get(drive),
+                    Prescribed::Design(held) => self.held.get(held).residual(sum),
+                };
                 put(rows, linear.row, off);
             }
         }
-        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
-            if let Some(off) = along.residual(constant, &sites) {
-                put_three(rows, along.row, off);
+        for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
+            if let Some(off) = line.residual(constant, &sites) {
+                put_three(rows, line.row, off);
+            }
+        }
+        for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
+            if let Some(off) = plane.residual(constant, &sites) {
+                put_three(rows, plane.row, off);
             }
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             if let Some((vector, length)) = stretch.change(&sites) {
                 put(rows, stretch.span.row, constant.residual(vector, length));
+            }
+        }
+        for (product, constant) in plan.products.iter().zip(self.products.as_slice()) {
+            if let Some([d, e]) = product.vectors(&sites) {
+                put(rows, product.row, constant.residual(d, e));
             }
         }
         result
@@ -80,11 +95,17 @@ where
         for linear in &plan.linear {
             linear.write_dense(&mut matrix);
         }
-        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
-            along.write_dense(constant, &sites, &mut matrix);
+        for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
+            line.write_dense(constant, &sites, &mut matrix);
+        }
+        for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
+            plane.write_dense(constant, &sites, &mut matrix);
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             stretch.write_dense(constant, &sites, &mut matrix);
+        }
+        for (product, constant) in plan.products.iter().zip(self.products.as_slice()) {
+            product.write_dense(constant, &sites, &mut matrix);
         }
         for beyond in usize::from(plan.unknowns)..N {
             if let Some(entry) = matrix.get_mut((beyond, beyond)) {
@@ -119,14 +140,24 @@ where
                 put_three(rows, carried.row, constant.curvature(&frame_v, &frame_w));
             }
         }
-        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
-            if let (Some(v), Some(w)) = (along.change(&v), along.change(&w)) {
-                put_three(rows, along.row, constant.curvature(v, w));
+        for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
+            if let (Some(v), Some(w)) = (line.change(&v), line.change(&w)) {
+                put_three(rows, line.row, constant.curvature(v, w));
+            }
+        }
+        for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
+            if let (Some(v), Some(w)) = (plane.change(&v), plane.change(&w)) {
+                put_three(rows, plane.row, constant.curvature(v, w));
             }
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             if let (Some(v), Some(w)) = (stretch.change(&v), stretch.change(&w)) {
                 put(rows, stretch.span.row, constant.curvature(v, w));
+            }
+        }
+        for (product, constant) in plan.products.iter().zip(self.products.as_slice()) {
+            if let (Some(v), Some(w)) = (product.vectors(&v), product.vectors(&w)) {
+                put(rows, product.row, constant.curvature(v, w));
             }
         }
         result

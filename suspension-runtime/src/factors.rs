@@ -80,11 +80,17 @@ where
         for linear in &plan.linear {
             linear.write(numbers);
         }
-        for (along, constant) in plan.along.iter().zip(model.along.as_slice()) {
-            along.write(constant, &sites, numbers);
+        for (line, constant) in plan.lines.iter().zip(model.lines.as_slice()) {
+            line.write(constant, &sites, numbers);
+        }
+        for (plane, constant) in plan.planes.iter().zip(model.planes.as_slice()) {
+            plane.write(constant, &sites, numbers);
         }
         for (stretch, constant) in plan.stretches.iter().zip(model.stretches.as_slice()) {
             stretch.write(constant, &sites, numbers);
+        }
+        for (product, constant) in plan.products.iter().zip(model.products.as_slice()) {
+            product.write(constant, &sites, numbers);
         }
         *numbers.place(ZERO) = T::zero();
     }

@@ -1,7 +1,7 @@
 //! Constant lengths: into the model, and out of it.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Along, Carried, Distance, Frame};
+use suspension_core::constraint::{Carried, Distance, Frame, OnLine, Product};
 use suspension_core::handedness::Linked;
 use suspension_core::{GeometryError, Real, Values, parts};
 
@@ -54,7 +54,8 @@ where
         let model = Self {
             distances,
             carried,
-            along: self.along_with(lengths, &frames, &carried)?,
+            lines: self.lines_with(lengths, &frames, &carried)?,
+            products: self.products_with(lengths, &frames, &carried)?,
             linked: self.linked_with(lengths, &cluster_frames)?,
             frames,
             cluster_frames,
@@ -75,30 +76,60 @@ where
         parts::frame_of_lengths(self.point(c).into(), edges)
     }
 
-    fn along_with(
+    fn lines_with(
         &self,
         lengths: &Lengths<T, N>,
         frames: &Few<Frame<T>, N>,
         carried: &Few<Carried<T>, N>,
-    ) -> Result<Few<Along<T>, N>, GeometryError> {
-        fill(self.plan().along.iter().map(|along| {
-            let [from, to] = along.line;
-            let length = match along.length {
-                LineLength::Given(length) => self.given(lengths, length, [from, to]),
-                LineLength::Body { body, ends } => {
-                    let frame = frames.get(body);
-                    let [from, to] = ends.map(|end| match end {
-                        BodyPoint::Frame(corner) => {
-                            let corner = frame.points().get(usize::from(corner)).copied();
-                            corner.unwrap_or_default()
-                        }
-                        BodyPoint::Carried(point) => carried.get(point).position(&frame),
-                    });
-                    (to - from).norm()
-                }
-            };
+    ) -> Result<Few<OnLine<T>, N>, GeometryError> {
+        fill(self.plan().lines.iter().map(|line| {
+            let [to] = line.ends;
+            let length = self.kept(lengths, frames, carried, (line.length, [line.from, to]));
             parts::line(self.point(to).into(), length)
         }))
+    }
+
+    fn products_with(
+        &self,
+        lengths: &Lengths<T, N>,
+        frames: &Few<Frame<T>, N>,
+        carried: &Few<Carried<T>, N>,
+    ) -> Result<Few<Product<T>, N>, GeometryError> {
+        let products = self.plan().products.iter().zip(self.products.as_slice());
+        fill(products.map(|(product, now)| {
+            let ([first, second], [a, b]) = (product.lengths, product.lines);
+            let kept = |line| self.kept(lengths, frames, carried, line);
+            let [_, end] = b;
+            parts::product_at(
+                self.point(end).into(),
+                now,
+                [(first, a), (second, b)].map(kept),
+            )
+        }))
+    }
+
+    /// The length of a line with given lengths.
+    fn kept(
+        &self,
+        lengths: &Lengths<T, N>,
+        frames: &Few<Frame<T>, N>,
+        carried: &Few<Carried<T>, N>,
+        (length, ends): (LineLength, [Site; 2]),
+    ) -> T {
+        match length {
+            LineLength::Given(length) => self.given(lengths, length, ends),
+            LineLength::Body { body, ends } => {
+                let frame = frames.get(body);
+                let [from, to] = ends.map(|end| match end {
+                    BodyPoint::Frame(corner) => {
+                        let corner = frame.points().get(usize::from(corner)).copied();
+                        corner.unwrap_or_default()
+                    }
+                    BodyPoint::Carried(point) => carried.get(point).position(&frame),
+                });
+                (to - from).norm()
+            }
+        }
     }
 
     fn carried_with(

@@ -41,6 +41,7 @@
 mod build;
 mod equations;
 mod factors;
+mod fit;
 mod fitted;
 mod form;
 mod hardpoints;

@@ -121,11 +121,13 @@ impl Listing {
     pub fn slides(&self) -> Vec<[usize; 3]> {
         let forms = self.system.equations.iter().map(|equation| &equation.form);
         let slides = forms.filter_map(|form| match form {
-            Form::Along(along) => Some(along),
+            Form::Along(along) => match along.ends.as_slice() {
+                [to] => Some([&along.from, to, &along.point]),
+                _ => None,
+            },
             _ => None,
         });
-        let points = slides.map(|along| [&along.line[0], &along.line[1], &along.point]);
-        points
+        slides
             .map(|points| points.map(|site| self.place_of(site)))
             .collect()
     }

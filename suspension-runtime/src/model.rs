@@ -1,7 +1,9 @@
 //! The geometry of a listing.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Along, Carried, Distance, Frame, Stretch};
+use suspension_core::constraint::{
+    Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch,
+};
 use suspension_core::generated::gather_vector;
 use suspension_core::handedness::Linked;
 use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, Scalar};
@@ -26,9 +28,15 @@ where
     /// Of the points that all bodies carry.
     pub(crate) carried: Few<Carried<T>, N>,
     /// Of the lines that points slide on.
-    pub(crate) along: Few<Along<T>, N>,
+    pub(crate) lines: Few<OnLine<T>, N>,
+    /// Of the planes that points stay in.
+    pub(crate) planes: Few<InPlane<T>, N>,
     /// Of the lengths that drives prescribe.
     pub(crate) stretches: Few<Stretch<T>, N>,
+    /// Of the angles between lines that stay as they are.
+    pub(crate) products: Few<Product<T>, N>,
+    /// Of the sums of coordinates that stay as they are.
+    pub(crate) held: Few<Held<T>, N>,
     pub(crate) markers: Few<Carried<T>, N>,
     pub(crate) cluster_frames: Few<Frame<T>, N>,
     /// Of the points of all clusters beside their frames.
@@ -61,8 +69,11 @@ where
             distances: core::array::from_fn(distance),
             frames: each(|at| Frame::gather(|model| model.frames.get(at), number)),
             carried: each(|at| Carried::gather(|model| model.carried.get(at), number)),
-            along: each(|at| Along::gather(|model| model.along.get(at), number)),
+            lines: each(|at| OnLine::gather(|model| model.lines.get(at), number)),
+            planes: each(|at| InPlane::gather(|model| model.planes.get(at), number)),
             stretches: each(|at| Stretch::gather(|model| model.stretches.get(at), number)),
+            products: each(|at| Product::gather(|model| model.products.get(at), number)),
+            held: each(|at| Held::gather(|model| model.held.get(at), number)),
             markers: each(|at| Carried::gather(|model| model.markers.get(at), number)),
             cluster_frames: each(|at| Frame::gather(|model| model.cluster_frames.get(at), number)),
             linked: each(|at| Linked::gather(|model| model.linked.get(at), number)),

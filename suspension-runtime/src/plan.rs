@@ -13,14 +13,14 @@ use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{SiteMotion, System};
 
-use crate::form::{Along, Body, Distance, InputRates, Linear, Stretch};
+use crate::form::{Along, Body, Distance, InputRates, Linear, Product, Stretch};
 use crate::site::Site;
 use crate::table::{SPARE, index};
 
 pub(crate) use clusters::Cluster;
 pub(crate) use elimination::{Elimination, Step};
 pub(crate) use lengths::{BodyPoint, Length, LengthNames, LineLength};
-pub(crate) use readout::{Drive, Measure, Roles};
+pub(crate) use readout::{Coordinate, Drive, Measure, Roles};
 pub(crate) use substitution::{Carrier, Term};
 
 /// The last place but one: zero among the numbers of the factors.
@@ -37,8 +37,10 @@ pub(crate) struct Plan {
     /// All bodies of three points or more, each with the points that it carries.
     pub(crate) bodies: Vec<Body>,
     pub(crate) linear: Vec<Linear>,
-    pub(crate) along: Vec<Along>,
+    pub(crate) lines: Vec<Along<1>>,
+    pub(crate) planes: Vec<Along<2>>,
     pub(crate) stretches: Vec<Stretch>,
+    pub(crate) products: Vec<Product>,
     /// What drives contribute to rates, with the chassis points that they move.
     pub(crate) driven: InputRates,
     /// What the other chassis points contribute.
@@ -58,8 +60,9 @@ impl Plan {
         let elimination = Elimination::new(system, order);
         let entry = |row, column: Option<usize>| elimination.entry(row, column);
         let lengths = LengthNames::new(system);
-        let (mut distances, mut linear) = (Vec::new(), Vec::new());
-        let (mut along, mut stretches) = (Vec::new(), Vec::new());
+        let (mut distances, mut linear) = (Vec::new(), Vec::<Linear>::new());
+        let (mut lines, mut planes, mut stretches) = (Vec::new(), Vec::new(), Vec::new());
+        let mut products = Vec::new();
         let mut bodies: Vec<Body> = (system.bodies.iter())
             .map(|body| Body::new(body, &lengths))
             .collect();
@@ -74,8 +77,8 @@ impl Plan {
                     distances.push(Distance::new(form, row, length, entry));
                 }
                 Form::Linear(form) => {
-                    let drive = position(system.drives.iter().map(|d| &d.named.name), &form.drive);
-                    linear.push(Linear::new(system, form, row, drive, entry));
+                    let held = linear.iter().filter(|other| other.is_held()).count();
+                    linear.push(Linear::new(system, form, row, held, entry));
                 }
                 Form::Carried(form) => {
                     let mut named = system.bodies.iter().zip(&mut bodies);
@@ -85,9 +88,11 @@ impl Plan {
                     }
                 }
                 Form::Along(form) => {
-                    along.push(Along::new(system, form, row, &lengths, entry));
+                    lines.extend(Along::new(system, form, row, &lengths, entry));
+                    planes.extend(Along::new(system, form, row, &lengths, entry));
                 }
                 Form::Stretch(form) => stretches.push(Stretch::new(system, form, row, entry)),
+                Form::Product(form) => products.push(Product::new(form, row, &lengths, entry)),
             }
             row += equation.form.equations().rows();
         }
@@ -109,10 +114,17 @@ impl Plan {
             distances,
             bodies,
             linear,
-            along,
+            lines,
+            planes,
             stretches,
+            products,
             elimination,
         }
+    }
+
+    /// The sums of coordinates that stay as they are.
+    pub(crate) fn held(&self) -> impl Iterator<Item = &Linear> {
+        self.linear.iter().filter(|linear| linear.is_held())
     }
 
     /// How many points bodies carry.

@@ -70,22 +70,34 @@ where
                 }
             }
         }
-        for &(index, moved) in &inputs.along {
-            let index = usize::from(index);
-            let form = plan.along.get(index).zip(self.along.as_slice().get(index));
-            if let Some((along, constant)) = form
-                && let Some(gradient) = along.gradient(constant, &sites)
+        for moved in &inputs.lines {
+            let index = usize::from(moved.form);
+            let form = plan.lines.get(index).zip(self.lines.as_slice().get(index));
+            if let Some((line, constant)) = form
+                && let Some(sum) = line.input_rate(constant, moved, &sites, &rates)
             {
-                let [from, to] = along.line;
-                let one = T::one();
-                let sites = [(along.point, one), (from, gradient.from), (to, gradient.to)];
-                let moved = sites.into_iter().zip(moved).filter(|(_, moved)| *moved);
-                let mut terms = moved.filter_map(|((site, by), _)| Some((rates.get(site)?, by)));
-                let first = terms.next().map(|(rate, by)| -rate * by);
-                let less = |sum, (rate, by)| sum - rate * by;
-                if let Some(first) = first {
-                    put_three(rows, along.row, terms.fold(first, less));
-                }
+                put_three(rows, line.row, sum);
+            }
+        }
+        for moved in &inputs.planes {
+            let index = usize::from(moved.form);
+            let form = plan
+                .planes
+                .get(index)
+                .zip(self.planes.as_slice().get(index));
+            if let Some((plane, constant)) = form
+                && let Some(sum) = plane.input_rate(constant, moved, &sites, &rates)
+            {
+                put_three(rows, plane.row, sum);
+            }
+        }
+        for &(index, moved) in &inputs.products {
+            let index = usize::from(index);
+            let constant = self.products.as_slice().get(index);
+            if let Some((product, constant)) = plan.products.get(index).zip(constant)
+                && let Some(sum) = product.input_rate(constant, moved, &sites, &rates)
+            {
+                put(rows, product.row, sum);
             }
         }
         for linear in &inputs.linear {

@@ -6,7 +6,7 @@ use suspension_core::generated::{difference, dot, moved_along};
 use suspension_core::{Real, Scalar, Signal, measure};
 
 use crate::model::Model;
-use crate::plan::Measure;
+use crate::plan::{Coordinate, Measure};
 use crate::site::{Site, Sites};
 use crate::size::{Few, Points, Room, Size};
 use crate::table::Table;
@@ -58,15 +58,23 @@ where
         for ([x, y, z], point) in places.iter_mut().zip(free) {
             (*x, *y, *z) = (point.x, point.y, point.z);
         }
-        for (along, constant) in plan.along.iter().zip(self.along.as_slice()) {
-            let point = |site| points.get(self.point(site));
-            if let Some(place) = q.get_mut(usize::from(along.distance)) {
-                *place = constant.distance(point(along.point), along.line.map(point));
-            }
+        let point = |site| points.get(self.point(site));
+        for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
+            let ends = line.ends.map(point);
+            line.put(
+                constant.distances(point(line.point), point(line.from), ends),
+                &mut q,
+            );
+        }
+        for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
+            let ends = plane.ends.map(point);
+            plane.put(
+                constant.distances(point(plane.point), point(plane.from), ends),
+                &mut q,
+            );
         }
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
-            let [from, to] =
-                [stretch.span.from, stretch.span.to].map(|site| points.get(self.point(site)));
+            let [from, to] = [stretch.span.from, stretch.span.to].map(point);
             if let Some(place) = q.get_mut(usize::from(stretch.length)) {
                 *place = constant.reach(difference(to, from));
             }
@@ -101,12 +109,16 @@ where
                 continue;
             };
             let (point, value) = (fixed.place(point), drives.get(place));
-            match drive.quantity {
-                Measure::Coordinate { axis, .. } => *coordinate_mut(point, axis) = value,
+            match &drive.quantity {
+                Measure::Sum(terms) => {
+                    for term in terms {
+                        *coordinate_mut(point, term.axis) = value;
+                    }
+                }
                 Measure::Along { direction, .. } => {
                     *point = moved_along(*point, direction.map(T::constant).into(), value);
                 }
-                Measure::Angle { .. } | Measure::Length { .. } => {}
+                _ => {}
             }
         }
         fixed
@@ -138,24 +150,41 @@ where
 }
 
 /// A quantity and its rates.
-fn measured<T: Real, P: Table<Vector3<T>>>(quantity: &Measure, points: &Signal<P>) -> Signal<T> {
+pub(crate) fn measured<T: Real, P: Table<Vector3<T>>>(
+    quantity: &Measure,
+    points: &Signal<P>,
+) -> Signal<T> {
     let line = |[from, to]: [u16; 2]| points.map(|points| points.get(to) - points.get(from));
-    match *quantity {
-        Measure::Coordinate { axis, of, minus } => points.map(|points| {
-            let of = coordinate(&points.get(of), axis);
-            minus.map_or(of, |minus| of - coordinate(&points.get(minus), axis))
-        }),
+    match quantity {
+        Measure::Sum(terms) => points.map(|points| sum(terms, points)),
         Measure::Angle { axis, line: ends } => {
             let mut along = Vector3::zeros();
-            *coordinate_mut(&mut along, axis) = T::one();
-            measure::angle(&line(ends), along)
+            *coordinate_mut(&mut along, *axis) = T::one();
+            measure::angle(&line(*ends), along)
         }
-        Measure::Length { line: ends } => measure::length(&line(ends)),
+        Measure::Between { lines, about } => {
+            let [first, second] = lines.map(line);
+            match about.map(line) {
+                Some(about) => measure::turn(&first, &second, &about),
+                None => measure::between(&first, &second),
+            }
+        }
+        Measure::Length { line: ends } => measure::length(&line(*ends)),
         Measure::Along { point, direction } => {
             let direction = direction.map(T::constant).into();
-            points.map(|points| dot(points.get(point), direction))
+            points.map(|points| dot(points.get(*point), direction))
         }
     }
+}
+
+/// A sum of coordinates.
+pub(crate) fn sum<T: Scalar>(terms: &[Coordinate], points: &impl Table<Vector3<T>>) -> T {
+    let terms = terms.iter();
+    let values =
+        terms.map(|term| T::constant(term.factor) * coordinate(&points.get(term.point), term.axis));
+    values
+        .reduce(|sum, value| sum + value)
+        .unwrap_or_else(T::zero)
 }
 
 pub(crate) fn coordinate<T: Scalar>(vector: &Vector3<T>, axis: u16) -> T {

@@ -21,8 +21,11 @@ macro_rules! listings {
 
 listings! {
     actuators: "listings/actuators.linkage",
+    angles: "listings/angles.linkage",
+    couples: "listings/couples.linkage",
     crank: "listings/crank.linkage",
     double_carrier: "listings/double_carrier.linkage",
+    guides: "listings/guides.linkage",
     live_axle_watt: "../../suspension-core/src/linkages/live_axle_watt.linkage",
     macpherson: "../../suspension-core/src/linkages/macpherson.linkage",
     pillar: "listings/pillar.linkage",
@@ -112,8 +115,11 @@ fn so_it_is_in_other_numbers_and_with_more_room() {
 #[test]
 fn every_statement_is_walked_as_it_is_written() {
     compare!(actuators, 11, f64, 15, 200);
+    compare!(angles, 15, f64, 15, 200);
+    compare!(couples, 6, f64, 15, 200);
     compare!(crank, 6, f64, 15, 0);
     compare!(double_carrier, 18, f64, 30, 200);
+    compare!(guides, 19, f64, 30, 200);
     compare!(pillar, 11, f64, 15, 0);
     compare!(tripod, 12, f64, 15, 0);
     compare!(trombone, 13, f64, 15, 0);

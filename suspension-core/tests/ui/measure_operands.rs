@@ -8,7 +8,6 @@ suspension_core::linkage! {
         measure lost: length(a -> q);
         measure up: p.up;
         measure nothing: length(p -> p);
-        measure skew: p.z - a.y;
         measure turn: angle(rod -> p, w);
     }
 }

@@ -6,6 +6,7 @@ use syn::{Error, Ident};
 use crate::errors::{self, Errors};
 use crate::kind::Kind;
 use crate::listing::Listing;
+use crate::name::Name;
 use crate::system::{AXES, Equation, System};
 
 /// Checks that there are as many equations as unknowns, and that each equation can be given an unknown
@@ -22,6 +23,16 @@ pub(crate) fn determined(listing: &Listing, system: &System, errors: &mut Errors
 pub(super) fn place_of(listing: &Listing, equation: &Equation) -> Span {
     let origin = &equation.origin;
     listing.place_of(&origin.statement, origin.operand.as_ref())
+}
+
+/// Where the statement is named that an unknown beside coordinates is of.
+pub(super) fn place_of_scalar(listing: &Listing, system: &System, scalar: &Name) -> Span {
+    let has = |equation: &&Equation| {
+        let scalars = equation.form.equations().scalars();
+        scalars.iter().any(|(name, _)| *name == scalar)
+    };
+    let equation = system.equations.iter().find(has);
+    equation.map_or(listing.span, |equation| place_of(listing, equation))
 }
 
 fn wrong_count(listing: &Listing, system: &System) -> Error {
@@ -121,15 +132,17 @@ fn redundant_equation(name: &Ident) -> Error {
 
 fn undetermined(listing: &Listing, system: &System, column: usize) -> Error {
     let coordinates = 3 * system.free.len();
-    let (name, unknown) = if column < coordinates {
+    let (name, unknown, place) = if column < coordinates {
         let point = &system.free[column / 3].named.name;
-        (point, format!("{point}.{}", AXES[column % 3]))
+        let unknown = format!("{point}.{}", AXES[column % 3]);
+        (point, unknown, listing.place_of(point, None))
     } else {
         let scalar = &system.scalars[column - coordinates];
-        (scalar, scalar.to_string())
+        let place = place_of_scalar(listing, system, scalar);
+        (scalar, scalar.to_string(), place)
     };
     Error::new(
-        listing.place_of(name, None),
+        place,
         format!("no equation is left to determine `{unknown}`; join `{name}` by a link or a body"),
     )
 }

@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::determined::place_of;
+use super::determined::{place_of, place_of_scalar};
 use super::reserved::{constant, is_reserved};
 use crate::errors::{self, Errors};
 use crate::listing::Listing;
@@ -82,6 +82,6 @@ fn unknowns(listing: &Listing, system: &System) -> impl Iterator<Item = Generate
         (0..3).map(move |axis| (coordinate_name(point, axis), at))
     });
     let scalars = system.scalars.iter();
-    let scalars = scalars.map(|name| (name.clone(), listing.place_of(name, None)));
+    let scalars = scalars.map(|name| (name.clone(), place_of_scalar(listing, system, name)));
     coordinates.chain(scalars)
 }

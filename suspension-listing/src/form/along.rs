@@ -1,36 +1,58 @@
-//! A point on the line through two others: `p - o - s e / L`, with `e` from `o` to the other end, `L` its
-//! length, which does not change, and `s`, an unknown, the distance from `o` to `p`.
+//! A point on the line from one point to another, or in the plane of two such lines: `p - o - sum s_k e_k / L_k`,
+//! with `e_k` from `o` to the line's other end, `L_k` its length in the design, and `s_k`, an unknown, the distance
+//! along it.
 
 use super::{Dependence, Equations};
 use crate::name::Name;
 use crate::site::Site;
-use crate::vector::{Vector, combined, dot, minus};
+use crate::vector::{Vector, combined, cross, dot, minus};
 
 #[derive(Clone, Debug)]
 pub struct Along {
-    pub line: [Site; 2],
+    /// Where the lines start.
+    pub from: Site,
+    /// The other end of one line, or of two.
+    pub ends: Vec<Site>,
     pub point: Site,
-    /// The unknown's name.
-    pub distance: Name,
+    /// The unknowns' names, one a line.
+    pub distances: Vec<Name>,
 }
 
-/// The line, and the point from its start.
-fn edges(at: &[Vector]) -> [Vector; 2] {
-    [minus(at[1], at[0]), minus(at[2], at[0])]
+/// The lines, and the point from their start.
+fn edges(at: &[Vector]) -> (Vec<Vector>, Vector) {
+    let mut edges: Vec<Vector> = at[1..].iter().map(|end| minus(*end, at[0])).collect();
+    let point = edges.pop().unwrap_or_default();
+    (edges, point)
+}
+
+fn length(edge: &Vector) -> f64 {
+    dot(*edge, *edge).sqrt()
 }
 
 impl Equations for Along {
     fn sites(&self) -> Vec<&Site> {
-        self.line.iter().chain([&self.point]).collect()
+        let from = [&self.from].into_iter();
+        from.chain(&self.ends).chain([&self.point]).collect()
     }
 
-    fn scalar(&self) -> Option<(&Name, Dependence)> {
-        Some((&self.distance, Dependence::Any))
+    fn scalars(&self) -> Vec<(&Name, Dependence)> {
+        let distances = self.distances.iter();
+        distances.map(|name| (name, Dependence::Any)).collect()
     }
 
-    fn scalar_at(&self, at: &[Vector]) -> Option<f64> {
-        let [e, d] = edges(at);
-        Some(dot(d, e) / dot(e, e).sqrt())
+    fn scalars_at(&self, at: &[Vector]) -> Option<Vec<f64>> {
+        let (lines, d) = edges(at);
+        Some(match lines.as_slice() {
+            [u, v] => {
+                let normal = cross(*u, *v);
+                let shares = [(cross(d, *v), u), (cross(*u, d), v)];
+                let per_area = 1.0 / dot(normal, normal);
+                shares
+                    .map(|(share, edge)| dot(share, normal) * per_area * length(edge))
+                    .to_vec()
+            }
+            lines => lines.iter().map(|e| dot(d, *e) / length(e)).collect(),
+        })
     }
 
     fn rows(&self) -> usize {
@@ -38,21 +60,32 @@ impl Equations for Along {
     }
 
     fn dependence(&self, row: usize, site: usize, axis: usize) -> Dependence {
-        match site {
-            _ if row != axis => Dependence::Never,
-            2 => Dependence::Unit,
-            _ => Dependence::Any,
+        if row != axis {
+            Dependence::Never
+        } else if site > self.ends.len() {
+            Dependence::Unit
+        } else {
+            Dependence::Any
         }
     }
 
+    /// The lengths.
     fn constants(&self, at: &[Vector]) -> Option<Vector> {
-        let [e, _] = edges(at);
-        let length = dot(e, e).sqrt();
-        (length > 0.0).then_some([length, 0.0, 0.0])
+        let (lines, _) = edges(at);
+        let mut lengths = [0.0; 3];
+        for (place, line) in lengths.iter_mut().zip(&lines) {
+            *place = length(line);
+        }
+        let spanned = match lines.as_slice() {
+            [u, v] => length(&cross(*u, *v)),
+            _ => lengths[0],
+        };
+        (spanned > 0.0).then_some(lengths)
     }
 
-    fn residual(&self, &[length, ..]: &Vector, at: &[Vector], s: f64) -> Vector {
-        let [e, d] = edges(at);
-        minus(d, combined([(s / length, e)]))
+    fn residual(&self, lengths: &Vector, at: &[Vector], distances: &[f64]) -> Vector {
+        let (lines, d) = edges(at);
+        let shares = distances.iter().zip(lengths).map(|(s, length)| s / length);
+        minus(d, combined(shares.zip(lines)))
     }
 }

@@ -51,7 +51,7 @@ impl Equations for Carried {
         (area_squared > 0.0).then_some(parts.map(|part| part / area_squared))
     }
 
-    fn residual(&self, &[a, b, c]: &Vector, at: &[Vector], _scalar: f64) -> Vector {
+    fn residual(&self, &[a, b, c]: &Vector, at: &[Vector], _scalars: &[f64]) -> Vector {
         let [u, v, d] = edges(at);
         minus(d, combined([(a, u), (b, v), (c, cross(u, v))]))
     }

@@ -26,7 +26,7 @@ impl Equations for Distance {
         (length > 0.0).then_some([length, 0.0, 0.0])
     }
 
-    fn residual(&self, &[length, ..]: &Vector, at: &[Vector], _scalar: f64) -> Vector {
+    fn residual(&self, &[length, ..]: &Vector, at: &[Vector], _scalars: &[f64]) -> Vector {
         let d = minus(at[1], at[0]);
         [(dot(d, d) / length - length) / 2.0, 0.0, 0.0]
     }

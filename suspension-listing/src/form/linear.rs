@@ -1,4 +1,4 @@
-//! A prescribed sum of coordinates, or a prescribed scalar: `sum k x + s - drive`.
+//! A prescribed sum of coordinates, or a prescribed scalar: `sum k x + s - drive`, or less what it is in the design.
 
 use super::{Dependence, Equations};
 use crate::name::Name;
@@ -9,7 +9,15 @@ use crate::vector::Vector;
 pub struct Linear {
     pub terms: Vec<Term>,
     pub scalar: Option<Name>,
-    pub drive: Name,
+    pub prescribed: Prescribed,
+}
+
+/// What prescribes a sum.
+#[derive(Clone, Debug)]
+pub enum Prescribed {
+    Drive(Name),
+    /// It stays as it is in the design.
+    Design,
 }
 
 /// A coordinate of a point, times a factor.
@@ -25,8 +33,9 @@ impl Equations for Linear {
         self.terms.iter().map(|term| &term.site).collect()
     }
 
-    fn scalar(&self) -> Option<(&Name, Dependence)> {
-        self.scalar.as_ref().map(|name| (name, Dependence::Unit))
+    fn scalars(&self) -> Vec<(&Name, Dependence)> {
+        let scalar = self.scalar.iter();
+        scalar.map(|name| (name, Dependence::Unit)).collect()
     }
 
     fn dependence(&self, _row: usize, site: usize, axis: usize) -> Dependence {
@@ -40,17 +49,23 @@ impl Equations for Linear {
         }
     }
 
-    fn constants(&self, _at: &[Vector]) -> Option<Vector> {
-        Some([0.0; 3])
+    fn constants(&self, at: &[Vector]) -> Option<Vector> {
+        Some(match self.prescribed {
+            Prescribed::Drive(_) => [0.0; 3],
+            Prescribed::Design => self.residual(&[0.0; 3], at, &[]),
+        })
     }
 
-    fn residual(&self, _constants: &Vector, at: &[Vector], scalar: f64) -> Vector {
+    fn residual(&self, &[held, ..]: &Vector, at: &[Vector], scalars: &[f64]) -> Vector {
         let terms = self.terms.iter().zip(at);
         let sum: f64 = terms.map(|(term, at)| term.factor * at[term.axis]).sum();
-        [sum + scalar, 0.0, 0.0]
+        [sum + scalars.iter().sum::<f64>() - held, 0.0, 0.0]
     }
 
     fn drive(&self) -> Option<&Name> {
-        Some(&self.drive)
+        match &self.prescribed {
+            Prescribed::Drive(drive) => Some(drive),
+            Prescribed::Design => None,
+        }
     }
 }

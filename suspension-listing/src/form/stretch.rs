@@ -23,12 +23,12 @@ impl Equations for Stretch {
         vec![&self.from, &self.to]
     }
 
-    fn scalar(&self) -> Option<(&Name, Dependence)> {
-        Some((&self.length, Dependence::Any))
+    fn scalars(&self) -> Vec<(&Name, Dependence)> {
+        vec![(&self.length, Dependence::Any)]
     }
 
-    fn scalar_at(&self, at: &[Vector]) -> Option<f64> {
-        Some(length(at))
+    fn scalars_at(&self, at: &[Vector]) -> Option<Vec<f64>> {
+        Some(vec![length(at)])
     }
 
     fn dependence(&self, _row: usize, _site: usize, _axis: usize) -> Dependence {
@@ -40,7 +40,8 @@ impl Equations for Stretch {
         (length > 0.0).then_some([length, 0.0, 0.0])
     }
 
-    fn residual(&self, &[scale, ..]: &Vector, at: &[Vector], s: f64) -> Vector {
+    fn residual(&self, &[scale, ..]: &Vector, at: &[Vector], scalars: &[f64]) -> Vector {
+        let s: f64 = scalars.iter().sum();
         let d = minus(at[1], at[0]);
         [(dot(d, d) - s * s) / (2.0 * scale), 0.0, 0.0]
     }

@@ -6,6 +6,7 @@ use syn::Ident;
 use super::{Listing, Rigid};
 use crate::kind::Kind;
 use crate::name::Name;
+use crate::system::{Body, System, distance_between};
 
 impl Listing {
     /// The names that it declares, and of what.
@@ -50,6 +51,16 @@ impl Listing {
         let mut statements = self.statements.iter();
         self.fixed.iter().any(|fixed| fixed.named.name == *point)
             && !statements.any(|statement| statement.moves() == Some(point))
+    }
+
+    /// Whether two points stay as far apart as they are: by an equation, in a body or on the chassis.
+    pub(crate) fn keeps_apart(&self, system: &System, ends: [&Ident; 2]) -> bool {
+        let [a, b] = ends.map(Name::from);
+        let lists = |body: &Body, name: &Name| body.points().any(|site| site.name == *name);
+        let mut bodies = system.bodies.iter();
+        distance_between(&system.equations, &a, &b).is_some()
+            || bodies.any(|body| lists(body, &a) && lists(body, &b))
+            || ends.iter().all(|end| self.is_at_rest(end))
     }
 
     /// The bodies, each with its points.

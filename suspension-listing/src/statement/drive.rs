@@ -8,7 +8,7 @@ use syn::{Error, Ident};
 use super::quantity::Quantity;
 use super::word::{Head, Word};
 use crate::errors::{self, Errors};
-use crate::form::{Form, Linear, Stretch};
+use crate::form::{Form, Linear, Prescribed, Stretch};
 use crate::kind::Kind;
 use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
 use crate::lower::origin;
@@ -46,6 +46,9 @@ impl Statement for Drive {
         let (name, points) = (&self.named.name, self.quantity.points());
         self.quantity.check(check);
         check.sites(points.iter().copied());
+        if let Quantity::Between { .. } = self.quantity {
+            check.report(not_driven(name));
+        }
         match self.moves() {
             Some(point) => {
                 self.bends_no_body(check, point);
@@ -53,10 +56,7 @@ impl Statement for Drive {
             }
             None => check.not_all_fixed(name, KIND, points),
         }
-        let same = earlier.iter().find(|other| other.claim() == self.claim());
-        if let Some((other, _)) = same.and_then(|other| other.named()) {
-            check.report(driven_twice(name, &other.name));
-        }
+        check.prescribed_once(self, earlier);
     }
 
     fn rank(&self) -> Rank {
@@ -76,7 +76,7 @@ impl Statement for Drive {
             let form = Form::Linear(Linear {
                 terms: self.quantity.terms(site),
                 scalar: is_length.then(|| name.clone()),
-                drive: name.clone(),
+                prescribed: Prescribed::Drive(name.clone()),
             });
             let origin = origin(KIND, &name, None);
             lowering.equation(self.named.plain(), origin, form);
@@ -108,7 +108,7 @@ impl Statement for Drive {
 
     fn moves(&self) -> Option<&Ident> {
         match &self.quantity {
-            Quantity::Coordinate { of, minus: None } => Some(&of.point),
+            Quantity::Sum(sum) => sum.single(),
             Quantity::Along { point, .. } => Some(point),
             _ => None,
         }
@@ -119,7 +119,7 @@ impl Statement for Drive {
     }
 
     fn claim(&self) -> Option<String> {
-        Some(format!("drive {}", self.quantity.text()))
+        Some(self.quantity.text())
     }
 }
 
@@ -164,10 +164,11 @@ impl Drive {
     }
 }
 
-fn driven_twice(name: &Ident, other: &Ident) -> Error {
+fn not_driven(name: &Ident) -> Error {
     errors::at(
         name,
-        format!("drive `{other}` prescribes the same already; remove one of them"),
+        "an angle between two lines is measured, or held by an `angle` statement; drive a length or a coordinate \
+         that turns one of them",
     )
 }
 

@@ -60,6 +60,17 @@ pub(crate) fn names(input: ParseStream<'_>) -> syn::Result<Vec<Ident>> {
     Ok(names.into_iter().collect())
 }
 
+/// `point on`, of a statement that is written as `example` says.
+pub(crate) fn point_on(input: ParseStream<'_>, example: &str) -> syn::Result<Ident> {
+    let (point, word) = (name(input)?, input.parse::<Ident>()?);
+    if word == "on" {
+        Ok(point)
+    } else {
+        let message = format!("unexpected `{word}`; write `{example}`");
+        Err(errors::at(&word, message))
+    }
+}
+
 /// `from -> to`.
 pub(crate) fn arrow(input: ParseStream<'_>) -> syn::Result<[Ident; 2]> {
     let from = name(input)?;

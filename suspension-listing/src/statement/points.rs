@@ -72,28 +72,30 @@ pub(super) fn vector(input: ParseStream<'_>, what: &str) -> syn::Result<Vector> 
         .map_err(|numbers| not_three_coordinates(bracket.span.join(), what, numbers.len()))
 }
 
+/// A number without sign.
+pub(super) fn number(input: ParseStream<'_>) -> syn::Result<f64> {
+    let number: Lit = input.parse()?;
+    let value: f64 = match &number {
+        Lit::Int(digits) => digits.base10_parse(),
+        Lit::Float(digits) => digits.base10_parse(),
+        other => Err(not_a_number(other)),
+    }?;
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(not_a_number(&number))
+    }
+}
+
 /// A number with or without sign.
 struct Number(f64);
 
 impl Parse for Number {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        let sign = if input.parse::<Option<Token![-]>>()?.is_some() {
-            -1.0
-        } else {
-            1.0
-        };
-        let number: Lit = input.parse()?;
-        let value = match &number {
-            Lit::Int(digits) => digits.base10_parse::<f64>(),
-            Lit::Float(digits) => digits.base10_parse::<f64>(),
-            other => Err(not_a_number(other)),
-        };
-        let value: f64 = value?;
-        if value.is_finite() {
-            Ok(Self(sign * value))
-        } else {
-            Err(not_a_number(&number))
-        }
+        let is_negative = input.parse::<Option<Token![-]>>()?.is_some();
+        let number = number(input)?;
+        // No negative zero comes of the image of a zero.
+        Ok(Self(if is_negative { 0.0 - number } else { number }))
     }
 }
 
@@ -121,6 +123,6 @@ fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
 fn not_a_number(literal: &Lit) -> Error {
     Error::new(
         literal.span(),
-        "a coordinate is a finite number, for example `-1.25`",
+        "a coordinate or a factor is a finite number, for example `-1.25`",
     )
 }

@@ -1,48 +1,41 @@
-//! Quantities, which drives prescribe and measures read: `p.z`, `p.z - q.z`, `p along [0.1, 1.0, 0.0]`,
-//! `angle(p -> q, z)`, `length(p -> q)`.
+//! Quantities, which drives prescribe and measures read: sums of coordinates, `p along [0.1, 1.0, 0.0]`,
+//! `angle(p -> q, z)`, `angle(p -> q, r -> s)`, `length(p -> q)`.
 
-use syn::parse::{Parse, ParseStream};
+use syn::parse::ParseStream;
 use syn::{Error, Ident, Token, parenthesized};
 
 use super::operands::{arrow, in_brackets, name};
 use super::points::vector;
+use super::sum::{Sum, Term, axis_index};
 use crate::errors;
-use crate::form::Term;
+use crate::form;
 use crate::listing::Check;
 use crate::name::Name;
-use crate::system::{self, AXES, Site};
+use crate::system::{self, Site};
 use crate::vector::{Vector, dot};
 
 pub(super) enum Quantity {
-    /// `of.axis` or `of.axis - minus.axis`.
-    Coordinate {
-        of: Coordinate,
-        minus: Option<Coordinate>,
-    },
+    /// `p.z`, `p.z - q.z`, `0.5 p.z + 0.5 q.z`.
+    Sum(Sum),
     /// `angle(from -> to, axis)`.
     Angle { line: [Ident; 2], axis: Ident },
+    /// `angle(p -> q, r -> s)`, or the same `about t -> u`.
+    Between {
+        lines: [[Ident; 2]; 2],
+        about: Option<[Ident; 2]>,
+    },
     /// `length(from -> to)`.
     Length { line: [Ident; 2] },
     /// `point along [x, y, z]`, with a unit vector.
     Along { point: Ident, direction: Vector },
 }
 
-pub(super) struct Coordinate {
-    pub(super) point: Ident,
-    axis: Ident,
-}
-
 impl Quantity {
     pub(super) fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         match function(input)? {
-            None if input.peek2(Ident) => along(input),
-            None => coordinate(input),
-            Some(function) if function == "angle" => operands(input, |content| {
-                let line = arrow(content)?;
-                content.parse::<Token![,]>()?;
-                let axis = content.parse()?;
-                Ok(Self::Angle { line, axis })
-            }),
+            None if input.peek(Ident) && input.peek2(Ident) => along(input),
+            None => Ok(Self::Sum(input.parse()?)),
+            Some(function) if function == "angle" => operands(input, angle),
             Some(function) if function == "length" => {
                 let line = operands(input, arrow)?;
                 Ok(Self::Length { line })
@@ -53,94 +46,99 @@ impl Quantity {
 
     pub(super) fn points(&self) -> Vec<&Ident> {
         match self {
-            Self::Coordinate { of, minus } => [Some(of), minus.as_ref()]
-                .into_iter()
-                .flatten()
-                .map(|coordinate| &coordinate.point)
-                .collect(),
+            Self::Sum(sum) => sum.points(),
             Self::Angle { line, .. } | Self::Length { line } => line.iter().collect(),
+            Self::Between { lines, about } => {
+                let lines = lines.iter().chain(about).flatten();
+                let mut points: Vec<&Ident> = lines.collect();
+                points.sort();
+                points.dedup();
+                points
+            }
             Self::Along { point, .. } => vec![point],
         }
     }
 
     /// Checks the axes.
     pub(super) fn check(&self, check: &mut Check<'_>) {
-        let axis = match self {
-            Self::Coordinate { of, .. } => &of.axis,
-            Self::Angle { axis, .. } => axis,
-            Self::Length { .. } | Self::Along { .. } => return,
-        };
-        if !AXES.iter().any(|name| axis == name) {
-            check.report(unknown_axis(axis));
-        }
-        if let Self::Coordinate {
-            minus: Some(minus), ..
-        } = self
-            && minus.axis != *axis
-        {
-            check.report(different_axes(&minus.axis, axis));
+        match self {
+            Self::Sum(sum) => sum.check(check),
+            Self::Angle { axis, .. } => check.axis(axis),
+            Self::Between { lines, about } => {
+                for [from, to] in lines.iter().chain(about) {
+                    if from == to {
+                        check.report(errors::same_point_twice(to));
+                    }
+                }
+            }
+            Self::Length { .. } | Self::Along { .. } => {}
         }
     }
 
     /// As text, equal for two that are one up to sign.
     pub(super) fn text(&self) -> String {
+        let what = match self {
+            Self::Sum(sum) => return format!("sum {}", sum.text()),
+            Self::Angle { axis, .. } => format!("angle {axis}"),
+            Self::Between { .. } => "between".to_owned(),
+            Self::Length { .. } => "length".to_owned(),
+            Self::Along { direction, .. } => format!("along {direction:?}"),
+        };
         let mut points: Vec<String> = self.points().iter().map(ToString::to_string).collect();
         points.sort();
-        let axis = match self {
-            Self::Coordinate { of, .. } => of.axis.to_string(),
-            Self::Angle { axis, .. } => axis.to_string(),
-            Self::Length { .. } => String::new(),
-            Self::Along { direction, .. } => format!("{direction:?}"),
-        };
-        format!("{} {axis}", points.join(" "))
+        format!("{what} {}", points.join(" "))
     }
 
     /// The coordinates that add up to what the equation of a drive prescribes.
-    pub(super) fn terms(&self, site: impl Fn(&Ident) -> Site) -> Vec<Term> {
-        let (axis, plus, minus) = match self {
-            Self::Coordinate { of, minus } => {
-                let minus = minus.as_ref().map(|minus| &minus.point);
-                (&of.axis, &of.point, minus)
-            }
+    pub(super) fn terms(&self, site: impl Fn(&Ident) -> Site) -> Vec<form::Term> {
+        match self {
+            Self::Sum(sum) => sum.terms(site),
             Self::Angle {
                 line: [from, to],
                 axis,
-            } => (axis, to, Some(from)),
+            } => {
+                let axis = axis_index(axis);
+                let term = |(factor, point)| form::Term {
+                    factor,
+                    site: site(point),
+                    axis,
+                };
+                [(1.0, to), (-1.0, from)].map(term).to_vec()
+            }
             Self::Along { point, direction } => {
                 let axes = direction
                     .iter()
                     .enumerate()
                     .filter(|(_, factor)| **factor != 0.0);
-                let term = |(axis, factor): (usize, &f64)| Term {
+                let term = |(axis, factor): (usize, &f64)| form::Term {
                     factor: *factor,
                     site: site(point),
                     axis,
                 };
-                return axes.map(term).collect();
+                axes.map(term).collect()
             }
-            Self::Length { .. } => return Vec::new(),
-        };
-        let axis = axis_index(axis);
-        let term = |(factor, point): (f64, &Ident)| Term {
-            factor,
-            site: site(point),
-            axis,
-        };
-        let ends = [Some((1.0, plus)), minus.map(|minus| (-1.0, minus))];
-        ends.into_iter().flatten().map(term).collect()
+            Self::Length { .. } | Self::Between { .. } => Vec::new(),
+        }
     }
 
     /// The same without places in the source.
     pub(super) fn plain(&self) -> system::Quantity {
         match self {
-            Self::Coordinate { of, minus } => system::Quantity::Coordinate {
-                axis: axis_index(&of.axis),
-                of: Name::from(&of.point),
-                minus: minus.as_ref().map(|minus| Name::from(&minus.point)),
-            },
+            Self::Sum(sum) => {
+                let term = |term: &Term| system::Term {
+                    factor: term.factor,
+                    point: Name::from(&term.point),
+                    axis: term.axis(),
+                };
+                system::Quantity::Sum(sum.terms.iter().map(term).collect())
+            }
             Self::Angle { line, axis } => system::Quantity::Angle {
                 axis: axis_index(axis),
                 line: line.each_ref().map(Name::from),
+            },
+            Self::Between { lines, about } => system::Quantity::Between {
+                lines: lines.each_ref().map(|line| line.each_ref().map(Name::from)),
+                about: about.as_ref().map(|line| line.each_ref().map(Name::from)),
             },
             Self::Length { line } => system::Quantity::Length {
                 line: line.each_ref().map(Name::from),
@@ -153,14 +151,25 @@ impl Quantity {
     }
 }
 
-/// `of.axis` or `of.axis - minus.axis`.
-fn coordinate(input: ParseStream<'_>) -> syn::Result<Quantity> {
-    let of = input.parse()?;
-    let minus = match input.parse::<Option<Token![-]>>()? {
-        Some(_) => Some(input.parse()?),
-        None => None,
+/// `from -> to, axis`, or two lines, with or without the one about which their angle is seen.
+fn angle(content: ParseStream<'_>) -> syn::Result<Quantity> {
+    let line = arrow(content)?;
+    content.parse::<Token![,]>()?;
+    if !content.peek2(Token![->]) {
+        let axis = content.parse()?;
+        return Ok(Quantity::Angle { line, axis });
+    }
+    let lines = [line, arrow(content)?];
+    let about = if content.peek(Ident) {
+        let word: Ident = content.parse()?;
+        if word != "about" {
+            return Err(not_about(&word));
+        }
+        Some(arrow(content)?)
+    } else {
+        None
     };
-    Ok(Quantity::Coordinate { of, minus })
+    Ok(Quantity::Between { lines, about })
 }
 
 /// `point along [x, y, z]`.
@@ -186,15 +195,6 @@ fn along(input: ParseStream<'_>) -> syn::Result<Quantity> {
     Ok(Quantity::Along { point, direction })
 }
 
-impl Parse for Coordinate {
-    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        let point = name(input)?;
-        input.parse::<Token![.]>()?;
-        let axis = input.parse()?;
-        Ok(Self { point, axis })
-    }
-}
-
 /// The word before a parenthesis.
 fn function(input: ParseStream<'_>) -> syn::Result<Option<Ident>> {
     let is_call = input.peek(syn::token::Paren) || input.peek2(syn::token::Paren);
@@ -211,17 +211,21 @@ fn operands<T>(
     in_brackets(&content, read)
 }
 
-fn axis_index(axis: &Ident) -> usize {
-    let mut axes = AXES.iter();
-    axes.position(|name| axis == name).unwrap_or_default()
-}
-
 fn unknown_quantity(function: &Ident) -> Error {
     errors::at(
         function,
         format!(
-            "there is no quantity `{function}(..)`; write `p.z`, `p.z - q.z`, `p along [0, 1, 0]`, \
-             `angle(p -> q, z)` or `length(p -> q)`"
+            "there is no quantity `{function}(..)`; write `p.z`, `0.5 p.z + 0.5 q.z`, `p along [0, 1, 0]`, \
+             `angle(p -> q, z)`, `angle(p -> q, r -> s)` or `length(p -> q)`"
+        ),
+    )
+}
+
+fn not_about(word: &Ident) -> Error {
+    errors::at(
+        word,
+        format!(
+            "unexpected `{word}`; write `)`, or the line that the angle is about: `about t -> u`"
         ),
     )
 }
@@ -230,19 +234,5 @@ fn not_along(word: &Ident) -> Error {
     errors::at(
         word,
         format!("unexpected `{word}`; write `;`, or a direction: `along [x, y, z]`"),
-    )
-}
-
-fn unknown_axis(axis: &Ident) -> Error {
-    errors::at(
-        axis,
-        format!("there is no axis `{axis}`; write `x`, `y` or `z`"),
-    )
-}
-
-fn different_axes(axis: &Ident, expected: &Ident) -> Error {
-    errors::at(
-        axis,
-        format!("both coordinates must be along one axis; write `.{expected}`"),
     )
 }

@@ -3,7 +3,7 @@
 
 use syn::{Error, Ident};
 
-use super::operands::{arrow, name};
+use super::operands::{arrow, point_on};
 use super::word::{Head, Word};
 use crate::errors::{self, Errors};
 use crate::form::{Along, Form};
@@ -11,7 +11,7 @@ use crate::kind::Kind;
 use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
 use crate::lower::origin;
 use crate::name::Name;
-use crate::system::{Body, System, distance_between};
+use crate::system::{Body, System};
 
 const KIND: Kind = Kind("slide");
 
@@ -19,13 +19,9 @@ pub(crate) const SLIDE: Word = Word {
     word: "slide",
     syntax: "slide strut: top on low -> high;",
     read: |head: Head, input, listing| {
-        let (named, point) = (head.named(input)?, name(input)?);
-        let word: Ident = input.parse()?;
-        if word != "on" {
-            return Err(not_on(&word));
-        }
-        let line = arrow(input)?;
-        let [from, to] = line;
+        let named = head.named(input)?;
+        let point = point_on(input, "slide name: point on from -> to;")?;
+        let [from, to] = arrow(input)?;
         let points = [point, from, to];
         listing.statements.push(Box::new(Slide { named, points }));
         Ok(())
@@ -60,9 +56,10 @@ impl Statement for Slide {
         let name = Name::from(&self.named.name);
         let [point, from, to] = self.points.each_ref().map(|point| lowering.site(point));
         let form = Form::Along(Along {
-            line: [from, to],
+            from,
+            ends: vec![to],
             point,
-            distance: name.clone(),
+            distances: vec![name.clone()],
         });
         let origin = origin(KIND, &name, None);
         lowering.system.scalars.push(name);
@@ -84,19 +81,10 @@ impl Statement for Slide {
         if let Some(body) = carrier.filter(|body| lists(body, &names[0])) {
             errors.push(cannot_slide(point, body));
         }
-        let is_kept = distance_between(&system.equations, a, b).is_some();
-        let on_the_chassis = [from, to].iter().all(|end| listing.is_at_rest(end));
-        if carrier.is_none() && !is_kept && !on_the_chassis {
+        if !listing.keeps_apart(system, [from, to]) {
             errors.push(loose_line(from, to));
         }
     }
-}
-
-fn not_on(word: &Ident) -> Error {
-    errors::at(
-        word,
-        format!("unexpected `{word}`; write `slide name: point on from -> to;`"),
-    )
 }
 
 fn cannot_slide(point: &Ident, body: &Body) -> Error {

@@ -148,10 +148,12 @@ impl System {
             carried: point.is_some() && carried == point,
         };
         let sites = form.sites();
-        let scalar = form.scalar().and_then(|(name, dependence)| {
-            let column = 3 * self.free.len() + self.scalar(name)?;
+        let first_scalar = 3 * sites.len();
+        let scalars = form.scalars().into_iter().enumerate();
+        let scalars = scalars.filter_map(move |(index, (name, dependence))| {
             let unit = dependence == Dependence::Unit;
-            Some(place(3 * sites.len(), column, None, unit))
+            let column = self.scalar_column(name)?;
+            Some(place(first_scalar + index, column, None, unit))
         });
         let sites = sites.into_iter().enumerate();
         let axes = sites.flat_map(|(site, point)| (0..3).map(move |axis| (site, point, axis)));
@@ -162,6 +164,6 @@ impl System {
             (dependence != Dependence::Never)
                 .then(|| place(3 * site + axis, column, Some(&point.name), unit))
         });
-        coordinates.chain(scalar)
+        coordinates.chain(scalars)
     }
 }

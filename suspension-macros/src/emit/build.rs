@@ -177,12 +177,8 @@ fn fit(system: &System) -> TokenStream {
             [#(#targets),*] = best_rigid_fit(&[origin, second, third, #(#carried),*], &[#(#guess),*]);
         }
     });
-    let scalars = system.scalars.iter();
-    let values = form::scalars(system, &|site| value_of(site, &free, &fixed));
-    let along = scalars
-        .zip(values)
-        .map(|(scalar, value)| quote!(free.#scalar = #value;));
-    let fits: Vec<TokenStream> = fits.chain(along).collect();
+    let scalars = form::scalars(system, &|site| value_of(site, &free, &fixed));
+    let fits: Vec<TokenStream> = fits.chain(scalars).collect();
     let body = if fits.is_empty() {
         quote!(*q)
     } else {

@@ -5,6 +5,7 @@ mod along;
 mod carried;
 mod distance;
 mod linear;
+mod product;
 mod stretch;
 
 use proc_macro2::TokenStream;
@@ -18,7 +19,7 @@ use super::indices;
 use super::operations::Operations;
 use super::terms::{Rows, ident};
 
-pub(super) use linear::constant;
+pub(super) use linear::{constant, sum};
 
 /// Writes an entry: its row, its column, its value.
 pub(super) type Write<'a> = dyn Fn(&Name, &Name, TokenStream) -> TokenStream + 'a;
@@ -40,9 +41,9 @@ pub(super) trait Emit {
         false
     }
 
-    /// The value of the unknown that it has beside coordinates, with each site where `place` says;
+    /// Sets the unknowns in `free` that it has beside coordinates, with each site where `place` says;
     /// `None` where it has none.
-    fn scalar(&self, _name: &Name, _place: &dyn Fn(&Site) -> TokenStream) -> Option<TokenStream> {
+    fn scalars(&self, _name: &Name, _place: &dyn Fn(&Site) -> TokenStream) -> Option<TokenStream> {
         None
     }
 
@@ -77,6 +78,7 @@ pub(super) fn of(equation: &Equation) -> &dyn Emit {
         Form::Linear(form) => form,
         Form::Along(form) => form,
         Form::Stretch(form) => form,
+        Form::Product(form) => form,
     }
 }
 
@@ -91,11 +93,11 @@ fn gradient_entries(site: &Site, row: &Name, sign: &TokenStream, write: &Write<'
     quote!(#(#entries)*)
 }
 
-/// The values of the scalar unknowns, with each site where `place` says.
+/// Sets the scalar unknowns in `free`, with each site where `place` says.
 pub(super) fn scalars(system: &System, place: &dyn Fn(&Site) -> TokenStream) -> Vec<TokenStream> {
     let equations = system.equations.iter();
     equations
-        .filter_map(|equation| of(equation).scalar(&equation.named.name, place))
+        .filter_map(|equation| of(equation).scalars(&equation.named.name, place))
         .collect()
 }
 

@@ -3,26 +3,31 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::form::constant;
+use super::form::{constant, sum};
 use super::terms::ident;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, Drive, Quantity};
+use suspension_listing::system::{AXES, Drive, Quantity, Term};
 
 /// Documents a field that the user did not.
 pub(super) fn in_words(quantity: &Quantity) -> String {
     match quantity {
-        Quantity::Coordinate { axis, of, minus } => {
-            let axis = AXES[*axis];
-            let minus = minus.as_ref();
-            let minus = minus.map_or(String::new(), |minus| format!(" - {minus}.{axis}"));
-            format!(" `{of}.{axis}{minus}`.")
-        }
+        Quantity::Sum(terms) => format!(" `{}`.", sum_in_words(terms)),
         Quantity::Angle {
             axis,
             line: [from, to],
         } => {
             let axis = AXES[*axis];
             format!(" Angle of `{from} -> {to}` from the {axis} axis, radians.")
+        }
+        Quantity::Between { lines, about } => {
+            let [first, second] = lines
+                .each_ref()
+                .map(|[from, to]| format!("`{from} -> {to}`"));
+            let about = about.as_ref();
+            let about = about.map_or(String::new(), |[from, to]| {
+                format!(", about `{from} -> {to}`")
+            });
+            format!(" Angle from {first} to {second}{about}, radians.")
         }
         Quantity::Length { line: [from, to] } => format!(" From `{from}` to `{to}`."),
         Quantity::Along { point, direction } => {
@@ -32,10 +37,41 @@ pub(super) fn in_words(quantity: &Quantity) -> String {
     }
 }
 
+/// `0.5 p.z - q.z`.
+fn sum_in_words(terms: &[Term]) -> String {
+    let mut words = String::new();
+    for Term {
+        factor,
+        point,
+        axis,
+    } in terms
+    {
+        words += match (words.is_empty(), *factor < 0.0) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        if factor.abs() != 1.0 {
+            words += &format!("{} ", factor.abs());
+        }
+        words += &format!("{point}.{}", AXES[*axis]);
+    }
+    words
+}
+
+/// A sum of coordinates of the struct `points`.
+fn sum_of(terms: &[Term]) -> TokenStream {
+    sum(terms.iter().map(|term| {
+        let (point, axis) = (&term.point, ident(AXES[term.axis]));
+        (term.factor, quote!(points.#point.#axis))
+    }))
+}
+
 /// `MeasureKind`.
 pub(super) fn measure_kind(quantity: &Quantity) -> TokenStream {
     match quantity {
-        Quantity::Angle { .. } => quote!(MeasureKind::Angle),
+        Quantity::Angle { .. } | Quantity::Between { .. } => quote!(MeasureKind::Angle),
         _ => quote!(MeasureKind::Length),
     }
 }
@@ -43,7 +79,7 @@ pub(super) fn measure_kind(quantity: &Quantity) -> TokenStream {
 /// `DriveKind`.
 pub(super) fn drive_kind(quantity: &Quantity) -> TokenStream {
     match quantity {
-        Quantity::Angle { .. } => quote!(DriveKind::Angle),
+        Quantity::Angle { .. } | Quantity::Between { .. } => quote!(DriveKind::Angle),
         _ => quote!(DriveKind::Coordinate),
     }
 }
@@ -52,14 +88,20 @@ pub(super) fn drive_kind(quantity: &Quantity) -> TokenStream {
 pub(super) fn measured(quantity: &Quantity) -> TokenStream {
     let line = |[from, to]: &[Name; 2]| quote!(points.map(|points| points.#to - points.#from));
     match quantity {
-        Quantity::Coordinate { axis, of, minus } => {
-            let axis = ident(AXES[*axis]);
-            let minus = minus.as_ref().map(|minus| quote!(- points.#minus.#axis));
-            quote!(points.map(|points| points.#of.#axis #minus))
+        Quantity::Sum(terms) => {
+            let sum = sum_of(terms);
+            quote!(points.map(|points| #sum))
         }
         Quantity::Angle { axis, line: ends } => {
             let (axis, line) = (ident(AXES[*axis]), line(ends));
             quote!(measure::angle(&#line, Vector3::#axis()))
+        }
+        Quantity::Between { lines, about } => {
+            let [first, second] = lines.each_ref().map(line);
+            match about.as_ref().map(line) {
+                Some(about) => quote!(measure::turn(&#first, &#second, &#about)),
+                None => quote!(measure::between(&#first, &#second)),
+            }
         }
         Quantity::Length { line: ends } => {
             let line = line(ends);
@@ -75,17 +117,17 @@ pub(super) fn measured(quantity: &Quantity) -> TokenStream {
 /// A drive's value in the positions `points`.
 pub(super) fn driven(drive: &Drive) -> TokenStream {
     match &drive.quantity {
-        Quantity::Coordinate { axis, of, minus } => {
-            let axis = ident(AXES[*axis]);
-            let minus = minus.as_ref().map(|minus| quote!(- points.#minus.#axis));
-            quote!(points.#of.#axis #minus)
-        }
+        Quantity::Sum(terms) => sum_of(terms),
         Quantity::Angle {
             axis,
             line: [from, to],
         } => {
             let (axis, distance) = (ident(AXES[*axis]), &drive.angle_of);
             quote!(parts::angle(points.#to.#axis - points.#from.#axis, self.#distance.length()))
+        }
+        Quantity::Between { .. } => {
+            let measured = measured(&drive.quantity);
+            quote!({ let points = Signal::still(*points); #measured.value })
         }
         Quantity::Length { line: [from, to] } => quote!((points.#to - points.#from).norm()),
         Quantity::Along { point, direction } => {
@@ -117,15 +159,15 @@ pub(super) fn coordinate(drive: &Drive) -> Option<TokenStream> {
 pub(super) fn moves(drive: &Drive) -> Option<TokenStream> {
     let (name, point) = (&drive.named.name, &drive.moves.as_ref()?.name);
     match &drive.quantity {
-        Quantity::Coordinate { axis, .. } => {
-            let axis = ident(AXES[*axis]);
+        Quantity::Sum(terms) => {
+            let axis = ident(AXES[terms.first()?.axis]);
             Some(quote!(fixed.#point.#axis = drives.#name;))
         }
         Quantity::Along { direction, .. } => {
             let direction = vector(direction);
             Some(quote!(fixed.#point = moved_along(fixed.#point, #direction, drives.#name);))
         }
-        Quantity::Angle { .. } | Quantity::Length { .. } => None,
+        _ => None,
     }
 }
 

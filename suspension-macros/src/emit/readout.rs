@@ -11,12 +11,7 @@ use suspension_listing::system::{Marker, System, Wheel};
 /// `points`, `velocities`, `accelerations` and `unknowns` of `impl Linkage`.
 pub(super) fn points(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    let free: Vec<&Name> = system.free.iter().map(|point| &point.named.name).collect();
-    let scalars = &system.scalars;
-    let values = form::scalars(system, &|site| {
-        let name = &site.name;
-        quote!(points.#name)
-    });
+    let unknowns = unknowns(system);
     let points = all_points(
         system,
         "free",
@@ -35,8 +30,26 @@ pub(super) fn points(system: &System) -> TokenStream {
         #accelerations
 
         fn unknowns(&self, points: &Points<T>) -> SVector<T, #n> {
-            Free { #(#free: points.#free),* #(, #scalars: #values)* }.unknowns()
+            #unknowns
         }
+    }
+}
+
+/// The free points' coordinates and the scalars, from the struct `points`.
+fn unknowns(system: &System) -> TokenStream {
+    let free: Vec<&Name> = system.free.iter().map(|point| &point.named.name).collect();
+    let names = &system.scalars;
+    let scalars = form::scalars(system, &|site| {
+        let name = &site.name;
+        quote!(points.#name)
+    });
+    if scalars.is_empty() {
+        return quote!(Free { #(#free: points.#free),* }.unknowns());
+    }
+    quote! {
+        let mut free = Free { #(#free: points.#free,)* #(#names: T::zero()),* };
+        #(#scalars)*
+        free.unknowns()
     }
 }
 

@@ -1,4 +1,4 @@
-//! `Linear`: a prescribed sum of coordinates, or a prescribed scalar.
+//! `Linear`: a sum of coordinates, or a scalar, that a drive prescribes or that stays as it is.
 
 use nalgebra::{SMatrix, Vector3};
 use suspension_core::Scalar;
@@ -6,20 +6,27 @@ use suspension_listing::form;
 use suspension_listing::system::System;
 
 use crate::site::{Site, Sites};
-use crate::table::Table;
-use crate::table::index;
+use crate::table::{SPARE, Table, index};
 
-/// A sum of unknowns that a drive prescribes: one row.
+/// A prescribed sum of unknowns: one row.
 #[derive(Clone, Debug)]
 pub(crate) struct Linear {
     pub(crate) row: u16,
-    pub(crate) drive: u16,
-    terms: Vec<Term>,
+    pub(crate) prescribed: Prescribed,
+    pub(crate) terms: Vec<Term>,
     /// An unknown that is no coordinate, added to the terms.
     scalar: Option<u16>,
     /// Where the factors hold the derivative by each term's coordinate, and by the scalar.
     entries: Vec<u16>,
     by_scalar: u16,
+}
+
+/// What prescribes a sum.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Prescribed {
+    Drive(u16),
+    /// Its place among the sums that stay as they are.
+    Design(u16),
 }
 
 /// A coordinate of a site, times a factor.
@@ -66,20 +73,29 @@ impl Term {
 }
 
 impl Linear {
+    /// `held` others before it stay as they are.
     pub(crate) fn new(
         system: &System,
         form: &form::Linear,
         row: usize,
-        drive: u16,
+        held: usize,
         entry: impl Fn(usize, Option<usize>) -> u16,
     ) -> Self {
         let terms: Vec<Term> = form.terms.iter().map(Term::from).collect();
         let columns = terms.iter().map(|term| term.site.column(term.axis));
         let scalar = form.scalar.as_ref();
         let scalar = scalar.and_then(|scalar| system.scalar_column(scalar));
+        let prescribed = match &form.prescribed {
+            form::Prescribed::Drive(name) => {
+                let mut drives = system.drives.iter();
+                let drive = drives.position(|drive| drive.named.name == *name);
+                Prescribed::Drive(drive.map_or(SPARE, index))
+            }
+            form::Prescribed::Design => Prescribed::Design(index(held)),
+        };
         Self {
             row: index(row),
-            drive,
+            prescribed,
             entries: columns.map(|column| entry(row, column)).collect(),
             scalar: scalar.map(index),
             by_scalar: entry(row, scalar),
@@ -87,13 +103,14 @@ impl Linear {
         }
     }
 
-    /// How far the sum is from the drive's value.
+    /// Whether it stays as it is.
+    pub(crate) fn is_held(&self) -> bool {
+        matches!(self.prescribed, Prescribed::Design(_))
+    }
+
+    /// The sum.
     #[inline(always)]
-    pub(crate) fn residual<T: Scalar>(
-        &self,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        drive: T,
-    ) -> Option<T> {
+    pub(crate) fn sum<T: Scalar>(&self, sites: &Sites<'_, T, impl Table<Vector3<T>>>) -> Option<T> {
         let mut sum = None;
         for term in &self.terms {
             let value = term.value(&sites.get(term.site)?);
@@ -103,7 +120,7 @@ impl Linear {
             let value = sites.scalar(scalar)?;
             sum = Some(sum.map_or(value, |sum| sum + value));
         }
-        Some(sum? - drive)
+        sum
     }
 
     /// Writes the derivatives into the factors.

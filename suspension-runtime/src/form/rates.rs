@@ -1,7 +1,6 @@
 //! What moving chassis points, and drives, contribute to rates: the forms concerned.
 
 use suspension_listing::form::{self, Form};
-use suspension_listing::name::Name;
 use suspension_listing::system::{self, SiteMotion, System};
 
 use super::linear::Term;
@@ -18,8 +17,22 @@ pub(crate) struct InputRates {
     pub(crate) linear: Vec<LinearRate>,
     /// Variable lengths from such a point.
     pub(crate) stretches: Vec<u16>,
-    /// Points on lines, and which of the point and the line's ends are such points.
-    pub(crate) along: Vec<(u16, [bool; 3])>,
+    /// Lines at an angle, and which of their ends are such points.
+    pub(crate) products: Vec<(u16, [[bool; 2]; 2])>,
+    /// Points on lines, of which something is such a point.
+    pub(crate) lines: Vec<MovedLines>,
+    /// Points in planes.
+    pub(crate) planes: Vec<MovedLines>,
+}
+
+/// A point on a line or in a plane, and which of the points concerned are moved.
+#[derive(Clone, Debug)]
+pub(crate) struct MovedLines {
+    /// Of the points on lines, or of those in planes.
+    pub(crate) form: u16,
+    pub(crate) point: bool,
+    pub(crate) from: bool,
+    pub(crate) ends: Vec<bool>,
 }
 
 /// A carried point with its frame partly on the chassis.
@@ -47,7 +60,8 @@ impl InputRates {
     /// Of the chassis points with a motion and, with those that are driven, of the drives.
     pub(crate) fn new(system: &System, motion: SiteMotion) -> Self {
         let mut rates = Self::default();
-        let (mut row, mut distance, mut along, mut stretch) = (0, 0, 0, 0);
+        let (mut row, mut distance, mut stretch) = (0, 0, 0);
+        let (mut line, mut plane, mut product) = (0, 0, 0);
         let mut carried = vec![0; system.bodies.len()];
         for equation in &system.equations {
             match &equation.form {
@@ -67,12 +81,21 @@ impl InputRates {
                     rates.linear.extend(rate);
                 }
                 Form::Along(form) => {
-                    let [from, to] = &form.line;
-                    let moved = [&form.point, from, to].map(|site| site.motion == motion);
-                    if moved.contains(&true) {
-                        rates.along.push((along, moved));
+                    let (forms, index) = match form.ends.len() {
+                        1 => (&mut rates.lines, &mut line),
+                        _ => (&mut rates.planes, &mut plane),
+                    };
+                    forms.extend(moved_lines(form, *index, motion));
+                    *index += 1;
+                }
+                Form::Product(form) => {
+                    let is_moved = |site: &system::Site| site.motion == motion;
+                    let lines = form.lines.each_ref();
+                    let moved = lines.map(|line| line.each_ref().map(is_moved));
+                    if moved.as_flattened().contains(&true) {
+                        rates.products.push((product, moved));
                     }
-                    along += 1;
+                    product += 1;
                 }
                 Form::Stretch(form) => {
                     if form.from.motion == motion {
@@ -94,12 +117,11 @@ fn linear(
     row: usize,
     motion: SiteMotion,
 ) -> Option<LinearRate> {
-    let drives = system.drives.iter();
-    let drive = drives.map(|drive| &drive.named.name);
-    let drive = drive
-        .collect::<Vec<&Name>>()
-        .iter()
-        .position(|name| **name == form.drive);
+    let is_drive = |drive: &system::Drive| match &form.prescribed {
+        form::Prescribed::Drive(name) => drive.named.name == *name,
+        form::Prescribed::Design => false,
+    };
+    let drive = system.drives.iter().position(is_drive);
     let drive = drive
         .filter(|_| motion == SiteMotion::DrivenAnchor)
         .map(index);
@@ -112,6 +134,18 @@ fn linear(
         drive,
         terms,
     })
+}
+
+/// `None` where none of the points has that motion.
+fn moved_lines(form: &form::Along, index: u16, motion: SiteMotion) -> Option<MovedLines> {
+    let is_moved = |site: &system::Site| site.motion == motion;
+    let moved = MovedLines {
+        form: index,
+        point: is_moved(&form.point),
+        from: is_moved(&form.from),
+        ends: form.ends.iter().map(is_moved).collect(),
+    };
+    (moved.point || moved.from || moved.ends.contains(&true)).then_some(moved)
 }
 
 /// `None` where no point of the frame has that motion. `carried` counts the points of each body.

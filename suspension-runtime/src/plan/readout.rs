@@ -6,7 +6,7 @@ use suspension_listing::system::{self, Quantity, System};
 use super::{distance, index, point};
 
 /// How a drive enters.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Drive {
     pub(crate) quantity: Measure,
     /// The distance whose angle it is.
@@ -16,20 +16,29 @@ pub(crate) struct Drive {
 }
 
 /// What is read off the points.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Measure {
-    /// A coordinate, or difference of two.
-    Coordinate {
-        axis: u16,
-        of: u16,
-        minus: Option<u16>,
-    },
+    /// A sum of coordinates.
+    Sum(Vec<Coordinate>),
     /// The angle of a line from an axis.
     Angle { axis: u16, line: [u16; 2] },
+    /// The angle between two lines, seen about a third one where there is one.
+    Between {
+        lines: [[u16; 2]; 2],
+        about: Option<[u16; 2]>,
+    },
     /// The distance of two points.
     Length { line: [u16; 2] },
     /// The coordinate of a point along a unit vector.
     Along { point: u16, direction: [f64; 3] },
+}
+
+/// A coordinate of a point, times a factor.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Coordinate {
+    pub(crate) factor: f64,
+    pub(crate) point: u16,
+    pub(crate) axis: u16,
 }
 
 /// The points of wheel and kingpin, where the listing states them.
@@ -44,14 +53,22 @@ impl Measure {
     fn new(system: &System, quantity: &Quantity) -> Self {
         let point = |name| point(system, name);
         match quantity {
-            Quantity::Coordinate { axis, of, minus } => Self::Coordinate {
-                axis: index(*axis),
-                of: point(of),
-                minus: minus.as_ref().map(point),
-            },
+            Quantity::Sum(terms) => Self::Sum(
+                (terms.iter())
+                    .map(|term| Coordinate {
+                        factor: term.factor,
+                        point: point(&term.point),
+                        axis: index(term.axis),
+                    })
+                    .collect(),
+            ),
             Quantity::Angle { axis, line } => Self::Angle {
                 axis: index(*axis),
                 line: line.each_ref().map(point),
+            },
+            Quantity::Between { lines, about } => Self::Between {
+                lines: lines.each_ref().map(|line| line.each_ref().map(point)),
+                about: about.as_ref().map(|line| line.each_ref().map(point)),
             },
             Quantity::Length { line } => Self::Length {
                 line: line.each_ref().map(point),
@@ -68,14 +85,14 @@ impl Measure {
 
     pub(crate) fn drive_kind(&self) -> DriveKind {
         match self {
-            Self::Angle { .. } => DriveKind::Angle,
+            Self::Angle { .. } | Self::Between { .. } => DriveKind::Angle,
             _ => DriveKind::Coordinate,
         }
     }
 
     pub(crate) fn measure_kind(&self) -> MeasureKind {
         match self {
-            Self::Angle { .. } => MeasureKind::Angle,
+            Self::Angle { .. } | Self::Between { .. } => MeasureKind::Angle,
             _ => MeasureKind::Length,
         }
     }

@@ -37,7 +37,10 @@ impl Plan {
                 "rigid parts that links alone make",
             ),
             (linked.sum(), few, "points that links alone hold rigidly"),
-            (self.along.len(), few, "slides"),
+            (self.lines.len(), few, "slides"),
+            (self.planes.len(), few, "planes"),
+            (self.products.len(), few, "angles"),
+            (self.held().count(), few, "couples"),
             (self.stretches.len(), few, "driven lengths"),
             (self.lengths.len(), lengths, "lengths"),
             (

@@ -3,35 +3,43 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use suspension_listing::form::{Linear, Term};
+use suspension_listing::form::{Linear, Prescribed, Term};
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, Equation, SiteMotion, System};
+use suspension_listing::system::{AXES, Equation, Site, SiteMotion, System};
 
 use super::{Emit, Operations, Rows, Write};
 use crate::emit::indices;
 use crate::emit::terms::{assign, ident, value_of};
 
 impl Emit for Linear {
-    fn of_points(&self, _name: &Name, _system: &System) -> TokenStream {
-        TokenStream::new()
+    fn constant(&self) -> Option<TokenStream> {
+        matches!(self.prescribed, Prescribed::Design).then(|| quote!(Held))
     }
 
-    fn of_lengths(&self, _name: &Name, _system: &System) -> TokenStream {
-        TokenStream::new()
+    fn of_points(&self, _name: &Name, _system: &System) -> TokenStream {
+        let terms = coordinates(self, |site| {
+            let name = &site.name;
+            quote!(design.#name)
+        });
+        let sum = sum(terms);
+        quote!(Held::new(#sum))
+    }
+
+    /// Lengths do not tell where points are.
+    fn of_lengths(&self, name: &Name, _system: &System) -> TokenStream {
+        quote!(self.#name)
     }
 
     fn residual(&self, name: &Name) -> Rows {
-        let terms = self.terms.iter().map(|term| {
-            let (site, axis) = (
-                value_of(&term.site, &ident("free"), &ident("fixed")),
-                ident(AXES[term.axis]),
-            );
-            (term.factor, quote!(#site.#axis))
-        });
+        let (free, fixed) = (ident("free"), ident("fixed"));
+        let terms = coordinates(self, |site| value_of(site, &free, &fixed));
         let scalar = self.scalar.iter().map(|scalar| (1.0, quote!(free.#scalar)));
-        let terms = terms.chain(scalar);
-        let (sum, drive) = (sum(terms), &self.drive);
-        assign(name, &quote!(#sum - drives.#drive)).into()
+        let sum = sum(terms.chain(scalar));
+        let off = match &self.prescribed {
+            Prescribed::Drive(drive) => quote!(#sum - drives.#drive),
+            Prescribed::Design => quote!(self.#name.residual(#sum)),
+        };
+        assign(name, &off).into()
     }
 
     fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream {
@@ -54,11 +62,14 @@ impl Emit for Linear {
         None
     }
 
-    /// `drive_rate` less the terms' rates.
+    /// `drive_rate`, where a drive prescribes the sum, less the terms' rates.
     fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<Rows> {
-        let drive = &self.drive;
-        let of_drive =
-            (motion == SiteMotion::DrivenAnchor).then(|| (1.0, quote!(drive_rate.#drive)));
+        let of_drive = match &self.prescribed {
+            Prescribed::Drive(drive) if motion == SiteMotion::DrivenAnchor => {
+                Some((1.0, quote!(drive_rate.#drive)))
+            }
+            _ => None,
+        };
         let moved = self.terms.iter().filter(|term| term.site.motion == motion);
         let rates = moved.map(|Term { factor, site, axis }| {
             let (site, axis) = (&site.name, ident(AXES[*axis]));
@@ -76,8 +87,19 @@ impl Emit for Linear {
     }
 }
 
+/// The terms, each with its factor, of points where `place` says.
+fn coordinates(
+    form: &Linear,
+    place: impl Fn(&Site) -> TokenStream,
+) -> impl Iterator<Item = (f64, TokenStream)> {
+    form.terms.iter().map(move |term| {
+        let (site, axis) = (place(&term.site), ident(AXES[term.axis]));
+        (term.factor, quote!(#site.#axis))
+    })
+}
+
 /// A sum of terms, each with its factor.
-fn sum(terms: impl Iterator<Item = (f64, TokenStream)>) -> TokenStream {
+pub(crate) fn sum(terms: impl Iterator<Item = (f64, TokenStream)>) -> TokenStream {
     let mut sum = TokenStream::new();
     for (factor, term) in terms {
         let sign = if factor < 0.0 {

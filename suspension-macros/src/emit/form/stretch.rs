@@ -31,9 +31,9 @@ impl Emit for Stretch {
         quote!(self.#name)
     }
 
-    fn scalar(&self, name: &Name, place: &dyn Fn(&Site) -> TokenStream) -> Option<TokenStream> {
-        let (from, to) = (place(&self.from), place(&self.to));
-        Some(quote!(self.#name.reach(difference(#to, #from))))
+    fn scalars(&self, name: &Name, place: &dyn Fn(&Site) -> TokenStream) -> Option<TokenStream> {
+        let (from, to, length) = (place(&self.from), place(&self.to), &self.length);
+        Some(quote!(free.#length = self.#name.reach(difference(#to, #from));))
     }
 
     fn residual(&self, name: &Name) -> Rows {

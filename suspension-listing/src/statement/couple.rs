@@ -1,0 +1,73 @@
+//! `couple rack: c.y = d.y;`: coordinates that move as one. What is on the left stays, less what is on the right, as it is
+//! in the design.
+
+use syn::{Ident, Token};
+
+use super::sum::Sum;
+use super::word::{Head, Word};
+use crate::form::{Form, Linear, Prescribed};
+use crate::kind::Kind;
+use crate::listing::{Check, Lowering, Named, Rank, Statement};
+use crate::lower::origin;
+use crate::name::Name;
+
+const KIND: Kind = Kind("couple");
+
+pub(crate) const COUPLE: Word = Word {
+    word: "couple",
+    syntax: "couple rack: c.y = d.y;",
+    read: |head: Head, input, listing| {
+        let named = head.named(input)?;
+        let mut sum: Sum = input.parse()?;
+        input.parse::<Token![=]>()?;
+        let mut right: Sum = input.parse()?;
+        for term in &mut right.terms {
+            term.factor = -term.factor;
+        }
+        sum.terms.extend(right.terms);
+        listing.statements.push(Box::new(Couple { named, sum }));
+        Ok(())
+    },
+};
+
+struct Couple {
+    named: Named,
+    /// What stays as it is.
+    sum: Sum,
+}
+
+impl Statement for Couple {
+    fn named(&self) -> Option<(&Named, Kind)> {
+        Some((&self.named, KIND))
+    }
+
+    fn operands(&self) -> Vec<&Ident> {
+        self.sum.points()
+    }
+
+    fn check(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]) {
+        let points = self.sum.points();
+        self.sum.check(check);
+        check.sites(points.iter().copied());
+        check.not_all_fixed(&self.named.name, KIND, points);
+        check.prescribed_once(self, earlier);
+    }
+
+    fn rank(&self) -> Rank {
+        Rank::Constraint
+    }
+
+    fn lower(&self, lowering: &mut Lowering<'_>) {
+        let form = Form::Linear(Linear {
+            terms: self.sum.terms(|point| lowering.site(point)),
+            scalar: None,
+            prescribed: Prescribed::Design,
+        });
+        let origin = origin(KIND, &Name::from(&self.named.name), None);
+        lowering.equation(self.named.plain(), origin, form);
+    }
+
+    fn claim(&self) -> Option<String> {
+        Some(format!("sum {}", self.sum.text()))
+    }
+}

@@ -1,0 +1,100 @@
+//! `plane guide: centre on a, b, c;`: a point in the plane through three others, which may move. Its distances from the
+//! first, along the lines to the second and the third, become unknowns.
+
+use proc_macro2::Span;
+use syn::{Error, Ident};
+
+use super::operands::{names, point_on};
+use super::word::{Head, Word};
+use crate::errors::{self, Errors};
+use crate::form::{Along, Form};
+use crate::kind::Kind;
+use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
+use crate::lower::origin;
+use crate::name::Name;
+use crate::system::{Body, System, distance_name};
+
+const KIND: Kind = Kind("plane");
+
+pub(crate) const PLANE: Word = Word {
+    word: "plane",
+    syntax: "plane guide: d on a, b, c;",
+    read: |head: Head, input, listing| {
+        let named = head.named(input)?;
+        let point = point_on(input, "plane name: point on a, b, c;")?;
+        let corners = names(input)?;
+        let [a, b, c] = <[Ident; 3]>::try_from(corners)
+            .map_err(|corners| not_three_points(named.name.span(), corners.len()))?;
+        let points = [point, a, b, c];
+        listing.statements.push(Box::new(Plane { named, points }));
+        Ok(())
+    },
+};
+
+struct Plane {
+    named: Named,
+    /// What stays in the plane, and the three points that this goes through.
+    points: [Ident; 4],
+}
+
+impl Statement for Plane {
+    fn named(&self) -> Option<(&Named, Kind)> {
+        Some((&self.named, KIND))
+    }
+
+    fn operands(&self) -> Vec<&Ident> {
+        self.points.iter().collect()
+    }
+
+    fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
+        check.sites(&self.points);
+        check.not_all_fixed(&self.named.name, KIND, &self.points);
+    }
+
+    fn rank(&self) -> Rank {
+        Rank::Constraint
+    }
+
+    fn lower(&self, lowering: &mut Lowering<'_>) {
+        let name = Name::from(&self.named.name);
+        let [point, from, b, c] = self.points.each_ref().map(|point| lowering.site(point));
+        let distances = [&b, &c].map(|end| distance_name(&name, &end.name));
+        lowering.system.scalars.extend(distances.clone());
+        let form = Form::Along(Along {
+            from,
+            ends: vec![b, c],
+            point,
+            distances: distances.to_vec(),
+        });
+        lowering.equation(self.named.plain(), origin(KIND, &name, None), form);
+    }
+
+    /// Checks that the point is not fixed to the plane.
+    fn check_lowered(&self, _listing: &Listing, system: &System, errors: &mut Errors) {
+        let names = self.points.each_ref().map(Name::from);
+        let lists = |body: &Body, name: &Name| body.points().any(|site| site.name == *name);
+        let mut bodies = system.bodies.iter();
+        if let Some(body) = bodies.find(|body| names.iter().all(|name| lists(body, name))) {
+            let [point, ..] = &self.points;
+            errors.push(of_one_body(point, body));
+        }
+    }
+}
+
+fn not_three_points(span: Span, count: usize) -> Error {
+    Error::new(
+        span,
+        format!("a plane goes through three points; name three after `on`, not {count}"),
+    )
+}
+
+fn of_one_body(point: &Ident, body: &Body) -> Error {
+    errors::at(
+        point,
+        format!(
+            "`{point}` and the plane that it stays in are points of body `{}`; take a plane of \
+             another body",
+            body.name
+        ),
+    )
+}

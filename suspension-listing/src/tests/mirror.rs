@@ -1,0 +1,141 @@
+//! A mirrored listing is the one that states both sides.
+
+use std::collections::BTreeMap;
+
+use super::catalogue_system;
+use crate::form::Form;
+use crate::system::{Point, System};
+use crate::text;
+use crate::vector::Vector;
+
+const HALF: &str = "
+mirror: left -> right;
+fixed: left_front at [0.2, 0.35, 0.16], left_rear at [-0.2, 0.35, -0.0], rack_left, middle at [0.0, 0.0, 0.5];
+free:  left at [0.0, 0.7, 0.2], tie_left at [0.1, -0.1, 0.2], bar;
+hinge arm_left: left_front, left_rear -> left, tie_left;
+link left_rod: rack_left -> bar;
+link stay: middle -> bar;
+drive left_bump: left along [0.0, 0.6, 0.8];
+drive steer: rack_left.y;
+/// The length of a spring.
+measure left_spring: length(middle -> left_hub);
+point left_hub: arm_left at [0.0, 0.8, 0.3];
+wheel: left_hub -> left;
+";
+
+const WHOLE: &str = "
+fixed: left_front at [0.2, 0.35, 0.16], left_rear at [-0.2, 0.35, -0.0], rack_left, middle at [0.0, 0.0, 0.5];
+fixed: right_front at [0.2, -0.35, 0.16], right_rear at [-0.2, -0.35, -0.0], rack_right;
+free:  left at [0.0, 0.7, 0.2], tie_left at [0.1, -0.1, 0.2], bar;
+free:  right at [0.0, -0.7, 0.2], tie_right at [0.1, 0.1, 0.2];
+hinge arm_left: left_front, left_rear -> left, tie_left;
+hinge arm_right: right_front, right_rear -> right, tie_right;
+link left_rod: rack_left -> bar;
+link right_rod: rack_right -> bar;
+link stay: middle -> bar;
+drive left_bump: left along [0.0, 0.6, 0.8];
+drive right_bump: right along [0.0, -0.6, 0.8];
+drive steer: rack_left.y;
+measure left_spring: length(middle -> left_hub);
+measure right_spring: length(middle -> right_hub);
+point left_hub: arm_left at [0.0, 0.8, 0.3];
+point right_hub: arm_right at [0.0, -0.8, 0.3];
+wheel: left_hub -> left;
+";
+
+fn positions(points: &[Point]) -> BTreeMap<String, Option<Vector>> {
+    let each = points.iter();
+    each.map(|point| (point.named.name.to_string(), point.at))
+        .collect()
+}
+
+/// What each equation, drive and measure is, by its name.
+fn parts(system: &System) -> BTreeMap<String, String> {
+    let points = |form: &Form| {
+        let sites = form.equations().sites().into_iter();
+        sites.map(|site| site.name.to_string()).collect::<Vec<_>>()
+    };
+    let equations = system.equations.iter().map(|equation| {
+        let name = equation.named.name.to_string();
+        (name, format!("{:?}", points(&equation.form)))
+    });
+    let drives = system.drives.iter();
+    let drives = drives.map(|drive| {
+        (
+            format!("drive {}", drive.named.name),
+            format!("{:?}", drive.quantity),
+        )
+    });
+    let measures = system.measures.iter();
+    let measures = measures.map(|measure| {
+        (
+            format!("measure {}", measure.named.name),
+            format!("{:?}", measure.quantity),
+        )
+    });
+    let markers = system.markers.iter();
+    let markers = markers.map(|marker| {
+        (
+            format!("marker {}", marker.named.name),
+            format!("{:?}", marker.at),
+        )
+    });
+    equations
+        .chain(drives)
+        .chain(measures)
+        .chain(markers)
+        .collect()
+}
+
+#[test]
+fn the_other_side_is_the_image() {
+    let [half, whole] = [HALF, WHOLE].map(|text| text::parse(text, "axle").expect("an axle"));
+    assert_eq!(positions(&half.fixed), positions(&whole.fixed));
+    assert_eq!(positions(&half.free), positions(&whole.free));
+    assert_eq!(parts(&half), parts(&whole));
+    let springs = half.measures.iter().map(|measure| &measure.named.docs);
+    assert!(
+        springs.clone().count() == 2
+            && springs
+                .into_iter()
+                .all(|docs| docs == &[" The length of a spring."])
+    );
+}
+
+#[test]
+fn an_axle_of_the_catalogue_has_both_sides() {
+    let axle = catalogue_system("steered_axle");
+    let drives = axle.drives.iter().map(|drive| drive.named.name.to_string());
+    assert_eq!(
+        drives.collect::<Vec<_>>(),
+        ["steer", "bump_left", "bump_right"]
+    );
+    assert_eq!(axle.size(), 32);
+}
+
+/// A mistake on one side is told where it stands, once more for the image.
+#[test]
+fn mistakes_have_the_places_of_what_is_mirrored() {
+    let text = HALF.replace("middle -> left_hub", "middle -> left_hob");
+    let mistakes = text::parse(&text, "axle")
+        .expect_err("no such point")
+        .mistakes;
+    let told: Vec<(usize, &str)> = mistakes
+        .iter()
+        .map(|mistake| (mistake.line, mistake.message.as_str()))
+        .collect();
+    let remedy = "declare it under `fixed:` or `free:`";
+    assert_eq!(
+        told,
+        [
+            (
+                11,
+                format!("there is no point `left_hob`; {remedy}").as_str()
+            ),
+            (
+                11,
+                format!("there is no point `right_hob`; {remedy}").as_str()
+            ),
+        ]
+    );
+}

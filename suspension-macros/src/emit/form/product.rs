@@ -1,0 +1,116 @@
+//! `Product`: two lines at an angle that stays.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use suspension_listing::form::Product;
+use suspension_listing::name::Name;
+use suspension_listing::system::{AXES, Equation, Site, SiteMotion, System};
+
+use super::{Emit, Operations, Rows, Write};
+use crate::emit::fields::point_index;
+use crate::emit::indices;
+use crate::emit::lengths::kept_length;
+use crate::emit::terms::{assign, ident, value_of};
+
+impl Emit for Product {
+    fn constant(&self) -> Option<TokenStream> {
+        Some(quote!(Product))
+    }
+
+    fn of_points(&self, _name: &Name, system: &System) -> TokenStream {
+        let [_, [_, end]] = &self.lines;
+        let index = point_index(system, &end.name);
+        let lines = self.lines.each_ref().map(|[from, to]| {
+            let (from, to) = (&from.name, &to.name);
+            quote!(design.#to - design.#from)
+        });
+        quote!(parts::product(#index, [#(#lines),*])?)
+    }
+
+    fn of_lengths(&self, name: &Name, system: &System) -> TokenStream {
+        let [_, [_, end]] = &self.lines;
+        let index = point_index(system, &end.name);
+        let lengths = self.lines.each_ref();
+        let lengths = lengths.map(|[from, to]| kept_length(system, [from, to]));
+        quote!(parts::product_at(#index, &self.#name, [#(#lengths),*])?)
+    }
+
+    fn residual(&self, name: &Name) -> Rows {
+        let lines = lines(self, "free", "fixed");
+        assign(name, &quote!(self.#name.residual(#(#lines),*))).into()
+    }
+
+    fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream {
+        let name = &equation.named.name;
+        let gradient = gradient(self, name);
+        let entries = signed(self).map(|(line, site, sign)| {
+            let columns = indices::unknown_names(&site.name);
+            let free = columns.into_iter().zip(AXES).filter(|_| site.is_free());
+            let entries: Vec<TokenStream> = free
+                .map(|(column, axis)| {
+                    let axis = ident(axis);
+                    write(name, &column, quote!(#sign gradient[#line].#axis))
+                })
+                .collect();
+            quote!(#(#entries)*)
+        });
+        quote!(#gradient #(#entries)*)
+    }
+
+    fn curvature(&self, name: &Name) -> Option<Rows> {
+        let changes = ["v", "w"].map(|rate| {
+            let lines = lines(self, rate, &format!("{rate}_fixed"));
+            quote!([#(#lines),*])
+        });
+        Some(assign(name, &quote!(self.#name.curvature(#(#changes),*))).into())
+    }
+
+    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<Rows> {
+        let moved = signed(self).filter(|(_, site, _)| site.motion == motion);
+        let mut sum = TokenStream::new();
+        for (line, site, sign) in moved {
+            let (point, is_first) = (&site.name, sum.is_empty());
+            // The rates are on the other side of the equation.
+            let sign = match (sign.is_empty(), is_first) {
+                (true, _) => quote!(-),
+                (false, true) => quote!(),
+                (false, false) => quote!(+),
+            };
+            sum.extend(quote!(#sign dot(gradient[#line], fixed_rate.#point)));
+        }
+        let gradient = gradient(self, name);
+        (!sum.is_empty()).then(|| {
+            let row = assign(name, &sum);
+            quote!(#gradient #row).into()
+        })
+    }
+
+    fn cost(&self) -> [Operations; 3] {
+        [(5, 9), (6, 6), (7, 17)].map(Operations::from)
+    }
+}
+
+/// Both lines, in two structs of points.
+fn lines(form: &Product, free: &str, fixed: &str) -> [TokenStream; 2] {
+    let (free, fixed) = (ident(free), ident(fixed));
+    form.lines.each_ref().map(|line| {
+        let [from, to] = line.each_ref().map(|site| value_of(site, &free, &fixed));
+        quote!(difference(#to, #from))
+    })
+}
+
+/// By each of the lines.
+fn gradient(form: &Product, name: &Name) -> TokenStream {
+    let [first, second] = lines(form, "free", "fixed");
+    quote!(let gradient = [self.#name.gradient(#second), self.#name.gradient(#first)];)
+}
+
+/// Each end: of which line, and with which sign this depends on it.
+fn signed(form: &Product) -> impl Iterator<Item = (Literal, &Site, TokenStream)> {
+    let lines = form.lines.iter().enumerate();
+    lines.flat_map(|(line, [from, to])| {
+        let line = Literal::usize_unsuffixed(line);
+        [(line.clone(), from, quote!(-)), (line, to, quote!())]
+    })
+}
