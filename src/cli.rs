@@ -5,7 +5,9 @@ use std::sync::atomic::AtomicBool;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{assemblies, bake, draw, list, motion, published, range, sheet, sweep};
+use crate::commands::{
+    assemblies, bake, check, draw, list, motion, published, range, sheet, sweep,
+};
 use crate::failure::Failure;
 use crate::interrupt;
 
@@ -38,6 +40,10 @@ pub enum Command {
     /// A piecewise polynomial within a tolerance of the solver, looked up in a few nanoseconds:
     /// for scenes of many vehicles, and for controllers.
     Bake(bake::Arguments),
+    /// Checks the design position of a file's mechanism.
+    ///
+    /// Freedom, rank, conditioning, how far drives are from locks, and what looks mistaken.
+    Check(check::Arguments),
     /// Draws the mechanism of a file at its first instant.
     ///
     /// Chassis points, links, slides, bodies, measured lengths and the wheel, as SVG.
@@ -72,6 +78,7 @@ impl Options {
             Some(Command::Motion(arguments)) => arguments.run(interrupted),
             Some(Command::Assemblies(arguments)) => arguments.run(interrupted),
             Some(Command::Bake(arguments)) => arguments.run(interrupted),
+            Some(Command::Check(arguments)) => arguments.run(interrupted),
             Some(Command::Draw(arguments)) => arguments.run(),
             Some(Command::List(arguments)) => arguments.run(),
             Some(Command::Range(arguments)) => arguments.run(interrupted),

@@ -2,6 +2,7 @@
 
 pub mod assemblies;
 pub mod bake;
+pub mod check;
 pub mod draw;
 pub mod list;
 pub mod motion;

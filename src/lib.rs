@@ -4,7 +4,7 @@
 //! each of [`commands`] is work on a mechanism of any linkage, which [`load`] makes of a [`mod@file`];
 //! a [`mechanism`] moves, [`quantities`] are read off its states, and [`output`] writes them. Beside them are
 //! libraries: [`bake`] turns motions into polynomials, [`assemblies`] finds all ways to put a mechanism
-//! together, and [`detail`] chooses the cheapest method for a need.
+//! together, [`reach`] how far a drive leads it, and [`detail`] chooses the cheapest method for a need.
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
@@ -23,3 +23,4 @@ pub mod mechanism;
 pub mod number;
 pub mod output;
 pub mod quantities;
+pub mod reach;

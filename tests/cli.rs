@@ -3,6 +3,7 @@
 mod assemblies;
 mod bad_input;
 mod bake;
+mod check;
 mod figures;
 mod files;
 mod hostile_files;

@@ -57,7 +57,19 @@ fn beyond_a_lock_the_curves_end_and_the_page_is_written() {
         &["sheet", "a.toml", "--travel", "-0.2:0.2", "--out", "a.html"],
     );
     assert_eq!(output.status.code(), Some(3), "{output:?}");
-    assert!(text(&output.stderr).contains("of 61 places have no configuration"));
+    let message = text(&output.stderr);
+    assert!(
+        message.contains("of 61 places are out of reach"),
+        "{message}"
+    );
+    assert!(
+        message.contains("the drive `bump` locks at 0.1375 m above the design"),
+        "{message}"
+    );
+    assert!(
+        message.contains("`suspension range a.toml` shows what ends it"),
+        "{message}"
+    );
     assert!(folder.path().join("a.html").exists());
 }
 
