@@ -3,6 +3,7 @@
 pub mod assemblies;
 pub mod bake;
 pub mod check;
+pub mod compare;
 pub mod draw;
 pub mod list;
 pub mod motion;

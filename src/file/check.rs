@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position, Table, Time};
 use crate::file::source::Source;
 use crate::mechanism::Instants;
-use crate::number::{exact, number};
+use crate::number::{exact, rounded};
 
 /// More instants than this are taken for a mistyped step.
 const MOST_INSTANTS: f64 = 1e7;
@@ -243,7 +243,7 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
         return refuse(format!(
             "the time step {} s makes {} instants; at most {MOST_INSTANTS} are allowed",
             exact(step),
-            number(count)
+            rounded(count, 12)
         ));
     }
     Ok(Instants::stepped(first, stop, step))

@@ -57,6 +57,20 @@ impl Kind {
         }
     }
 
+    /// What to multiply with, from one unit of length to another.
+    pub fn conversion(self, from: Unit, to: Unit) -> f64 {
+        match self {
+            Self::Length | Self::Velocity | Self::Acceleration | Self::LengthPerAngle => {
+                to.metre() / from.metre()
+            }
+            Self::Time
+            | Self::Angle
+            | Self::AngularVelocity
+            | Self::AngularAcceleration
+            | Self::Count => 1.0,
+        }
+    }
+
     /// Decimals in text for people.
     pub fn decimals(self, unit: Unit) -> usize {
         match self {
