@@ -170,6 +170,12 @@ fn a_travel_by_height_and_one_by_angle_are_not_mixed() {
     let (_folder, output) = compare(&arm("m", 1.0, 0.4), &angle, &[]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
-    assert!(report.contains("`bump` and `bump` are a length and an angle"), "{report}");
-    assert!(report.contains("At the design position\n") && !report.contains("over travel"), "{report}");
+    assert!(
+        report.contains("`bump` and `bump` are a length and an angle"),
+        "{report}"
+    );
+    assert!(
+        report.contains("At the design position\n") && !report.contains("over travel"),
+        "{report}"
+    );
 }
