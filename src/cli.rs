@@ -5,7 +5,9 @@ use std::sync::atomic::AtomicBool;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{assemblies, bake, draw, list, motion, published, range, sheet, sweep};
+use crate::commands::{
+    assemblies, bake, check, compare, draw, list, motion, published, range, sheet, sweep,
+};
 use crate::failure::Failure;
 use crate::interrupt;
 
@@ -38,9 +40,17 @@ pub enum Command {
     /// A piecewise polynomial within a tolerance of the solver, looked up in a few nanoseconds:
     /// for scenes of many vehicles, and for controllers.
     Bake(bake::Arguments),
+    /// Checks the design position of a file's mechanism.
+    ///
+    /// Freedom, rank, conditioning, how far drives are from locks, and what looks mistaken.
+    Check(check::Arguments),
+    /// Compares the kinematics of two files' mechanisms.
+    ///
+    /// Values at the design positions, derivatives, and where curves differ most.
+    Compare(compare::Arguments),
     /// Draws the mechanism of a file at its first instant.
     ///
-    /// Chassis points, links, slides, bodies, measured lengths and the wheel, as SVG.
+    /// Chassis points, links, slides, bodies, measured lengths, kingpin and wheel, as SVG.
     Draw(draw::Arguments),
     /// Lists the catalogue of layouts, or prints the statements of one.
     ///
@@ -72,6 +82,8 @@ impl Options {
             Some(Command::Motion(arguments)) => arguments.run(interrupted),
             Some(Command::Assemblies(arguments)) => arguments.run(interrupted),
             Some(Command::Bake(arguments)) => arguments.run(interrupted),
+            Some(Command::Check(arguments)) => arguments.run(interrupted),
+            Some(Command::Compare(arguments)) => arguments.run(interrupted),
             Some(Command::Draw(arguments)) => arguments.run(),
             Some(Command::List(arguments)) => arguments.run(),
             Some(Command::Range(arguments)) => arguments.run(interrupted),

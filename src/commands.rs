@@ -2,6 +2,8 @@
 
 pub mod assemblies;
 pub mod bake;
+pub mod check;
+pub mod compare;
 pub mod draw;
 pub mod list;
 pub mod motion;

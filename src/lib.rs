@@ -3,8 +3,8 @@
 //! All kinematics are those of [`suspension_core`]. From the top: [`cli`] reads options and gives exit codes;
 //! each of [`commands`] is work on a mechanism of any linkage, which [`load`] makes of a [`mod@file`];
 //! a [`mechanism`] moves, [`quantities`] are read off its states, and [`output`] writes them. Beside them are
-//! libraries: [`bake`] turns motions into polynomials, [`assemblies`] finds all ways to put a mechanism
-//! together, and [`detail`] chooses the cheapest method for a need.
+//! libraries: [`characteristics`] has values and curves of a design, [`bake`] turns motions into polynomials, [`assemblies`] finds all ways to put a mechanism
+//! together, [`reach`] how far a drive leads it, and [`detail`] chooses the cheapest method for a need.
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
@@ -12,6 +12,7 @@ struct Readme;
 
 pub mod assemblies;
 pub mod bake;
+pub mod characteristics;
 pub mod cli;
 pub mod commands;
 pub mod detail;
@@ -23,3 +24,4 @@ pub mod mechanism;
 pub mod number;
 pub mod output;
 pub mod quantities;
+pub mod reach;

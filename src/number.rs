@@ -1,13 +1,41 @@
 //! Numbers in messages.
 
-/// A time, a length or a drive's value, to the digits that a limit of the motion is known to.
+/// A time, a length or a drive's value for people, to six significant digits.
 pub fn number(value: f64) -> String {
-    rounded(value, 12)
+    rounded(value, 6)
 }
 
 /// To as many digits as it takes to read the same number.
 pub fn exact(value: f64) -> String {
     rounded(value, 17)
+}
+
+/// With so many decimals; what rounds to zero has no sign.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.bytes().all(|byte| matches!(byte, b'0' | b'.')) => zero.to_owned(),
+        _ => text,
+    }
+}
+
+/// Numbers below each other: their decimal points are in a line where spaces are as wide as a digit and as a point.
+pub fn aligned(numbers: Vec<String>, [space, point]: [char; 2]) -> Vec<String> {
+    let whole = |number: &String| number.find('.').unwrap_or(number.len());
+    let widest = |width: &dyn Fn(&String) -> usize| numbers.iter().map(width).max().unwrap_or(0);
+    let before = widest(&whole);
+    let behind = widest(&|number| number.len() - whole(number));
+    let spaces = |count: usize| space.to_string().repeat(count);
+    let padded = |number: &String| {
+        let fraction = number.len() - whole(number);
+        let left = spaces(before - whole(number));
+        let right = match fraction {
+            0 if behind > 0 => format!("{point}{}", spaces(behind - 1)),
+            _ => spaces(behind - fraction),
+        };
+        format!("{left}{number}{right}")
+    };
+    numbers.iter().map(padded).collect()
 }
 
 /// To at most so many significant digits, at least one; with an exponent where plain digits
@@ -29,10 +57,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn twelve_digits_and_no_more_than_it_takes() {
+    fn six_digits_and_no_more_than_it_takes() {
         for (value, expected) in [
             (0.025948799999999998, "0.0259488"),
-            (1.978_367_769_180_123, "1.97836776918"),
+            (1.978_367_769_180_123, "1.97837"),
+            (-0.071_234_567, "-0.0712346"),
             (-2.0, "-2"),
             (0.0, "0"),
             (445.872, "445.872"),
@@ -43,6 +72,26 @@ mod tests {
         ] {
             assert_eq!(number(value), expected);
         }
+    }
+
+    #[test]
+    fn what_rounds_to_zero_has_no_sign() {
+        for (value, expected) in [
+            (-1e-9, "0.00000"),
+            (-0.0, "0.00000"),
+            (-2e-5, "-0.00002"),
+            (0.25, "0.25000"),
+        ] {
+            assert_eq!(fixed(value, 5), expected);
+        }
+    }
+
+    #[test]
+    fn decimal_points_are_in_a_line() {
+        let numbers = ["12.5", "-0.125", "3", ""].map(str::to_owned);
+        let expected = ["12.5  ", "-0.125", " 3_   ", "  _   "];
+        let aligned = aligned(numbers.into(), [' ', '_']);
+        assert_eq!(aligned, expected);
     }
 
     #[test]

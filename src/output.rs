@@ -4,6 +4,7 @@ pub mod csv_file;
 pub mod drawing;
 pub mod figures;
 pub mod files;
+pub mod page;
 pub mod plot;
 pub mod progress;
 pub mod record;

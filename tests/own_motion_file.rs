@@ -6,12 +6,12 @@ use std::ops::ControlFlow;
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
 use suspension::commands::bake::order::{Order, Ordered};
-use suspension::commands::range::course::range;
-use suspension::commands::range::meeting::meeting;
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::{Mechanism, State};
 use suspension::quantities::{CATALOGUE, columns};
+use suspension::reach::meeting;
+use suspension::reach::range;
 use suspension_core::linkage;
 
 linkage! {

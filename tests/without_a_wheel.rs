@@ -6,7 +6,6 @@ use std::sync::atomic::AtomicBool;
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
 use suspension::commands::bake::order::{Order, Ordered};
-use suspension::commands::range::course::range;
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::Mechanism;
@@ -14,6 +13,7 @@ use suspension::output::csv_file::Target;
 use suspension::output::figures::{draw, height_and_angles};
 use suspension::output::record::record;
 use suspension::output::summary;
+use suspension::reach::range;
 use suspension_core::linkage;
 
 linkage! {

@@ -51,11 +51,32 @@ impl Tally {
         self.generic.saturating_sub(accounted)
     }
 
-    /// Whether there is good reason to believe that the list is complete: all assemblies of a
-    /// general mechanism are known, and where each of them leads; the complex ones come in
-    /// conjugate pairs.
+    /// Whether there is good reason to believe that the list is complete.
     pub fn is_complete(&self) -> bool {
-        self.evidence.is_convincing() && self.unaccounted() == 0 && self.complex.is_multiple_of(2)
+        self.doubts().is_empty()
+    }
+
+    /// Why the list may not be complete: unless all assemblies of a general mechanism are known, and where each of
+    /// them leads.
+    pub fn doubts(&self) -> Vec<String> {
+        let general =
+            || "not all assemblies of such a mechanism with general lengths were found".to_owned();
+        let lost = |count| format!("{count} of them were lost on their way to this one");
+        let unpaired = || {
+            format!(
+                "complex assemblies come in pairs and {} is odd",
+                self.complex
+            )
+        };
+        let unaccounted = self.unaccounted();
+        [
+            (!self.evidence.is_convincing()).then(general),
+            (unaccounted > 0).then(|| lost(unaccounted)),
+            (!self.complex.is_multiple_of(2)).then(unpaired),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
     }
 }
 

@@ -1,15 +1,11 @@
 //! The part of a range that can be baked.
 
 use crate::bake::fit::{Fit, MOST_SEGMENTS, Wanted};
-use crate::bake::path::{Exact, OutOfReach};
+use crate::bake::path::Exact;
 
 /// The widest part of the range, to a 64th, that can be baked; `None` where not even the smallest
 /// about the middle can.
-///
-/// # Errors
-///
-/// [`OutOfReach`].
-pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Result<Option<[f64; 2]>, OutOfReach> {
+pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Option<[f64; 2]> {
     const PARTS: u32 = 64;
     let [from, to] = wanted.range;
     let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
@@ -21,31 +17,31 @@ pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Result<Option<[f64; 2]>, Ou
             exact,
             count,
         };
-        Ok(last > first && fit.all(0.5)?.is_ok())
+        last > first && matches!(fit.all(0.5), Ok(Ok(_)))
     };
     let middle = PARTS / 2;
-    let half = most(middle, |half| possible(middle - half, middle + half))?;
+    let half = most(middle, |half| possible(middle - half, middle + half));
     let before = most(middle, |before| {
         possible(middle - before.max(half), middle + half)
-    })?
+    })
     .max(half);
     let after = most(middle, |after| {
         possible(middle - before, middle + after.max(half))
-    })?
+    })
     .max(half);
-    Ok((half > 0).then(|| [middle - before, middle + after].map(place)))
+    (half > 0).then(|| [middle - before, middle + after].map(place))
 }
 
 /// The largest number up to `limit` that is possible, where all smaller ones are.
-fn most(limit: u32, possible: impl Fn(u32) -> Result<bool, OutOfReach>) -> Result<u32, OutOfReach> {
+fn most(limit: u32, possible: impl Fn(u32) -> bool) -> u32 {
     let (mut good, mut bad) = (0, limit + 1);
     while bad - good > 1 {
         let middle = good.midpoint(bad);
-        if possible(middle)? {
+        if possible(middle) {
             good = middle;
         } else {
             bad = middle;
         }
     }
-    Ok(good)
+    good
 }

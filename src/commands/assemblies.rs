@@ -24,8 +24,8 @@ use report::Report;
 pub struct Arguments {
     /// The motion file (TOML), as for `suspension motion`.
     file: PathBuf,
-    /// The drive's values, in rad (angles) or the file's unit; else that of the file's first
-    /// instant.
+    /// The drive's own values, as the file's [drives] have them, not changes from the design; in rad (angles) or the
+    /// file's unit. Without it that of the file's first instant.
     #[arg(long, value_name = "VALUE", num_args = 1.., allow_negative_numbers = true)]
     at: Vec<f64>,
     /// The drive; needed with --at where the linkage has several. The others are held as at the
@@ -91,8 +91,10 @@ impl Work for Listing<'_> {
             let mut assemblies = listed.assemblies.iter();
             assemblies.try_for_each(|assembly| table.add(assembly))
         });
-        if matches!(done, Ok(()) | Err(Failure::Interrupted(_)))
-            && let Some(table) = table
+        if matches!(
+            done,
+            Ok(()) | Err(Failure::Interrupted(_) | Failure::Solver(_))
+        ) && let Some(table) = table
         {
             table.finish()?;
             if let Some(Target::File(path)) = &self.csv {
@@ -117,8 +119,8 @@ found from random starts and by going round loops of such mechanisms, and follow
 the file's. The trace test confirms that none is missing: their sum is linear in the drive. A
 complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
 
-Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 the file's
-mechanism has no configuration at its first instant, 130 interrupted: what was found is kept.
+Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 there is no
+assembly at a value, or the file's first instant is out of reach, 130 interrupted: what was found is kept.
 
 Example:
   suspension assemblies examples/five_link.toml --at 0.7 1.2 --csv assemblies.csv";

@@ -27,11 +27,11 @@ pub struct Arguments {
     /// instant.
     #[arg(long, value_name = "NAME")]
     drive: Option<String>,
-    /// The drive's first value, in rad (angles) or the file's unit; else the least that it has in
-    /// the file's motion.
+    /// The drive's first value, its own, as the file's [drives] have it, not a change from the design; in rad (angles)
+    /// or the file's unit. Without it the least that it has in the file's motion.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     from: Option<f64>,
-    /// The drive's last value; else the greatest that it has in the file's motion.
+    /// The drive's last value, its own too; without it the greatest that it has in the file's motion.
     #[arg(long, value_name = "Y", allow_negative_numbers = true)]
     to: Option<f64>,
     /// How far a point may be off, in metres whatever the file's unit.

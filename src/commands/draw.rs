@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{Mechanism, Suspension, Work};
-use crate::output::drawing::{Drawing, drawing_of};
+use crate::output::drawing::{Drawing, SIZE, Seen, drawing_of};
 use crate::output::files::{announce, refuse_input, write_file};
 
 /// What `suspension draw` is given.
@@ -52,7 +52,7 @@ impl Arguments {
             wheel_radius: self.wheel_radius,
         })?;
         let nothing = || Failure::Solver(format!("{}: nothing to draw", source.name()));
-        write_file(&out, &drawing.svg().ok_or_else(nothing)?)?;
+        write_file(&out, &drawing.svg(Seen::Oblique, SIZE).ok_or_else(nothing)?)?;
         announce(&[out]);
         Ok(())
     }

@@ -1,10 +1,8 @@
 //! `suspension range`: how far each drive leads the mechanism, and what is beyond.
 
-pub mod course;
-pub mod meeting;
+mod columns;
 mod picture;
 mod report;
-mod station;
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -19,7 +17,7 @@ use crate::output::csv_file::Target;
 use crate::output::figures::path;
 use crate::output::files::{announce, print, refuse_input, refuse_plot, write_file};
 use crate::output::table::Table;
-use course::{DriveRange, range};
+use crate::reach::{DriveRange, range};
 
 /// What `suspension range` is given.
 #[derive(Args, Clone, Debug)]
@@ -113,7 +111,7 @@ impl Work for Ranges<'_> {
 }
 
 fn table(names: &Names, unit: Unit, ranges: &[DriveRange], target: &Target) -> Result<(), Failure> {
-    let mut table = Table::create(target, station::columns(names, unit))?;
+    let mut table = Table::create(target, columns::columns(names, unit))?;
     let mut stations = ranges.iter().flat_map(|range| &range.curve);
     stations.try_for_each(|station| table.add(station))?;
     table.finish()
@@ -126,7 +124,7 @@ curve closes or another curve crosses. Printed for each drive:
 
   lower end, upper end   the values between which it leads the mechanism from the first instant,
                          and what ends them: a turning point, where the mechanism locks and
-                         velocities grow without bound; 0 or pi, where an angle itself ends; a
+                         velocities grow without bound, with the link that reaches no further; 0 or pi, where an angle itself ends; a
                          bifurcation, where the mechanism can go either way
   motion                 when the file's motion is at an end, where it moves this drive alone
   poor                   where the transmission is poor: for a unit of the drive the free points

@@ -1,22 +1,19 @@
 //! `suspension sheet`: the kinematics of a suspension on one page.
 
-mod charts;
 mod page;
-mod parameters;
 
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 use std::sync::atomic::AtomicBool;
 
 use clap::Args;
-use suspension_core::DriveKind;
 use suspension_runtime::Listing;
 
+use crate::characteristics::{Along, Span, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::mechanism::{From, Grid, Mechanism, Order, State, Suspension, Visited, Work};
-use crate::output::drawing::drawing_of;
+use crate::mechanism::{Mechanism, State, Suspension, Work};
+use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::{announce, refuse_input, write_file};
 use page::Page;
 
@@ -36,27 +33,6 @@ pub struct Arguments {
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
-
-/// From where to where, as `-0.06:0.06`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Span([f64; 2]);
-
-impl FromStr for Span {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let number = |text: &str| text.trim().parse().ok().filter(|x: &f64| x.is_finite());
-        let ends = text.split_once(':');
-        let ends = ends.and_then(|(from, to)| Some([number(from)?, number(to)?]));
-        match ends {
-            Some([from, to]) if from < to => Ok(Self([from, to])),
-            _ => Err("write FROM:TO, as -0.06:0.06".to_owned()),
-        }
-    }
-}
-
-/// Places of each curve.
-const PLACES: usize = 61;
 
 impl Arguments {
     /// Writes the page.
@@ -90,15 +66,6 @@ struct Sheet<'a> {
     interrupted: &'a AtomicBool,
 }
 
-/// The states along one drive.
-struct Along {
-    drive: usize,
-    /// The drive's changes from the design position.
-    changes: Vec<f64>,
-    /// Each state, and the same with derivatives with respect to the drive.
-    visited: Visited<(State, Option<State>)>,
-}
-
 impl Work for Sheet<'_> {
     /// The page, and what could not be solved.
     type Answer = (String, Option<Failure>);
@@ -107,88 +74,61 @@ impl Work for Sheet<'_> {
         self,
         mechanism: &Mechanism<L, N>,
     ) -> Result<Self::Answer, Failure> {
-        let Mechanism { names, .. } = mechanism;
-        let Some(travel) = names.vehicle.travel else {
-            let known = names.of_drives().join(", ");
-            return Err(Failure::Input(format!(
-                "{}: which drive moves the wheel up and down? Write [vehicle] with travel = \"NAME\"; the drives are {known}",
-                self.source.name()
-            )));
-        };
-        let Arguments {
-            travel: span,
-            steer,
-            ..
-        } = self.arguments;
-        let along_travel = self.along(mechanism, travel, *span, 0.06);
-        let along_steer = names.vehicle.steer;
-        let along_steer = along_steer.map(|drive| self.along(mechanism, drive, *steer, 0.03));
-        let ways: Vec<&Along> = [&along_travel].into_iter().chain(&along_steer).collect();
-        let failures = ways.iter();
-        let failures = failures.filter_map(|along| along.visited.failure(self.source.name()));
+        let Arguments { travel, steer, .. } = self.arguments;
+        let (name, unit) = (self.source.name(), mechanism.unit);
+        let ways = ways(mechanism, name, [*travel, *steer], unit, self.interrupted)?;
+        let failures = ways.iter().filter_map(|along| along.visited.failure(name));
         let failures: Vec<Failure> = failures.collect();
         let page = Page {
-            file: self.source.name(),
+            file: name,
             mechanism,
-            drawing: drawing_of(mechanism, self.listing, None).svg(),
-            drives: drives_in_words(mechanism),
+            drawings: self.drawings(mechanism, &ways),
+            drives: mechanism
+                .names
+                .drives_in_words(&mechanism.design, unit, None),
             missing: failures.iter().map(Failure::to_string).collect(),
-            parameters: parameters::parameters(mechanism, self.interrupted),
-            charts: ways
+            parameters: parameters(mechanism, unit, self.interrupted),
+            curves: ways
                 .iter()
-                .map(|along| charts::charts(mechanism, along))
+                .map(|along| curves(mechanism, along, unit))
                 .collect(),
         };
         Ok((page.html(), failures.into_iter().next()))
     }
 }
 
+/// Width and height of a drawing as shown.
+const DRAWING: (u32, u32) = (620, 480);
+
 impl Sheet<'_> {
-    /// Along a drive; without a span so many metres, or a fifth of a radian, either way.
-    fn along<L: Suspension<N>, const N: usize>(
+    /// The mechanism from all sides, and faintly where travel ends.
+    fn drawings<L: Suspension<N>, const N: usize>(
         &self,
         mechanism: &Mechanism<L, N>,
-        drive: usize,
-        span: Option<Span>,
-        metres: f64,
-    ) -> Along {
-        let usual = match mechanism.names.drives[drive].kind {
-            DriveKind::Coordinate => metres * mechanism.unit.metre(),
-            DriveKind::Angle => 0.2,
+        ways: &[Along],
+    ) -> Vec<String> {
+        let travel = ways.iter().take(1);
+        let reached = travel.flat_map(|along| along.visited.places.iter().flatten());
+        let states: Vec<&State> = reached.map(|(state, _)| state).collect();
+        let ends = [states.first(), states.last()].into_iter().flatten();
+        let points = |state: &&State| {
+            let points = 0..state.points.value.len();
+            points.map(|point| state.position(point).into()).collect()
         };
-        let Span([from, to]) = span.unwrap_or(Span([-usual, usual]));
-        let part = |place: usize| place as f64 / (PLACES - 1) as f64;
-        let changes: Vec<f64> = (0..PLACES)
-            .map(|place| from * (1.0 - part(place)) + to * part(place))
-            .collect();
-        let axes = vec![(drive, changes.clone())];
-        let grid = Grid::new(mechanism, axes, From::Start);
-        // So few places are never too many.
-        let grid = grid.unwrap_or_default();
-        let mut read =
-            |state: &State, per: &dyn Fn(usize) -> Option<State>| (state.clone(), per(drive));
-        Along {
-            drive,
-            changes,
-            visited: mechanism.visit(&grid, Order::First, self.interrupted, &mut read),
-        }
+        let drawing = Drawing {
+            others: ends.map(points).collect(),
+            ..drawing_of(mechanism, self.listing, None)
+        };
+        let seen = Seen::ALL.into_iter();
+        seen.filter_map(|seen| drawing.svg(seen, DRAWING)).collect()
     }
 }
 
-/// The drives where the mechanism starts.
-fn drives_in_words<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> String {
-    let [first, _] = mechanism.instants.ends();
-    let drives = mechanism.drives.inputs::<L::Drives>(first).drives.value;
-    let given = mechanism.given(&drives);
-    mechanism
-        .names
-        .drives_in_words(&given, mechanism.unit, None)
-}
-
 const NOTES: &str = "\
-One HTML page without anything from elsewhere, which any browser shows and prints: a drawing at the design
-position, that of the file's points, all quantities there with their derivatives with respect to travel and steering, curves over travel and steering, and the
-definitions. The file's [vehicle] table says what the listing does not:
+One HTML page without anything from elsewhere, which any browser shows and prints: drawings at the design
+position, that of the file's points, and faintly at both ends of the travel; all quantities there with their
+derivatives with respect to travel and steering, bump camber, bump steer and motion ratios among them; curves over
+travel and steering; and the definitions. The file's [vehicle] table says what the listing does not:
 
   [vehicle]
   wheel_radius = 0.3      # in the unit; without it there is nothing that needs the ground

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position, Table, Time};
 use crate::file::source::Source;
 use crate::mechanism::Instants;
-use crate::number::number;
+use crate::number::{exact, rounded};
 
 /// More instants than this are taken for a mistyped step.
 const MOST_INSTANTS: f64 = 1e7;
@@ -96,7 +96,7 @@ pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
         } else {
             "too small to compute with"
         };
-        let message = format!("length `{name}` is {}, {fault}", number(length));
+        let message = format!("length `{name}` is {}, {fault}", exact(length));
         return Err(source.refuse(&value.span(), message));
     }
     Ok(())
@@ -234,16 +234,16 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
     if (stop - first) / step < 0.0 {
         return refuse(format!(
             "the time step {} s leads away from the stop at {} s",
-            number(step),
-            number(stop)
+            exact(step),
+            exact(stop)
         ));
     }
     let count = Instants::count_stepped(first, stop, step);
     if count.is_nan() || count > MOST_INSTANTS {
         return refuse(format!(
             "the time step {} s makes {} instants; at most {MOST_INSTANTS} are allowed",
-            number(step),
-            number(count)
+            exact(step),
+            rounded(count, 12)
         ));
     }
     Ok(Instants::stepped(first, stop, step))
@@ -267,8 +267,8 @@ fn listed(source: &Source, list: &Spanned<Vec<Spanned<f64>>>) -> Result<Instants
         if !onwards {
             let message = format!(
                 "the instants must run one way, but {} s follows {} s",
-                number(pair[1]),
-                number(pair[0])
+                exact(pair[1]),
+                exact(pair[0])
             );
             return Err(source.refuse(&at.span(), message));
         }

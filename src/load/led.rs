@@ -49,7 +49,9 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
             });
             let cause = stopped.refused;
             let cause = cause.map(|(_, error)| lead.cause(names, &error, unit));
-            Err(out_of_reach(task, [&first, &reached], cause, None))
+            let cause = cause.unwrap_or_default();
+            let cause = format!("the mechanism goes no further than {reached} ({cause})");
+            Err(out_of_reach(task, &first, &cause))
         }
     }
 }

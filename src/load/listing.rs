@@ -74,8 +74,10 @@ impl<W: Work> suspension_runtime::Work for Walked<'_, W> {
             work,
         } = self;
         let mechanism: Mechanism<Model<'_, f64, N>, N> = prepare(request, name, listing)?;
-        for note in &mechanism.notes {
-            eprintln!("note: {note}");
+        if !W::TELLS_NOTES {
+            for note in &mechanism.notes {
+                eprintln!("note: {note}");
+            }
         }
         work.on(&mechanism)
     }

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::file::{MotionFile, Source, check};
 use crate::load::listing::{Chosen, unknown};
 use crate::load::prepare::{Request, Start, prepare};
-use crate::mechanism::{Instants, Mechanism, Suspension, Work};
+use crate::mechanism::{Instants, Mechanism, Suspension, Unit, Work};
 
 /// A motion file that was read. Its mechanism is brought to the first instant when there is work on it.
 #[derive(Clone, Debug)]
@@ -116,6 +116,11 @@ impl Loaded<'_> {
     pub fn of_catalogue(&self) -> Option<&str> {
         let name = self.file.linkage.as_ref();
         name.map(|name| name.get_ref().as_str())
+    }
+
+    /// The unit of its lengths.
+    pub fn unit(&self) -> Unit {
+        self.file.unit
     }
 
     /// The listing.

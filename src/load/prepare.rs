@@ -112,6 +112,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         linkage: linkage.to_owned(),
         unit: file.unit,
         origin,
+        design: design.given(&design.drives),
         model: design.model,
         instants: instants.clone(),
         start,

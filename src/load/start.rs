@@ -5,7 +5,7 @@ use suspension_core::{Motion, Values};
 use crate::failure::Failure;
 use crate::load::design::Design;
 use crate::load::task::Task;
-use crate::mechanism::{DriveLaws, Misfit, Polynomial, Suspension, follow};
+use crate::mechanism::{DriveLaws, Lock, Polynomial, Suspension, advice, follow};
 use crate::number::number;
 
 /// The drives on a straight line from the design at time 0 to the first instant at time 1.
@@ -33,32 +33,24 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
         Ok(_) => Ok(motion),
         Err(stopped) => {
             let (names, unit) = (task.names, task.file.unit);
-            let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]].map(|t| {
-                let drives = way.inputs::<L::Drives>(t).drives.value;
-                names.drives_in_words(&design.given(&drives), unit, None)
-            });
-            let cause = stopped.refused.map(|(_, error)| names.cause(&error));
-            let times = [stopped.reached, FROM_DESIGN_TO_FIRST[1]];
-            let misfit = Misfit::between(&design.model, &way, times, &motion.position);
-            let misfit = misfit.and_then(|misfit| misfit.in_words(unit));
-            Err(out_of_reach(task, [&first, &reached], cause, misfit))
+            let [_, asked] = FROM_DESIGN_TO_FIRST;
+            let given = |drives: &L::Drives| design.given(drives);
+            let first = given(&way.inputs::<L::Drives>(asked).drives.value);
+            let last = &motion.position;
+            let lock = Lock::of(&design.model, &way, &stopped, asked, last, given);
+            let lock = lock.in_words(names, unit, &given(&design.drives));
+            let first = names.drives_in_words(&first, unit, None);
+            let cause = format!("{lock}; {}", advice(task.source.name()));
+            Err(out_of_reach(task, &first, &cause))
         }
     }
 }
 
-/// The first instant, in words, cannot be reached: how far, and why no further.
-pub(super) fn out_of_reach(
-    task: &Task<'_>,
-    [first, reached]: [&str; 2],
-    cause: Option<String>,
-    misfit: Option<String>,
-) -> Failure {
-    let misfit = misfit.map_or_else(String::new, |misfit| format!("; {misfit}"));
+/// The first instant, in words, cannot be reached, and why.
+pub(super) fn out_of_reach(task: &Task<'_>, first: &str, cause: &str) -> Failure {
     Failure::Solver(format!(
-        "{}: the first instant, t = {} s with {first}, is out of reach: driven there from the \
-         design position, the mechanism stops at {reached} ({}){misfit}",
+        "{}: the first instant, t = {} s with {first}, is out of reach from the design position: {cause}",
         task.source.name(),
         number(task.first),
-        cause.unwrap_or_default(),
     ))
 }

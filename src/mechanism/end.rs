@@ -1,5 +1,6 @@
 //! How a motion ends.
 
+use crate::mechanism::words::advice;
 use crate::number::number;
 
 /// How a motion ended.
@@ -22,44 +23,30 @@ pub struct Stop {
     pub drives_asked: String,
     /// The last time at which the mechanism has a configuration, s.
     pub reached: f64,
-    /// The drives there.
-    pub drives_reached: String,
-    /// What the last refused step failed with.
+    /// Why the mechanism goes no further, in words.
     pub cause: String,
-    /// The drive that turns there, where one does: led by it, the mechanism locks.
-    pub turns: Option<String>,
-    /// The link that is too short or too long for what was asked for, in words.
-    pub misfit: Option<String>,
+    /// Whether drives, not a measure, lead it.
+    pub is_driven: bool,
 }
 
 impl Stop {
-    /// In one sentence: what was asked for, how far the mechanism goes, and why no further.
-    pub fn in_words(&self) -> String {
+    /// In one sentence: what was asked for, how far the mechanism goes, and why no further. `file` is the motion's.
+    pub fn in_words(&self, file: &str) -> String {
         let Self {
             asked,
             drives_asked,
             reached,
-            drives_reached,
             cause,
-            turns,
-            misfit,
+            ..
         } = self;
-        let locks = turns.as_ref().map_or_else(String::new, |drive| {
-            format!(
-                " there the mechanism locks, at a turning point of drive `{drive}` where \
-                 velocities grow without bound;"
-            )
-        });
-        let misfit = misfit
-            .as_ref()
-            .map_or_else(String::new, |misfit| format!(" {misfit};"));
+        let [asked, reached] = [*asked, *reached].map(number);
+        let advice = if self.is_driven {
+            format!("; {}", advice(file))
+        } else {
+            String::new()
+        };
         format!(
-            "no configuration at t = {} s with {drives_asked}: the motion ends at \
-             t = {} s with {drives_reached} ({cause});{locks}{misfit}",
-            number(*asked),
-            number(*reached)
+            "no configuration at t = {asked} s with {drives_asked}: the motion ends at t = {reached} s: {cause}{advice}"
         )
-        .trim_end_matches(';')
-        .to_owned()
     }
 }

@@ -1,8 +1,93 @@
-//! Whether a motion that stops does so because a drive turns.
+//! Where a motion that its drives lead ends: the drive that turns there, and the link that is in the way.
 
 use nalgebra::SVector;
 use suspension_core::path::{Continuation, Curve};
-use suspension_core::{Inputs, Linkage, Still, Values};
+use suspension_core::{Inputs, Linkage, SolveError, Still, Stopped, Values};
+
+use crate::mechanism::drives::DriveLaws;
+use crate::mechanism::misfit::Misfit;
+use crate::mechanism::names::{Names, Suspension};
+use crate::mechanism::unit::Unit;
+use crate::number::rounded;
+
+/// Where a motion that its drives lead ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lock {
+    /// The drives there, in the file's coordinates.
+    pub drives: Vec<f64>,
+    /// The number of the drive that turns there, where one does: led by it, the mechanism locks.
+    pub turns: Option<usize>,
+    misfit: Option<Misfit>,
+    cause: Option<SolveError<f64>>,
+}
+
+impl Lock {
+    /// Where a motion stopped, of which `q` is the last configuration, on the way to the time `asked`. `given` has the
+    /// drives in the file's coordinates.
+    pub(crate) fn of<L: Suspension<N>, const N: usize>(
+        model: &L,
+        laws: &DriveLaws,
+        stopped: &Stopped<f64>,
+        asked: f64,
+        q: &SVector<f64, N>,
+        given: impl Fn(&L::Drives) -> Vec<f64>,
+    ) -> Self {
+        let there = laws.inputs::<L::Drives>(stopped.reached);
+        Self {
+            drives: given(&there.drives.value),
+            turns: turning_drive(model, &there, q),
+            misfit: Misfit::between(model, laws, [stopped.reached, asked], q),
+            cause: stopped.refused.map(|(_, cause)| cause),
+        }
+    }
+
+    /// The link that is in the way, where one is.
+    pub(crate) fn link(&self) -> Option<&str> {
+        self.misfit.as_ref().map(Misfit::link)
+    }
+
+    /// In words, `design` being the drives at the design position.
+    pub(crate) fn in_words(&self, names: &Names, unit: Unit, design: &[f64]) -> String {
+        let drives = names.drives_in_words(&self.drives, unit, None);
+        let end = match self.turns {
+            Some(turns) => {
+                let drive = &names.drives[turns];
+                let change = from_design(
+                    self.drives[turns] - design[turns],
+                    unit.of_drive(drive.kind),
+                );
+                format!("the drive `{}` locks {change} ({drives})", drive.name)
+            }
+            None => {
+                let cause = self
+                    .cause
+                    .map(|error| format!(" ({})", names.cause(&error)));
+                format!(
+                    "the mechanism goes no further than {drives}{}",
+                    cause.unwrap_or_default()
+                )
+            }
+        };
+        match self
+            .misfit
+            .as_ref()
+            .and_then(|misfit| misfit.in_words(unit))
+        {
+            Some(misfit) => format!("{end}; {misfit}"),
+            None => end,
+        }
+    }
+}
+
+/// A drive's change from the design position in words, as `at 0.0712 m above the design`.
+pub(crate) fn from_design(change: f64, symbol: &str) -> String {
+    const DIGITS: usize = 4;
+    let side = if change < 0.0 { "below" } else { "above" };
+    format!(
+        "at {} {symbol} {side} the design",
+        rounded(change.abs(), DIGITS)
+    )
+}
 
 /// Steps within which the turning point must lie: the motion has stopped beside it.
 const STEPS: usize = 3;
@@ -11,8 +96,9 @@ const STEPS: usize = 3;
 /// tracker stops where the next step has shrunk to rounding.
 const NEAR: f64 = 1e-9;
 
-/// The number of the drive that turns where a motion has stopped; `None` where none does.
-pub(super) fn turning_drive<L: Linkage<N, Scalar = f64>, const N: usize>(
+/// The number of the drive that turns where a motion has stopped; `None` where none does. Where one locks, those that
+/// are held do too: one that moves is named before them.
+fn turning_drive<L: Linkage<N, Scalar = f64>, const N: usize>(
     model: &L,
     inputs: &Inputs<Still, L::Drives>,
     position: &SVector<f64, N>,
@@ -21,7 +107,10 @@ pub(super) fn turning_drive<L: Linkage<N, Scalar = f64>, const N: usize>(
         max_steps: STEPS,
         ..Continuation::default()
     };
-    let mut drives = inputs.drives.value.values().enumerate();
+    let drives = inputs.drives.value.values().enumerate();
+    let with_rates = drives.zip(inputs.drives.rate.values());
+    let (moved, held): (Vec<_>, Vec<_>) = with_rates.partition(|(_, rate)| *rate != 0.0);
+    let mut drives = moved.into_iter().chain(held).map(|(drive, _)| drive);
     let turning = drives.find(|(index, value)| {
         let turns_there = |increasing| {
             let curve = Curve::new(model, inputs, *index)?;

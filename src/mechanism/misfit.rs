@@ -66,6 +66,11 @@ impl Misfit {
         Some(Self { name, has, needs })
     }
 
+    /// Its name.
+    pub(crate) fn link(&self) -> &str {
+        &self.name
+    }
+
     /// In words; `None` where the digits shown do not differ.
     pub(crate) fn in_words(&self, unit: Unit) -> Option<String> {
         const DIGITS: usize = 6;

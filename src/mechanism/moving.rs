@@ -3,12 +3,12 @@
 use suspension_core::path::Led;
 use suspension_core::{Inputs, Motion, Report, Still, Stopped};
 
-use crate::mechanism::drives::follow;
+use crate::mechanism::drives::{DriveLaws, follow};
 use crate::mechanism::end::Stop;
 use crate::mechanism::lead::Lead;
-use crate::mechanism::locking::turning_drive;
-use crate::mechanism::misfit::Misfit;
+use crate::mechanism::locking::Lock;
 use crate::mechanism::names::Suspension;
+use crate::mechanism::polynomial::Polynomial;
 use crate::mechanism::ready::Mechanism;
 
 /// A mechanism on its way.
@@ -60,40 +60,70 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
 
     /// Where and why the motion stopped on the way to the instant `asked`.
     pub(crate) fn stop(&self, asked: f64, stopped: &Stopped<f64>, moving: &Moving<'_, N>) -> Stop {
-        let at = |t: f64| self.given(&self.drives.inputs::<L::Drives>(t).drives.value);
         let (names, unit) = (&self.names, self.unit);
-        let drives = |t: f64| match moving {
-            Moving::Driven(_) => names.drives_in_words(&at(t), unit, None),
-            Moving::Led(lead, _) => lead.in_words(names, &at(t), t, unit),
-        };
-        let cause = |(_, error)| match moving {
-            Moving::Driven(_) => names.cause(&error),
-            Moving::Led(lead, _) => lead.cause(names, &error, unit),
-        };
-        let turns = match moving {
+        let at = |t: f64| self.given(&self.drives.inputs::<L::Drives>(t).drives.value);
+        let (drives_asked, cause) = match moving {
             Moving::Driven(last) => {
-                let there = self.drives.inputs(stopped.reached);
-                turning_drive(&self.model, &there, &last.position)
+                let lock = self.lock(&self.drives, stopped, asked, last);
+                let drives = names.drives_in_words(&at(asked), unit, None);
+                (drives, self.lock_in_words(&lock))
             }
-            Moving::Led(..) => None,
-        };
-        let misfit = match moving {
-            Moving::Driven(last) => {
-                let times = [stopped.reached, asked];
-                Misfit::between(&self.model, &self.drives, times, &last.position)
+            Moving::Led(lead, _) => {
+                let in_words = |t: f64| lead.in_words(names, &at(t), t, unit);
+                let cause = stopped.refused.map_or_else(
+                    || "the time is too far away".to_owned(),
+                    |(_, error)| lead.cause(names, &error, unit),
+                );
+                let reached = in_words(stopped.reached);
+                (
+                    in_words(asked),
+                    format!("the mechanism goes no further than {reached} ({cause})"),
+                )
             }
-            Moving::Led(..) => None,
         };
         Stop {
             asked,
-            drives_asked: drives(asked),
+            drives_asked,
             reached: stopped.reached,
-            drives_reached: drives(stopped.reached),
-            cause: stopped
-                .refused
-                .map_or_else(|| "the time is too far away".to_owned(), cause),
-            turns: turns.map(|drive| names.drives[drive].name.clone()),
-            misfit: misfit.and_then(|misfit| misfit.in_words(unit)),
+            cause,
+            is_driven: matches!(moving, Moving::Driven(_)),
         }
+    }
+
+    /// Where a motion by drives stopped, `last` being its last configuration.
+    pub(crate) fn lock(
+        &self,
+        laws: &DriveLaws,
+        stopped: &Stopped<f64>,
+        asked: f64,
+        last: &Motion<f64, N>,
+    ) -> Lock {
+        let given = |drives: &L::Drives| self.given(drives);
+        Lock::of(&self.model, laws, stopped, asked, &last.position, given)
+    }
+
+    /// Where that is, in words.
+    pub(crate) fn lock_in_words(&self, lock: &Lock) -> String {
+        lock.in_words(&self.names, self.unit, &self.design)
+    }
+
+    /// Drives the mechanism, the drives being at `drives`, to a value of one of them, in local coordinates: the way takes a second.
+    ///
+    /// # Errors
+    ///
+    /// The way and where it stopped, for [`lock`](Self::lock).
+    pub(crate) fn drive_to(
+        &self,
+        drives: &[f64],
+        drive: usize,
+        value: f64,
+        motion: &mut Motion<f64, N>,
+    ) -> Result<Report<f64>, (DriveLaws, Stopped<f64>)> {
+        let ends = drives.iter().enumerate();
+        let laws = DriveLaws::new(ends.map(|(index, from)| {
+            Polynomial::line(*from, if index == drive { value } else { *from })
+        }));
+        let followed = follow(&self.model, &laws, [0.0, 1.0], motion);
+        followed.map_err(|stopped| (laws, stopped))
     }
 }

@@ -28,6 +28,8 @@ pub struct Mechanism<L, const N: usize> {
     pub start: Motion<f64, N>,
     /// The drives; one for which a measure leads stays as it is there.
     pub drives: DriveLaws,
+    /// The drives at the design position, in the file's coordinates.
+    pub design: Vec<f64>,
     /// The measure that leads in place of a drive.
     pub lead: Option<Lead<N>>,
     /// What the file says that its author may not have meant, a sentence each.
@@ -38,6 +40,9 @@ pub struct Mechanism<L, const N: usize> {
 pub trait Work {
     /// What comes of it.
     type Answer;
+
+    /// Whether it tells the mechanism's notes itself; else standard error has them.
+    const TELLS_NOTES: bool = false;
 
     /// Does the work.
     ///

@@ -2,16 +2,15 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use suspension_core::{Inputs, Motion, Signal, SolveError, Values};
+use suspension_core::{Inputs, Motion, Signal, Values};
 
 use crate::failure::Failure;
 use crate::mechanism::around::{Around, Order};
-use crate::mechanism::drives::{DriveLaws, follow};
 use crate::mechanism::grid::Grid;
 use crate::mechanism::names::Suspension;
-use crate::mechanism::polynomial::Polynomial;
 use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::State;
+use crate::mechanism::words::advice;
 
 /// What was read at the places of a grid.
 #[derive(Clone, Debug)]
@@ -43,7 +42,8 @@ impl<R> Visited<R> {
         }
         let stopped = self.stopped.as_ref()?;
         Some(Failure::Solver(format!(
-            "{source}: {missing} of {all} places have no configuration on the way from the design position: {stopped}; {written}"
+            "{source}: {missing} of {all} places are out of reach from the design position: {stopped}; {}; {written}",
+            advice(source)
         )))
     }
 }
@@ -125,40 +125,22 @@ impl<L: Suspension<N>, R, const N: usize> Visitor<'_, '_, L, R, N> {
                     self.visited.interrupted = true;
                     return;
                 }
-                if let Err(stopped) = self.drive_to(&mut place, *drive, values[index]) {
-                    self.visited.stopped.get_or_insert(stopped);
-                    break;
+                let (mechanism, value) = (self.mechanism, values[index]);
+                match mechanism.drive_to(&place.drives, *drive, value, &mut place.motion) {
+                    Ok(report) => place.residual = report.residual(),
+                    Err((laws, stopped)) => {
+                        self.visited.stopped.get_or_insert_with(|| {
+                            let lock = mechanism.lock(&laws, &stopped, 1.0, &place.motion);
+                            mechanism.lock_in_words(&lock)
+                        });
+                        break;
+                    }
                 }
+                place.drives[*drive] = value;
                 place.index = here.index * values.len() + index;
                 self.along_axes(level + 1, &place);
             }
         }
-    }
-
-    /// Drives the mechanism to a value of a drive.
-    fn drive_to(&self, place: &mut Place<N>, drive: usize, value: f64) -> Result<(), String> {
-        let ends = place.drives.iter().enumerate();
-        let laws = DriveLaws::new(ends.map(|(index, from)| {
-            Polynomial::line(*from, if index == drive { value } else { *from })
-        }));
-        match follow(&self.mechanism.model, &laws, [0.0, 1.0], &mut place.motion) {
-            Ok(report) => {
-                place.drives[drive] = value;
-                place.residual = report.residual();
-                Ok(())
-            }
-            Err(stopped) => {
-                let reached = laws.inputs::<L::Drives>(stopped.reached).drives.value;
-                Err(self.stop_in_words(&reached, stopped.refused.map(|(_, error)| error)))
-            }
-        }
-    }
-
-    fn stop_in_words(&self, reached: &L::Drives, cause: Option<SolveError<f64>>) -> String {
-        let Mechanism { names, unit, .. } = self.mechanism;
-        let drives = names.drives_in_words(&self.mechanism.given(reached), *unit, None);
-        let cause = cause.map_or_else(String::new, |error| format!(" ({})", names.cause(&error)));
-        format!("one way ends at {drives}{cause}")
     }
 
     fn read_at(&mut self, place: &Place<N>) {

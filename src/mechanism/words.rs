@@ -6,6 +6,11 @@ use crate::mechanism::names::Names;
 use crate::mechanism::unit::Unit;
 use crate::number::number;
 
+/// What to do about a lock in the motion of a file.
+pub(crate) fn advice(file: &str) -> String {
+    format!("`suspension range {file}` shows what ends it")
+}
+
 impl Names {
     /// A drive's value in words, as `theta = 0.7 rad`.
     pub fn drive_in_words(&self, drive: usize, value: f64, unit: Unit) -> String {

@@ -120,7 +120,12 @@ impl CsvFile {
         }
     }
 
-    fn record<'a>(&mut self, fields: impl Iterator<Item = &'a str>) -> Result<(), Failure> {
+    /// Adds a row of texts.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure::writing`].
+    pub fn record<'a>(&mut self, fields: impl Iterator<Item = &'a str>) -> Result<(), Failure> {
         let written = self.writer.write_record(fields);
         written.map_err(|error| failed(&self.name, error))
     }

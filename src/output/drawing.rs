@@ -1,14 +1,21 @@
-//! A drawing of a linkage as SVG: chassis points, links, slides, bodies, measured lengths and the wheel.
+//! A drawing of a linkage as SVG: chassis points, links, slides, bodies, measured lengths, the wheel and its axes.
 
+mod axes;
+mod disc;
+mod hull;
 mod labels;
 mod start;
+#[cfg(test)]
+mod tests;
 mod view;
 
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
-use labels::{Boxed, Labels};
+use disc::rim;
+use labels::{Boxed, Labels, Segment};
 pub use start::drawing_of;
+pub use view::Seen;
 use view::View;
 
 /// What there is to draw. Points in axes of ISO 8855: x forward, y left, z up.
@@ -27,22 +34,26 @@ pub struct Drawing {
     /// Bodies: the points of each, by their indices.
     pub bodies: Vec<Vec<usize>>,
     /// The wheel.
-    pub wheel: Option<Disc>,
+    pub wheel: Option<Wheel>,
+    /// The kingpin's ends, by their indices.
+    pub kingpin: Option<[usize; 2]>,
+    /// All points at other places of the motion, drawn faintly.
+    pub others: Vec<Vec<[f64; 3]>>,
+    /// The symbol of the unit of lengths.
+    pub unit: &'static str,
 }
 
-/// A wheel: a circle about its centre, square to its axis.
+/// A wheel: a circle about its centre, square to the spin axis.
 #[derive(Clone, Copy, Debug)]
-pub struct Disc {
-    /// The wheel centre.
-    pub centre: [f64; 3],
-    /// The direction of the spin axis.
-    pub axis: [f64; 3],
+pub struct Wheel {
+    /// The ends of the spin axis, by their indices, the wheel centre last.
+    pub axis: [usize; 2],
     /// The radius, in the unit of the points.
     pub radius: f64,
 }
 
 /// Width and height as shown.
-const SIZE: (u32, u32) = (900, 640);
+pub const SIZE: (u32, u32) = (900, 640);
 /// Drawing units to one of those: plotters rounds to whole units.
 const FINE: u32 = 8;
 const MARGIN: f64 = 70.0;
@@ -53,69 +64,110 @@ const LINK: RGBColor = RGBColor(31, 90, 160);
 const BODY: RGBColor = RGBColor(200, 80, 20);
 const LENGTH: RGBColor = RGBColor(40, 130, 70);
 const TYRE: RGBColor = RGBColor(120, 120, 120);
+const AXIS: RGBColor = RGBColor(160, 40, 110);
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 type Drawn = Result<(), Box<dyn std::error::Error>>;
 
+/// How much of a colour a mechanism has that is drawn faintly.
+const FAINT: f64 = 0.25;
+
 impl Drawing {
-    /// The drawing as an SVG document; `None` where there are no points.
-    pub fn svg(&self) -> Option<String> {
-        let view = View::around(&self.outline(), SIZE, MARGIN)?;
+    /// The drawing as an SVG document of a width and a height as shown; `None` where there are no points.
+    pub fn svg(&self, seen: Seen, shown: (u32, u32)) -> Option<String> {
+        let view = View::around(&self.outline(), seen, shown, MARGIN)?;
         let mut text = String::new();
-        let size = (SIZE.0 * FINE, SIZE.1 * FINE);
+        let size = (shown.0 * FINE, shown.1 * FINE);
         let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
         // Drawing into memory has no way to fail but a mistake in this file.
-        self.draw(&area, &view).ok()?;
+        self.draw(&area, &view, shown).ok()?;
         drop(area);
-        let drawn = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
-        let shown = format!("width=\"{}\" height=\"{}\"", SIZE.0, SIZE.1);
+        let [drawn, shown] =
+            [size, shown].map(|(width, height)| format!("width=\"{width}\" height=\"{height}\""));
         Some(text.replacen(&drawn, &shown, 1))
     }
 
-    fn draw(&self, area: &Area<'_>, view: &View) -> Drawn {
+    fn draw(&self, area: &Area<'_>, view: &View, shown: (u32, u32)) -> Drawn {
         area.fill(&WHITE)?;
-        let at = |index: &usize| self.points.get(*index).map(|(_, at)| pixels(view.of(*at)));
-        if let Some(disc) = &self.wheel {
-            let rim: Vec<_> = disc.rim().map(|at| pixels(view.of(at))).collect();
-            area.draw(&Polygon::new(rim.clone(), TYRE.mix(0.12).filled()))?;
-            area.draw(&PathElement::new(rim, TYRE.stroke_width(2 * FINE)))?;
+        axes::draw(area, view, shown, self.unit)?;
+        for other in &self.others {
+            self.draw_mechanism(area, view, other, FAINT)?;
         }
-        for body in &self.bodies {
-            let corners: Vec<_> = body.iter().filter_map(at).collect();
-            let hull = view::hull(corners);
-            area.draw(&Polygon::new(hull.clone(), BODY.mix(0.22).filled()))?;
-            let closed = hull.iter().chain(hull.first()).copied();
-            area.draw(&PathElement::new(
-                closed.collect::<Vec<_>>(),
-                BODY.stroke_width(FINE),
-            ))?;
-        }
-        self.draw_lines(area, view)?;
-        self.draw_points(area, view)?;
+        let design: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
+        self.draw_mechanism(area, view, &design, 1.0)?;
+        self.draw_points(area, view, shown)?;
         area.present()?;
         Ok(())
     }
 
-    fn draw_lines(&self, area: &Area<'_>, view: &View) -> Drawn {
-        let at = |index: &usize| self.points.get(*index).map(|(_, at)| pixels(view.of(*at)));
-        for line in &self.lengths {
-            let ends = line.iter().filter_map(at);
-            let (dash, gap) = (9 * FINE, 5 * FINE);
-            let stroke = LENGTH.stroke_width(2 * FINE);
+    /// Wheel, bodies and lines at some place of the motion, in a part of their colours.
+    fn draw_mechanism(&self, area: &Area<'_>, view: &View, at: &[[f64; 3]], part: f64) -> Drawn {
+        let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.of(*at)));
+        if let Some(rim) = self.wheel.and_then(|wheel| rim(&wheel, at)) {
+            let rim: Vec<_> = rim.map(|at| pixels(view.of(at))).collect();
+            area.draw(&Polygon::new(rim.clone(), TYRE.mix(0.12 * part).filled()))?;
+            area.draw(&PathElement::new(
+                rim,
+                TYRE.mix(part).stroke_width(2 * FINE),
+            ))?;
+        }
+        for body in &self.bodies {
+            let corners: Vec<_> = body.iter().filter_map(pixel).collect();
+            let hull = hull::hull(corners);
+            area.draw(&Polygon::new(hull.clone(), BODY.mix(0.22 * part).filled()))?;
+            let closed = hull.iter().chain(hull.first()).copied();
+            area.draw(&PathElement::new(
+                closed.collect::<Vec<_>>(),
+                BODY.mix(part).stroke_width(FINE),
+            ))?;
+        }
+        for axis in self.axes(at) {
+            let (dash, gap) = (14 * FINE, 4 * FINE);
+            let stroke = AXIS.mix(part).stroke_width(FINE);
+            let ends = axis.map(|at| pixels(view.of(at)));
             area.draw(&DashedPathElement::new(ends, dash, gap, stroke))?;
         }
-        for slide in &self.slides {
-            let line: Vec<_> = slide.iter().filter_map(at).collect();
-            area.draw(&PathElement::new(line, LINK.stroke_width(2 * FINE)))?;
+        for line in &self.lengths {
+            let (dash, gap) = (9 * FINE, 5 * FINE);
+            let stroke = LENGTH.mix(part).stroke_width(2 * FINE);
+            area.draw(&DashedPathElement::new(
+                line.iter().filter_map(pixel),
+                dash,
+                gap,
+                stroke,
+            ))?;
         }
-        for link in &self.links {
-            let ends: Vec<_> = link.iter().filter_map(at).collect();
-            area.draw(&PathElement::new(ends, LINK.stroke_width(4 * FINE)))?;
+        let slides = self.slides.iter().map(|slide| (slide.as_slice(), 2));
+        let links = self.links.iter().map(|link| (link.as_slice(), 4));
+        for (line, width) in slides.chain(links) {
+            let line: Vec<_> = line.iter().filter_map(pixel).collect();
+            let stroke = LINK.mix(part).stroke_width(width * FINE);
+            area.draw(&PathElement::new(line, stroke))?;
         }
         Ok(())
     }
 
-    fn draw_points(&self, area: &Area<'_>, view: &View) -> Drawn {
+    /// Kingpin and spin axis, drawn beyond their points by a part of the wheel's radius.
+    fn axes(&self, at: &[[f64; 3]]) -> Vec<[[f64; 3]; 2]> {
+        const BEYOND: f64 = 0.4;
+        let radius = self.wheel.map_or(0.0, |wheel| wheel.radius);
+        let line = |[from, to]: [usize; 2]| {
+            let (from, to) = (at.get(from)?, at.get(to)?);
+            let along: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);
+            let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let part = BEYOND * radius / length;
+            let on_line = |part: f64| std::array::from_fn(|i| from[i] + part * along[i]);
+            Some([on_line(-part), on_line(1.0 + part)])
+        };
+        let spin = self.wheel.map(|wheel| wheel.axis);
+        self.kingpin
+            .into_iter()
+            .chain(spin)
+            .filter_map(line)
+            .collect()
+    }
+
+    fn draw_points(&self, area: &Area<'_>, view: &View, shown: (u32, u32)) -> Drawn {
         let places: Vec<(i32, i32)> = self
             .points
             .iter()
@@ -131,104 +183,57 @@ impl Drawing {
                 area.draw(&Circle::new((x, y), half, LINK.stroke_width(2 * FINE)))?;
             }
         }
-        let mut labels = Labels::among(&places, SIZE, FINE as i32);
+        let mut labels = Labels::among(&places, self.segments(view), shown, FINE as i32);
         for ((name, _), place) in self.points.iter().zip(&places) {
-            let Boxed { left, top } = labels.put(name, *place);
+            let Boxed { left, top, leader } = labels.put(name, *place);
+            if let Some(end) = leader {
+                area.draw(&PathElement::new(
+                    [*place, end],
+                    CHASSIS.mix(0.5).stroke_width(FINE),
+                ))?;
+            }
             let style = ("sans-serif", FONT_SIZE * FINE).into_font().color(&CHASSIS);
             area.draw(&Text::new(name.as_str(), (left, top), style))?;
         }
         Ok(())
     }
 
+    /// The lines that names keep clear of.
+    fn segments(&self, view: &View) -> Vec<Segment> {
+        let at: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
+        let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.of(*at)));
+        let slides = self.slides.iter().map(|[from, to, _]| [*from, *to]);
+        let lines = self
+            .links
+            .iter()
+            .chain(&self.lengths)
+            .copied()
+            .chain(slides);
+        let lines = lines.filter_map(|[from, to]| Some([pixel(&from)?, pixel(&to)?]));
+        let edges = self.bodies.iter().flat_map(|body| {
+            let hull = hull::hull(body.iter().filter_map(pixel).collect());
+            let next = hull.iter().cycle().skip(1).copied();
+            let edges = hull.iter().copied().zip(next).map(|(from, to)| [from, to]);
+            edges.collect::<Vec<_>>()
+        });
+        let axes = self.axes(&at).into_iter();
+        let axes = axes.map(|axis| axis.map(|at| pixels(view.of(at))));
+        lines.chain(edges).chain(axes).collect()
+    }
+
     /// All that the picture must hold.
     fn outline(&self) -> Vec<[f64; 3]> {
-        let points = self.points.iter().map(|(_, at)| *at);
-        points
-            .chain(self.wheel.iter().flat_map(Disc::rim))
-            .collect()
-    }
-}
-
-impl Disc {
-    /// Points along the rim, the first one again at the end.
-    fn rim(&self) -> impl Iterator<Item = [f64; 3]> {
-        const CORNERS: usize = 72;
-        let [across, up] = view::square_to(self.axis);
-        let Self { centre, radius, .. } = *self;
-        (0..=CORNERS).map(move |corner| {
-            let (sine, cosine) = (std::f64::consts::TAU * corner as f64 / CORNERS as f64).sin_cos();
-            std::array::from_fn(|i| centre[i] + radius * (cosine * across[i] + sine * up[i]))
-        })
+        let design: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
+        let each = [&design].into_iter().chain(&self.others);
+        let with_rim = each.flat_map(|at| {
+            let rim = self.wheel.and_then(|wheel| rim(&wheel, at));
+            at.iter().copied().chain(rim.into_iter().flatten())
+        });
+        with_rim.collect()
     }
 }
 
 fn pixels([x, y]: [f64; 2]) -> (i32, i32) {
     let fine = f64::from(FINE);
     ((x * fine).round() as i32, (y * fine).round() as i32)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn corner() -> Drawing {
-        let points = [
-            ("lower_front", [0.2, 0.35, 0.16]),
-            ("lower_rear", [-0.2, 0.35, 0.16]),
-            ("lower_ball", [0.0, 0.70, 0.17]),
-            ("upper_ball", [-0.01, 0.66, 0.44]),
-        ];
-        Drawing {
-            points: points.map(|(name, at)| (name.to_owned(), at)).to_vec(),
-            chassis: 2,
-            links: vec![[0, 2], [1, 2]],
-            slides: vec![[2, 3, 0]],
-            lengths: vec![[1, 3]],
-            bodies: vec![vec![2, 3, 1]],
-            wheel: Some(Disc {
-                centre: [0.0, 0.75, 0.30],
-                axis: [0.0, 1.0, 0.0],
-                radius: 0.3,
-            }),
-        }
-    }
-
-    #[test]
-    fn names_each_point_once() {
-        let svg = corner().svg().expect("points");
-        for (name, _) in corner().points {
-            assert_eq!(svg.matches(&name).count(), 1, "{name}");
-        }
-        assert_eq!(
-            svg.matches("<rect").count(),
-            1 + 2,
-            "background and two chassis points"
-        );
-    }
-
-    #[test]
-    fn measured_lengths_are_dashed() {
-        let solid = Drawing {
-            lengths: Vec::new(),
-            ..corner()
-        };
-        let lines = |drawing: &Drawing| drawing.svg().expect("points").matches("<polyline").count();
-        assert!(lines(&corner()) > lines(&solid) + 5);
-    }
-
-    #[test]
-    fn the_rim_is_as_far_from_the_centre_as_the_radius_says() {
-        let disc = corner().wheel.expect("a wheel");
-        for at in disc.rim() {
-            let d: [f64; 3] = std::array::from_fn(|i| at[i] - disc.centre[i]);
-            let square: f64 = d.iter().map(|x| x * x).sum();
-            assert!((square.sqrt() - disc.radius).abs() < 1e-12);
-            assert!(d[1].abs() < 1e-12, "square to the axis");
-        }
-    }
-
-    #[test]
-    fn without_points_there_is_no_drawing() {
-        assert!(Drawing::default().svg().is_none());
-    }
 }

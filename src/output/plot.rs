@@ -4,6 +4,8 @@ use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
+use crate::number::fixed;
+
 /// A plot.
 #[derive(Clone, Debug)]
 pub struct Chart {
@@ -194,12 +196,7 @@ impl Axis {
     fn label(&self, value: f64) -> String {
         let step = (self.high - self.low) / 10.0;
         let digits = (-step.log10()).ceil().clamp(0.0, 12.0) as usize;
-        // What rounds to zero has no sign.
-        let label = format!("{value:.digits$}");
-        match label.strip_prefix('-') {
-            Some(zero) if zero.bytes().all(|byte| matches!(byte, b'0' | b'.')) => zero.to_owned(),
-            _ => label,
-        }
+        fixed(value, digits)
     }
 
     /// Of the widest label, as shown.

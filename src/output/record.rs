@@ -122,7 +122,7 @@ impl Outcome {
             ))),
             End::Stopped(stop) => Some(Failure::Solver(format!(
                 "{source}: {}; {done}",
-                stop.in_words()
+                stop.in_words(source)
             ))),
         }
     }

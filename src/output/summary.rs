@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::mechanism::{Names, Unit};
+use crate::number::fixed;
 use crate::output::record::Outcome;
 use crate::quantities::{CATALOGUE, Column, Shown, columns};
 
@@ -25,7 +26,7 @@ pub fn text(linkage: &str, names: &Names, unit: Unit, outcome: &Outcome) -> Stri
             let (scale, _) = column.kind.for_people(unit);
             let decimals = column.kind.decimals(unit);
             let value = column.value(state) * scale;
-            let _ = write!(out, "  {value:>0$.decimals$}", width(heading));
+            let _ = write!(out, "  {:>1$}", fixed(value, decimals), width(heading));
         }
         out.push('\n');
     }

@@ -64,6 +64,21 @@ impl Kind {
         }
     }
 
+    /// What to multiply with, from one unit of length to another.
+    pub fn conversion(self, from: Unit, to: Unit) -> f64 {
+        match self {
+            Self::Length | Self::Velocity | Self::Acceleration | Self::LengthPerAngle => {
+                to.metre() / from.metre()
+            }
+            Self::Time
+            | Self::Angle
+            | Self::AngularVelocity
+            | Self::AngularAcceleration
+            | Self::Percent
+            | Self::Count => 1.0,
+        }
+    }
+
     /// Decimals in text for people.
     pub fn decimals(self, unit: Unit) -> usize {
         match self {

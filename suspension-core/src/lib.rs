@@ -78,7 +78,7 @@ pub mod motion;
 pub mod newton;
 pub mod parts;
 pub mod path;
-mod pivots;
+pub mod pivots;
 pub mod report;
 pub mod scalar;
 pub mod series;

@@ -1,6 +1,6 @@
 //! Whether the fixed order of elimination suits a position.
 
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
 use crate::error::GeometryError;
 use crate::factored::{growth_limit, is_healthy, smallest_pivot};
@@ -29,29 +29,70 @@ where
     let mut lu = Lu::of(jacobian);
     let pivoted = lu.eliminate_jacobian(smallest_pivot());
     if pivoted.is_ok() && is_healthy(lu.growth_squared()) {
-        let equation = smallest_in_order(jacobian, linkage.pivots());
+        let Elimination { equation, .. } = smallest_in_order(jacobian, linkage.pivots());
         Err(GeometryError::SmallPivot { equation })
     } else {
         Ok(())
     }
 }
 
-/// The equation of the smallest pivot of an order; behind one that is too small all are rounding.
+/// What the fixed order costs at a position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Elimination<T> {
+    /// The equation of the smallest pivot.
+    pub equation: usize,
+    /// Its unknown.
+    pub unknown: usize,
+    /// Its size.
+    pub pivot: T,
+    /// The root of [`Factors::growth_squared`].
+    pub growth: T,
+    /// The growth up to which the order is kept; partial pivoting takes its place beyond.
+    pub allowed: T,
+}
+
+impl<T: Real> Elimination<T> {
+    /// Of a linkage at a position.
+    pub fn at<L, const N: usize>(linkage: &L, q: &SVector<T, N>, fixed: &L::Fixed) -> Self
+    where
+        L: Linkage<N, Scalar = T>,
+    {
+        let growth = linkage.factor(q, fixed).growth_squared().sqrt();
+        Self {
+            growth,
+            ..smallest_in_order(linkage.jacobian(q, fixed), linkage.pivots())
+        }
+    }
+}
+
+/// The smallest pivot of an order; behind one that is too small all are rounding.
 fn smallest_in_order<T: Real, const N: usize>(
     jacobian: SMatrix<T, N, N>,
     order: &[[usize; 2]],
-) -> usize {
+) -> Elimination<T> {
+    let allowed = growth_limit();
+    let mut smallest = Elimination {
+        equation: 0,
+        unknown: 0,
+        pivot: T::one() / T::EPSILON,
+        growth: T::zero(),
+        allowed,
+    };
     let mut rows = jacobian.transpose().data.0;
-    let (mut smallest, mut equation) = (T::one() / T::EPSILON, 0);
     for &[row, column] in order {
         let Some(pivot_row) = rows.get(row).copied() else {
             continue;
         };
         let pivot = pivot_row.get(column).copied().unwrap_or_default();
-        if pivot.abs() < smallest {
-            (smallest, equation) = (pivot.abs(), row);
+        if pivot.abs() < smallest.pivot {
+            smallest = Elimination {
+                equation: row,
+                unknown: column,
+                pivot: pivot.abs(),
+                ..smallest
+            };
         }
-        if smallest * growth_limit() < T::one() {
+        if smallest.pivot * allowed < T::one() {
             break;
         }
         let others = rows.iter_mut().enumerate();
@@ -62,5 +103,5 @@ fn smallest_in_order<T: Real, const N: usize>(
             }
         }
     }
-    equation
+    smallest
 }

@@ -61,6 +61,33 @@ fn nine_distances_have_mirrored_assemblies_too() {
 }
 
 #[test]
+fn a_value_without_an_assembly_is_no_success() {
+    let folder = folder();
+    let content = example("published_five_link.toml");
+    std::fs::write(folder.path().join("a.toml"), content).expect("written");
+    // Beyond the turning points at 0.662 and 2.178 rad, and all others of the closed curve.
+    let arguments = [
+        "assemblies",
+        "a.toml",
+        "--at",
+        "0.7",
+        "3.1",
+        "--csv",
+        "a.csv",
+    ];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr);
+    assert!(
+        message.contains("no assembly was found at theta = 3.1 rad"),
+        "{message}"
+    );
+    assert!(text(&output.stdout).contains("cannot be put together there"));
+    let table = std::fs::read(folder.path().join("a.csv")).expect("a table");
+    assert_eq!(rows(&table).len(), 4, "those at 0.7 rad are kept");
+}
+
+#[test]
 fn what_makes_no_sense_is_refused() {
     let folder = folder();
     std::fs::write(

@@ -4,6 +4,8 @@
 mod assemblies;
 mod bad_input;
 mod bake;
+mod check;
+mod compare;
 mod figures;
 mod files;
 mod hostile_files;

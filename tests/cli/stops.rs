@@ -20,16 +20,16 @@ fn where_the_mechanism_locks_the_rows_up_to_there_are_kept() {
     for expected in [
         "t = 2 s",
         "theta = 2.2",
-        "1.97836776918",
-        "2.17842626335",
-        "`p",
-        "locks",
+        "t = 1.97837 s",
+        "theta = 2.17843 rad",
+        "the drive `theta` locks at",
+        "`suspension range two.toml` shows what ends it",
         "40 rows",
     ] {
-        // The limit is found to a few units of rounding times the conditioning there.
-        let rounded_up = expected.replace("335", "336");
-        let found = message.contains(expected) || message.contains(&rounded_up);
-        assert!(found, "{expected} is not in: {message}");
+        assert!(
+            message.contains(expected),
+            "{expected} is not in: {message}"
+        );
     }
     let table = std::fs::read(folder.path().join("two.csv")).expect("a table");
     assert_eq!(table.last(), Some(&b'\n'));
@@ -55,7 +55,7 @@ fn a_first_instant_out_of_reach_is_the_solvers_failure() {
     assert_eq!(output.status.code(), Some(3), "{output:?}");
     let message = text(&output.stderr);
     assert_eq!(message.lines().count(), 1);
-    assert!(message.contains("theta = 2.17842"), "{message}");
+    assert!(message.contains("theta = 2.17843"), "{message}");
     assert!(
         message.contains("t = 0 s with theta = 2.2 rad,"),
         "{message}"
@@ -93,7 +93,7 @@ fn a_length_in_another_unit_is_hinted_at() {
     assert_eq!(output.status.code(), Some(3), "{output:?}");
     let message = text(&output.stderr);
     assert_eq!(message.lines().count(), 1);
-    for expected in ["theta = 1.57079632679 rad", "may not fit together", "unit"] {
+    for expected in ["theta = 1.5708 rad", "may not fit together", "unit"] {
         assert!(
             message.contains(expected),
             "{expected} is not in: {message}"

@@ -75,10 +75,10 @@ fn places_beyond_a_lock_are_left_out_and_counted() {
     assert_eq!(output.status.code(), Some(3), "{output:?}");
     let message = text(&output.stderr).lines().last().expect("a message");
     assert!(
-        message.starts_with("a.toml: 3 of 5 places have no configuration"),
+        message.starts_with("a.toml: 3 of 5 places are out of reach from the design position: the drive `steer` locks at"),
         "{message}"
     );
-    assert!(message.contains("0.501278167"), "{message}");
+    assert!(message.contains("steer = 0.501278 m"), "{message}");
     let table = std::fs::read(folder.path().join("out/a_sweep.csv")).expect("a table");
     assert_eq!(rows(&table).len(), 2);
 }

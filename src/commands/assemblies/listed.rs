@@ -57,8 +57,8 @@ pub type OnListed<'a> = dyn FnMut(&Listed) -> Result<(), Failure> + 'a;
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] where the wish makes no sense, [`Failure::Interrupted`] between two values, and
-/// what `on_listed` fails with.
+/// [`Failure::Input`] where the wish makes no sense, [`Failure::Solver`] where there is no assembly at a value,
+/// [`Failure::Interrupted`] between two values, and what `on_listed` fails with.
 pub fn list<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     file: &str,
@@ -85,6 +85,7 @@ pub fn list<L: Suspension<N>, const N: usize>(
             values.iter().map(with).collect::<Result<_, _>>()?
         }
     };
+    let mut nowhere = Vec::new();
     let mut search = Assemblies::new(&mechanism.model, &mechanism.start.position, &first);
     for (done, inputs) in inputs.iter().enumerate() {
         if interrupted.load(Ordering::Relaxed) {
@@ -92,9 +93,23 @@ pub fn list<L: Suspension<N>, const N: usize>(
                 "{file}: interrupted after {done} of the drive's values"
             )));
         }
-        on_listed(&listed(mechanism, inputs, search.at(inputs)))?;
+        let listed = listed(mechanism, inputs, search.at(inputs));
+        on_listed(&listed)?;
+        if listed.assemblies.is_empty() {
+            nowhere.push(listed.drives_in_words);
+        }
     }
-    Ok(())
+    if nowhere.is_empty() {
+        return Ok(());
+    }
+    let design = &mechanism.design;
+    let design = mechanism
+        .names
+        .drives_in_words(design, mechanism.unit, None);
+    Err(Failure::Solver(format!(
+        "{file}: no assembly was found at {}; --at has the drive's own values, the design is at {design}",
+        nowhere.join(", nor at ")
+    )))
 }
 
 /// Whether a drive can have a value.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::commands::assemblies::listed::{Assembly, Listed};
 use crate::mechanism::{Names, Unit};
-use crate::number::number;
+use crate::number::{fixed, number};
 use crate::output::table::Column;
 use crate::quantities::{self, CAMBER, CENTRE, DRIVES, Kind, MARKERS, POSITIONS, Quantity, TOE};
 
@@ -44,6 +44,14 @@ impl Report {
     /// The assemblies in a table, and how sure it is that they are all.
     pub(super) fn text(&self, listed: &Listed) -> String {
         let mut out = format!("At {}:\n\n", listed.drives_in_words);
+        if listed.assemblies.is_empty() {
+            let _ = write!(
+                out,
+                "  no assembly: the mechanism cannot be put together there\n\n{}",
+                certainty(listed)
+            );
+            return out;
+        }
         let headings = self.headings();
         let widths: Vec<_> = headings
             .iter()
@@ -80,7 +88,7 @@ impl Report {
         let written = |kind: Kind, value: f64| {
             let (scale, _) = kind.for_people(self.unit);
             let decimals = kind.decimals(self.unit);
-            format!("{:.decimals$}", value * scale)
+            fixed(value * scale, decimals)
         };
         let mut cells = vec![
             assembly.number.to_string(),
@@ -101,10 +109,9 @@ impl Report {
 /// How sure it is that the list is complete, and why.
 fn certainty(listed: &Listed) -> String {
     let tally = &listed.tally;
-    let verdict = if tally.is_complete() {
-        "The list is complete by all that was tried"
-    } else {
-        "The list may not be complete"
+    let verdict = match tally.doubts().as_slice() {
+        [] => "The list is complete by all that was tried".to_owned(),
+        doubts => format!("The list may not be complete ({})", doubts.join("; ")),
     };
     let unconfirmed = match tally.unconfirmed {
         0 => String::new(),
@@ -120,7 +127,7 @@ fn certainty(listed: &Listed) -> String {
         loops => format!("{loops} loops, the last {}", evidence.quiet),
     };
     format!(
-        "{verdict}: {} real and {} complex assemblies, {} at infinity, \
+        "{verdict}:\n{} real and {} complex assemblies, {} at infinity, \
          {} not accounted for{unconfirmed},\nof the {} that such a mechanism has with general \
          lengths ({} random starts, {loops} without a\nnew one; {trace}).\n",
         tally.real,

@@ -9,7 +9,7 @@ use crate::bake::source::Sheet;
 use crate::bake::widest::widest;
 use crate::bake::{Baked, Continuity, OutOfReach, Path, Wanted, Wish, bake};
 use crate::failure::Failure;
-use crate::mechanism::{Mechanism, Suspension};
+use crate::mechanism::{Mechanism, Suspension, advice};
 use crate::number::{exact, number, rounded};
 
 /// An order: what to bake of the mechanism of a file.
@@ -26,6 +26,9 @@ pub struct Order {
     /// Which points.
     pub wish: Wish,
 }
+
+/// Digits of a range that is possible: it is rounded to lie within what is.
+const DIGITS: usize = 12;
 
 /// A mechanism and its file.
 pub struct Ordered<'a, L, const N: usize> {
@@ -115,21 +118,20 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
     }
 
     fn bake(&self, drive: usize, wanted: &Wanted) -> Result<Baked, Failure> {
-        let path = self.path(drive, wanted.range);
-        let (reason, inside) = match path {
-            Ok(path) => match bake(wanted, &path) {
-                Ok(baked) => return Ok(baked),
-                Err(Unmet::OutOfReach(error)) => (self.out_of_reach(drive, &error), error.reached),
-                Err(Unmet::TooManySegments { at }) => (
-                    format!(
-                        "{MOST_SEGMENTS} segments do not meet {} m about {}",
-                        rounded(self.order.tolerance, 3),
-                        self.in_words(drive, self.given(drive, at))
-                    ),
-                    wanted.range,
-                ),
-            },
-            Err(error) => (self.out_of_reach(drive, &error), error.reached),
+        let path = self.path(drive, wanted.range).map_err(Unmet::from);
+        let unmet = match path.and_then(|path| bake(wanted, &path)) {
+            Ok(baked) => return Ok(baked),
+            Err(unmet) => unmet,
+        };
+        let (inside, locks) = self.reach(drive, wanted.range);
+        let reason = match unmet {
+            Unmet::TooManySegments { at } => format!(
+                "{MOST_SEGMENTS} segments do not meet {} m about {}",
+                rounded(self.order.tolerance, 3),
+                self.in_words(drive, self.given(drive, at))
+            ),
+            Unmet::OutOfReach(error) if locks.is_empty() => self.between(drive, &error),
+            Unmet::OutOfReach(_) => format!("{}; {}", locks.join("; "), advice(self.file)),
         };
         let possible = self.possible(
             drive,
@@ -141,13 +143,48 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         let [from, to] = wanted.range.map(|end| number(self.given(drive, end)));
         let advice = possible.map_or_else(
             || "no part of the range can be baked".to_owned(),
-            |[from, to]| format!("possible is --from {} --to {}", number(from), number(to)),
+            |ends| {
+                let [from, to] = ends.map(|end| rounded(end, DIGITS));
+                format!("possible is --from {from} --to {to}")
+            },
         );
         let name = &self.mechanism.names.drives[drive].name;
         Err(Failure::Solver(format!(
             "{}: {name} cannot be baked from {from} to {to}: {reason}; {advice}",
             self.file
         )))
+    }
+
+    /// The part of a range through which the drive leads the mechanism, and in words where it locks.
+    fn reach(&self, drive: usize, range: [f64; 2]) -> ([f64; 2], Vec<String>) {
+        let drives = 0..self.mechanism.names.drives.len();
+        let first: Vec<f64> = drives.map(|drive| self.first(drive)).collect();
+        let mut locks = Vec::new();
+        let now = first[drive];
+        let [from, to] = range;
+        let mut reached = [from.min(now), to.max(now)];
+        for (end, wanted) in reached.iter_mut().zip(range) {
+            // Beyond what the first instant has, the way to the other end leads past this one.
+            if *end != wanted {
+                continue;
+            }
+            let mut motion = self.mechanism.start;
+            let driven = self.mechanism.drive_to(&first, drive, *end, &mut motion);
+            if let Err((laws, stopped)) = driven {
+                let lock = self.mechanism.lock(&laws, &stopped, 1.0, &motion);
+                locks.push(self.mechanism.lock_in_words(&lock));
+                *end = lock.drives[drive] - self.mechanism.drive_offset(drive);
+            }
+        }
+        let [low, high] = reached;
+        let inside = [low.max(from), high.min(to)];
+        // Of a range that lies beyond a lock the part up to there is told.
+        let inside = if inside[0] < inside[1] {
+            inside
+        } else {
+            reached
+        };
+        (inside, locks)
     }
 
     /// The part of a range that can be baked, in a few digits and the file's coordinates.
@@ -157,7 +194,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         let [from, to] = wanted.range;
         let range = [from + CLOSE * (to - from), to - CLOSE * (to - from)];
         let path = self.path(drive, range).ok()?;
-        let widest = widest(&Wanted { range, ..*wanted }, &path).ok()??;
+        let widest = widest(&Wanted { range, ..*wanted }, &path)?;
         let [from, to] = widest.map(|end| self.given(drive, end));
         let steps_a_unit = 10_f64.powf(3.0 - (to - from).log10().floor());
         let (from, to) = (from * steps_a_unit, to * steps_a_unit);
@@ -170,16 +207,16 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         Path::new(model, start, held, drive, range, self.order.wish)
     }
 
-    fn out_of_reach(&self, drive: usize, error: &OutOfReach) -> String {
-        let Mechanism { names, .. } = self.mechanism;
+    /// Where the motion is lost within what the drive reaches, in words.
+    fn between(&self, drive: usize, error: &OutOfReach) -> String {
         let [from, to] = error.reached.map(|end| number(self.given(drive, end)));
-        let why = error
+        let names = &self.mechanism.names;
+        let cause = error
             .cause
             .map(|error| format!(" ({})", names.cause(&error)));
-        let name = &self.mechanism.names.drives[drive].name;
         format!(
-            "the mechanism takes {name} from {from} to {to} only{}",
-            why.unwrap_or_default()
+            "the motion is lost between {from} and {to}{}",
+            cause.unwrap_or_default()
         )
     }
 

@@ -1,10 +1,9 @@
 //! The whole curve of a drive as a plot.
 
-use crate::commands::range::course::DriveRange;
-use crate::commands::range::station::Station;
 use crate::mechanism::{Names, Unit};
 use crate::output::plot::{Chart, Curve};
 use crate::quantities::{Axis, CENTRE, Kind, columns};
+use crate::reach::{DriveRange, Station};
 
 /// The height of the wheel centre against the drive: the whole curve, and over it the part to
 /// which the drive leads, its ends marked. `None` where there is no wheel.

@@ -4,10 +4,9 @@ use std::fmt::Write;
 
 use suspension_core::DriveKind;
 
-use crate::commands::range::course::{DriveRange, Limit, POOR, RangeEnd};
-use crate::commands::range::meeting::{CARRIED_ON, meeting};
 use crate::mechanism::{Mechanism, Suspension, Unit};
 use crate::number::rounded;
+use crate::reach::{CARRIED_ON, DriveRange, POOR, meeting};
 
 /// Digits of an end: all that are known of one in radians.
 const DIGITS: usize = 13;
@@ -29,9 +28,9 @@ pub(super) fn text<L: Suspension<N>, const N: usize>(
             range.name,
             in_words(range.start),
             in_words(lower.value),
-            limit(lower, unit),
+            lower.limit.in_words(unit),
             in_words(upper.value),
-            limit(upper, unit),
+            upper.limit.in_words(unit),
         );
         let _ = writeln!(out, "  motion      {}", motion(mechanism, range));
         let _ = writeln!(out, "  poor        {}", poor(range, unit));
@@ -48,22 +47,6 @@ fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> Str
             rounded(value, digits)
         ),
         DriveKind::Coordinate => format!("{} {}", rounded(value, digits), unit.symbol()),
-    }
-}
-
-fn limit(end: &RangeEnd, unit: Unit) -> String {
-    match &end.limit {
-        Limit::Locks => "turning point of the drive, the mechanism locks".to_owned(),
-        Limit::EndOfAngle => {
-            "the end of the angle, beyond it the drive acts as before it".to_owned()
-        }
-        Limit::Bifurcation(accuracy) => format!(
-            "bifurcation within {} {} along the curve, the mechanism can go either way",
-            rounded(*accuracy, 2),
-            unit.symbol()
-        ),
-        Limit::Cut => "the search was cut short here".to_owned(),
-        Limit::Lost(cause) => format!("no further place was found ({cause})"),
     }
 }
 

@@ -1,74 +1,99 @@
 //! Where names stand beside their points.
 
-/// The upper left corner of a name.
+/// A name: its upper left corner, and where a line from the point to it ends that stands away from it.
 pub(super) struct Boxed {
     pub(super) left: i32,
     pub(super) top: i32,
+    pub(super) leader: Option<(i32, i32)>,
 }
 
-/// Names that were put, and places, beyond the sheet's sides too, that they must keep clear of.
+/// The ends of a line on the sheet.
+pub(super) type Segment = [(i32, i32); 2];
+
+/// Names that were put, and places, beyond the sheet's sides too, and lines that they must keep clear of.
 pub(super) struct Labels {
     taken: Vec<[i32; 4]>,
+    lines: Vec<Segment>,
     unit: i32,
 }
 
 /// Of a name, as shown: the width of a letter and the height of a line.
-const LETTER: i32 = 8;
+const LETTER: i32 = 7;
 const LINE: i32 = 16;
-/// Between a point and its name.
-const GAP: i32 = 9;
+/// Between a point and its name: beside it first, then farther away.
+const GAPS: [i32; 4] = [9, 22, 40, 62];
+/// How much a name is struck through by a line of length one, and how much a step away counts, both as an overlap with
+/// another.
+const STRUCK: f64 = 12.0;
+const AWAY: f64 = 90.0;
 
 impl Labels {
     /// Beside points on a sheet of a size as shown; `unit` drawing units are one as shown.
-    pub(super) fn among(points: &[(i32, i32)], (width, height): (u32, u32), unit: i32) -> Self {
+    pub(super) fn among(
+        points: &[(i32, i32)],
+        lines: Vec<Segment>,
+        (width, height): (u32, u32),
+        unit: i32,
+    ) -> Self {
         let [width, height] = [width, height].map(|size| size as i32 * unit);
-        let left = [-width, 0, 0, height];
-        let right = [width, 0, 2 * width, height];
+        let sides = [
+            [-width, -height, 0, 2 * height],
+            [width, -height, 2 * width, 2 * height],
+            [0, -height, width, 0],
+            [0, height, width, 2 * height],
+        ];
         let half = 6 * unit;
         let around = |&(x, y): &(i32, i32)| [x - half, y - half, x + half, y + half];
         Self {
-            taken: points.iter().map(around).chain([left, right]).collect(),
+            taken: points.iter().map(around).chain(sides).collect(),
+            lines,
             unit,
         }
     }
 
-    /// Finds a place for a name beside its point: the first that overlaps least.
+    /// Finds a place for a name beside its point: the first that collides least.
     pub(super) fn put(&mut self, name: &str, (x, y): (i32, i32)) -> Boxed {
         let unit = self.unit;
         let width = LETTER * name.chars().count() as i32 * unit;
-        let (height, gap) = (LINE * unit, GAP * unit);
-        let columns = [x + gap, x - gap - width, x - width / 2];
-        let rows = [y - height / 2, y - gap - height, y + gap];
-        let places = [
-            (0, 0),
-            (1, 0),
-            (0, 1),
-            (0, 2),
-            (1, 1),
-            (1, 2),
-            (2, 1),
-            (2, 2),
-        ];
-        let boxes = places.map(|(column, row): (usize, usize)| {
-            let (left, top) = (columns[column], rows[row]);
-            [left, top, left + width, top + height]
-        });
-        let overlap = |place: &&[i32; 4]| {
-            self.taken
-                .iter()
-                .map(|other| common(place, other))
-                .sum::<i64>()
+        let height = LINE * unit;
+        let around = |away: usize| {
+            let gap = GAPS[away] * unit;
+            let columns = [x + gap, x - gap - width, x - width / 2];
+            let rows = [y - height / 2, y - gap - height, y + gap];
+            let places = [
+                (0, 0),
+                (1, 0),
+                (0, 1),
+                (0, 2),
+                (1, 1),
+                (1, 2),
+                (2, 1),
+                (2, 2),
+            ];
+            places.map(|(column, row): (usize, usize)| {
+                let (left, top) = (columns[column], rows[row]);
+                (away, [left, top, left + width, top + height])
+            })
         };
-        let best = boxes
-            .iter()
-            .min_by_key(overlap)
-            .copied()
-            .unwrap_or([x, y, x, y]);
-        self.taken.push(best);
+        let places = (0..GAPS.len()).flat_map(around);
+        let cost = |(away, place): &(usize, [i32; 4])| self.collisions(place) + AWAY * *away as f64;
+        let best = places.min_by(|a, b| cost(a).total_cmp(&cost(b)));
+        let (away, place) = best.unwrap_or((0, [x, y, x, y]));
+        self.taken.push(place);
+        let [left, top, right, bottom] = place;
         Boxed {
-            left: best[0],
-            top: best[1],
+            left,
+            top,
+            leader: (away > 0).then(|| (x.clamp(left, right), y.clamp(top, bottom))),
         }
+    }
+
+    /// What a place has in common with others, in units as shown.
+    fn collisions(&self, place: &[i32; 4]) -> f64 {
+        let unit = f64::from(self.unit);
+        let overlap = |other: &[i32; 4]| common(place, other) as f64 / (unit * unit);
+        let struck = |line: &Segment| STRUCK * inside(line, place) / unit;
+        self.taken.iter().map(overlap).sum::<f64>() + self.lines.iter().map(struck).sum::<f64>()
     }
 }
 
@@ -79,6 +104,29 @@ fn common(a: &[i32; 4], b: &[i32; 4]) -> i64 {
     along(0, 2) * along(1, 3)
 }
 
+/// The length of a line within a box (Liang and Barsky 1984).
+fn inside([from, to]: &Segment, [left, top, right, bottom]: &[i32; 4]) -> f64 {
+    let [dx, dy] = [to.0 - from.0, to.1 - from.1].map(f64::from);
+    let sides = [
+        (-dx, from.0 - left),
+        (dx, right - from.0),
+        (-dy, from.1 - top),
+        (dy, bottom - from.1),
+    ];
+    let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+    for (outwards, room) in sides {
+        let room = f64::from(room);
+        if outwards < 0.0 {
+            enters = enters.max(room / outwards);
+        } else if outwards > 0.0 {
+            leaves = leaves.min(room / outwards);
+        } else if room < 0.0 {
+            return 0.0;
+        }
+    }
+    (leaves - enters).max(0.0) * dx.hypot(dy)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -86,11 +134,11 @@ mod tests {
     #[test]
     fn names_of_points_side_by_side_do_not_overlap() {
         let points = [(100, 100), (120, 100), (100, 120)];
-        let mut labels = Labels::among(&points, (300, 300), 1);
+        let mut labels = Labels::among(&points, Vec::new(), (300, 300), 1);
         for point in points {
             labels.put("upper_front", point);
         }
-        let [a, b, c] = &labels.taken[5..] else {
+        let [a, b, c] = &labels.taken[7..] else {
             panic!("three names")
         };
         assert_eq!([common(a, b), common(a, c), common(b, c)], [0; 3]);
@@ -99,15 +147,44 @@ mod tests {
     #[test]
     fn names_of_points_at_the_sides_stay_on_the_sheet() {
         let points = [(10, 100), (290, 100), (10, 120), (290, 120)];
-        let mut labels = Labels::among(&points, (300, 300), 1);
+        let mut labels = Labels::among(&points, Vec::new(), (300, 300), 1);
         for point in points {
             labels.put("upper_front", point);
         }
-        let names = &labels.taken[6..];
+        let names = &labels.taken[8..];
         assert!(
             names
                 .iter()
                 .all(|[left, _, right, _]| *left >= 0 && *right <= 300)
         );
+    }
+
+    #[test]
+    fn a_name_keeps_clear_of_the_link_at_its_point() {
+        let point = (150, 150);
+        for end in [(300, 150), (0, 150), (150, 300), (300, 300), (290, 140)] {
+            let line = [point, end];
+            let mut labels = Labels::among(&[point], vec![line], (300, 300), 1);
+            labels.put("ball", point);
+            let place = labels.taken.last().expect("a name");
+            assert_eq!(inside(&line, place), 0.0, "{end:?}");
+        }
+    }
+
+    #[test]
+    fn what_of_a_line_lies_within_a_box() {
+        let square = [0, 0, 10, 10];
+        for (line, expected) in [
+            ([(-5, 5), (15, 5)], 10.0),
+            ([(2, 2), (5, 6)], 5.0),
+            ([(-5, 11), (15, 11)], 0.0),
+            ([(0, 0), (10, 10)], 200_f64.sqrt()),
+            ([(20, 0), (30, 10)], 0.0),
+        ] {
+            assert!(
+                (inside(&line, &square) - expected).abs() < 1e-12,
+                "{line:?}"
+            );
+        }
     }
 }

@@ -3,7 +3,7 @@
 use suspension_core::Values;
 use suspension_runtime::Listing;
 
-use super::{Disc, Drawing};
+use super::{Drawing, Wheel};
 use crate::mechanism::{Mechanism, Suspension};
 
 /// A mechanism of a listing at its first instant; without a wheel radius with that of the file, or else 0.3 m.
@@ -12,17 +12,12 @@ pub fn drawing_of<L: Suspension<N>, const N: usize>(
     listing: &Listing,
     wheel_radius: Option<f64>,
 ) -> Drawing {
-    let Mechanism { model, names, .. } = mechanism;
+    let Mechanism { names, unit, .. } = mechanism;
     let inputs = mechanism.drives.inputs(mechanism.instants.ends()[0]);
-    let points = mechanism.start.points(model, &inputs).value;
-    let disc = model.wheel_axis(&points).map(|[inner, centre]| Disc {
-        centre: centre.into(),
-        axis: (centre - inner).into(),
-        radius: wheel_radius
-            .or(names.vehicle.wheel_radius)
-            .unwrap_or(0.3 * mechanism.unit.metre()),
-    });
-    let at = points.values().map(<[f64; 3]>::from);
+    let points = mechanism.start.points(&mechanism.model, &inputs).value;
+    let radius = wheel_radius.or(names.vehicle.wheel_radius);
+    let origin = mechanism.origin.position();
+    let at = points.values().map(|point| (point + origin).into());
     Drawing {
         points: names.points.iter().cloned().zip(at).collect(),
         chassis: names.chassis,
@@ -30,6 +25,12 @@ pub fn drawing_of<L: Suspension<N>, const N: usize>(
         slides: listing.slides(),
         lengths: listing.measured_lengths(),
         bodies: listing.bodies(),
-        wheel: disc,
+        wheel: names.wheel.map(|wheel| Wheel {
+            axis: wheel.axis,
+            radius: radius.unwrap_or(0.3 * unit.metre()),
+        }),
+        kingpin: names.kingpin,
+        others: Vec::new(),
+        unit: unit.symbol(),
     }
 }

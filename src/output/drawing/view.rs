@@ -1,16 +1,60 @@
 //! From space to the sheet.
 
-/// A parallel projection onto the sheet, in its units, seen from in front, outboard and above.
+/// From where a mechanism is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// From in front, outboard and above.
+    Oblique,
+    /// From in front.
+    Front,
+    /// From outboard.
+    Side,
+    /// From above, forward down the sheet: below the front view.
+    Top,
+}
+
+impl Seen {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Oblique, Self::Front, Self::Side, Self::Top];
+
+    /// What stands above the drawing; the oblique view needs no words.
+    pub(super) fn title(self) -> &'static str {
+        match self {
+            Self::Oblique => "",
+            Self::Front => "from the front",
+            Self::Side => "from outboard",
+            Self::Top => "from above",
+        }
+    }
+
+    /// What of space leads to the right of the sheet, and up; outboard is to the left (1) or to the right (-1).
+    fn directions(self, outboard: f64) -> [[f64; 3]; 2] {
+        match self {
+            Self::Oblique => {
+                let (sa, ca) = (outboard * AZIMUTH).to_radians().sin_cos();
+                let (se, ce) = ELEVATION.to_radians().sin_cos();
+                [[-sa, ca, 0.0], [-se * ca, -se * sa, ce]]
+            }
+            Self::Front => [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            Self::Side => [[-outboard, 0.0, 0.0], [0.0, 0.0, 1.0]],
+            Self::Top => [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]],
+        }
+    }
+}
+
+/// A parallel projection onto the sheet, in its units.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
-    across: [f64; 3],
-    up: [f64; 3],
-    scale: f64,
+    pub(super) seen: Seen,
+    pub(super) across: [f64; 3],
+    pub(super) up: [f64; 3],
+    /// Units of the sheet to one of length.
+    pub(super) scale: f64,
     /// Where the origin of space is.
     origin: [f64; 2],
 }
 
-/// Of the direction to the eye: from the x axis towards outboard, and above the ground, degrees.
+/// Of the oblique direction to the eye: from the x axis towards outboard, and above the ground, degrees.
 const AZIMUTH: f64 = 28.0;
 const ELEVATION: f64 = 20.0;
 
@@ -18,16 +62,16 @@ impl View {
     /// Holds all points, with a margin; `None` where there are none.
     pub(super) fn around(
         points: &[[f64; 3]],
+        seen: Seen,
         (width, height): (u32, u32),
         margin: f64,
     ) -> Option<Self> {
-        let outboard = points.iter().map(|at| at[1]).sum::<f64>();
-        let azimuth = if outboard < 0.0 { -AZIMUTH } else { AZIMUTH };
-        let (sa, ca) = azimuth.to_radians().sin_cos();
-        let (se, ce) = ELEVATION.to_radians().sin_cos();
+        let left = points.iter().map(|at| at[1]).sum::<f64>();
+        let [across, up] = seen.directions(if left < 0.0 { -1.0 } else { 1.0 });
         let view = Self {
-            across: [-sa, ca, 0.0],
-            up: [-se * ca, -se * sa, ce],
+            seen,
+            across,
+            up,
             scale: 1.0,
             origin: [0.0; 2],
         };
@@ -60,87 +104,38 @@ impl View {
     }
 }
 
-/// Two directions of unit length square to an axis and to each other.
-pub(super) fn square_to(axis: [f64; 3]) -> [[f64; 3]; 2] {
-    let least = if axis[2].abs() < 0.9 * norm(axis) {
-        [0.0, 0.0, 1.0]
-    } else {
-        [1.0, 0.0, 0.0]
-    };
-    let across = unit(cross(axis, least));
-    [across, unit(cross(axis, across))]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    })
-}
-
-fn norm(a: [f64; 3]) -> f64 {
-    a.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-fn unit(a: [f64; 3]) -> [f64; 3] {
-    a.map(|x| x / norm(a))
-}
-
-/// The convex hull, in order round it (Andrew's monotone chain).
-pub(super) fn hull(mut points: Vec<(i32, i32)>) -> Vec<(i32, i32)> {
-    points.sort_unstable();
-    points.dedup();
-    let mut hull = Vec::new();
-    for mut side in [chain(points.iter()), chain(points.iter().rev())] {
-        // Its last point is the first of the other side.
-        side.pop();
-        hull.append(&mut side);
-    }
-    if hull.is_empty() { points } else { hull }
-}
-
-/// One side of the hull, from the first point to the last.
-fn chain<'a>(points: impl Iterator<Item = &'a (i32, i32)>) -> Vec<(i32, i32)> {
-    let mut chain: Vec<(i32, i32)> = Vec::new();
-    for &point in points {
-        while let [.., a, b] = chain.as_slice() {
-            if turn(*a, *b, point) > 0 {
-                break;
-            }
-            chain.pop();
-        }
-        chain.push(point);
-    }
-    chain
-}
-
-/// Twice the area of a triangle, positive where it turns left.
-fn turn(a: (i32, i32), b: (i32, i32), c: (i32, i32)) -> i64 {
-    let along = |p: (i32, i32), q: (i32, i32)| (i64::from(q.0 - p.0), i64::from(q.1 - p.1));
-    let ((ux, uy), (vx, vy)) = (along(a, b), along(a, c));
-    ux * vy - uy * vx
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_hull_leaves_inner_points_out() {
-        let corners = vec![(0, 0), (4, 0), (4, 4), (0, 4)];
-        let mut all = corners.clone();
-        all.extend([(2, 2), (2, 0), (1, 3)]);
-        assert_eq!(hull(all), corners);
-    }
-
-    #[test]
     fn up_is_up_and_outboard_is_on_the_right() {
         let points = [[0.0, 0.3, 0.1], [0.2, 0.7, 0.1], [0.0, 0.7, 0.5]];
-        let view = View::around(&points, (100, 100), 10.0).expect("points");
-        assert!(view.of(points[2])[1] < view.of(points[1])[1]);
-        assert!(view.of(points[2])[0] > view.of(points[0])[0]);
-        for at in points {
-            assert!(view.of(at).iter().all(|x| (9.99..=90.01).contains(x)));
+        for seen in [Seen::Oblique, Seen::Front] {
+            let view = View::around(&points, seen, (100, 100), 10.0).expect("points");
+            assert!(view.of(points[2])[1] < view.of(points[1])[1]);
+            assert!(view.of(points[2])[0] > view.of(points[0])[0]);
+            for at in points {
+                assert!(view.of(at).iter().all(|x| (9.99..=90.01).contains(x)));
+            }
+        }
+    }
+
+    /// Of a wheel on the left seen from outboard, the car goes to the left of the sheet.
+    #[test]
+    fn right_and_up_and_the_eye_are_right_handed() {
+        for (seen, outboard, eye) in [
+            (Seen::Front, 1.0, [1.0, 0.0, 0.0]),
+            (Seen::Side, 1.0, [0.0, 1.0, 0.0]),
+            (Seen::Side, -1.0, [0.0, -1.0, 0.0]),
+            (Seen::Top, 1.0, [0.0, 0.0, 1.0]),
+        ] {
+            let [a, b] = seen.directions(outboard);
+            let cross: [f64; 3] = std::array::from_fn(|i| {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                a[j] * b[k] - a[k] * b[j]
+            });
+            assert_eq!(cross, eye, "{seen:?}");
         }
     }
 }

@@ -1,29 +1,9 @@
-//! A place on the curve of a freed drive, and the columns of its table.
+//! The columns of the table of a curve's places.
 
-use crate::mechanism::{Names, State, Unit};
+use crate::mechanism::{Names, Unit};
 use crate::output::table::Column;
 use crate::quantities::{self, CATALOGUE, DRIVES, Shown};
-
-/// A place on the curve of a freed drive.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Station {
-    /// The number of the free drive, from 0.
-    pub freed: usize,
-    /// Whether the drive turns here.
-    pub turns: bool,
-    /// How far the free points move, the root of the sum of their squares, for a unit of the
-    /// drive: in the unit for a radian, or for one of its own. Infinite where the drive turns.
-    pub speed: f64,
-    /// The mechanism at rest.
-    pub state: State,
-}
-
-impl Station {
-    /// The drive's value, in rad or the unit.
-    pub fn value(&self) -> f64 {
-        self.state.drives[self.freed]
-    }
-}
+use crate::reach::Station;
 
 /// The table's columns: the drives, and all quantities of the catalogue that positions determine.
 pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Station>> {

@@ -5,9 +5,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use suspension_core::path::{Continuation, Curve, End, Place};
 use suspension_core::{DriveKind, Signal, Values};
 
-use crate::commands::range::station::Station;
 use crate::failure::Failure;
 use crate::mechanism::{Mechanism, State, Suspension};
+use crate::reach::limit::{Limit, RangeEnd, link_beyond};
+use crate::reach::station::Station;
 
 /// Beyond this multiple of its least value in the range, the points' speed for a unit of the drive
 /// tells of a poor transmission.
@@ -39,30 +40,6 @@ pub struct DriveRange {
     pub gap: Option<f64>,
 }
 
-/// An end of a drive's range.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RangeEnd {
-    /// The drive's value, in rad or the unit.
-    pub value: f64,
-    /// What the end is.
-    pub limit: Limit,
-}
-
-/// What limits a drive.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Limit {
-    /// The drive turns: led by it, the mechanism locks.
-    Locks,
-    /// The angle itself is 0 or pi.
-    EndOfAngle,
-    /// Another curve crosses within so much of the value, in the unit of length.
-    Bifurcation(f64),
-    /// The search was cut short: all steps were made, or the user interrupted.
-    Cut,
-    /// No further place was found, and why.
-    Lost(String),
-}
-
 /// The curve one way from the start.
 struct Run {
     stations: Vec<Station>,
@@ -84,7 +61,7 @@ pub fn range<L: Suspension<N>, const N: usize>(
 ) -> Result<DriveRange, Failure> {
     let [down, up] = [false, true].map(|up| run(mechanism, index, up, interrupted));
     let (down, up) = (down?, up?);
-    let ends = [&down, &up].map(Run::end);
+    let ends = [&down, &up].map(|run| run.end(mechanism, index));
     let usable = [&down, &up].map(Run::usable);
     let backwards = usable[0].iter().skip(1).rev();
     let usable = backwards.chain(usable[1]).cloned().collect();
@@ -195,16 +172,24 @@ fn speed<L: Suspension<N>, const N: usize>(
 
 impl Run {
     /// Where the drive's range ends.
-    fn end(&self) -> RangeEnd {
-        let (place, limit) = match self.turns.first() {
-            Some((place, true)) => (*place, Limit::EndOfAngle),
-            Some((place, false)) => (*place, Limit::Locks),
-            None => (self.stations.len() - 1, self.limit.clone()),
+    fn end<L: Suspension<N>, const N: usize>(
+        &self,
+        mechanism: &Mechanism<L, N>,
+        drive: usize,
+    ) -> RangeEnd {
+        let place = self
+            .turns
+            .first()
+            .map_or(self.stations.len() - 1, |(place, _)| *place);
+        let value = self.stations[place].value();
+        let limit = match self.turns.first() {
+            Some((_, true)) => Limit::EndOfAngle,
+            Some((_, false)) => Limit::Locks {
+                link: link_beyond(mechanism, drive, value),
+            },
+            None => self.limit.clone(),
         };
-        RangeEnd {
-            value: self.stations[place].value(),
-            limit,
-        }
+        RangeEnd { value, limit }
     }
 
     /// The stations up to there.

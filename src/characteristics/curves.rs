@@ -1,0 +1,105 @@
+//! Curves over travel or steering.
+
+use crate::characteristics::along::Along;
+use crate::characteristics::parameters::{columns, name, symbol_per};
+use crate::mechanism::{Mechanism, State, Suspension, Unit};
+use crate::quantities::{
+    Column, FRONT_ARM, FRONT_CENTRE, Kind, MEASURES, Quantity, SIDE_ARM, SIDE_CENTRE,
+};
+
+/// The curves along a drive.
+pub struct Curves {
+    /// The drive's name.
+    pub drive: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Its changes from the design position, for people.
+    pub changes: Vec<f64>,
+    /// A quantity each.
+    pub lines: Vec<Line>,
+}
+
+/// A quantity along a drive, for people.
+pub struct Line {
+    /// What it is.
+    pub title: String,
+    /// Its unit.
+    pub symbol: String,
+    /// At each of the drive's changes; `None` where the mechanism is out of reach, or there is no such number.
+    pub values: Vec<Option<f64>>,
+}
+
+impl Curves {
+    /// What stands below an axis of the drive.
+    pub fn across(&self, unit: Unit) -> String {
+        let (_, symbol) = self.kind.for_people(unit);
+        format!("change of {} ({symbol})", self.drive)
+    }
+
+    /// The points of a line that there are.
+    pub fn points(&self, line: &Line) -> Vec<(f64, f64)> {
+        let places = self.changes.iter().zip(&line.values);
+        places
+            .filter_map(|(change, value)| Some((*change, (*value)?)))
+            .collect()
+    }
+}
+
+/// All quantities along a drive, with lengths in `unit`; of measures their derivatives too, which are motion ratios.
+pub fn curves<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    along: &Along,
+    unit: Unit,
+) -> Curves {
+    let drive = &mechanism.names.drives[along.drive];
+    let kind = Kind::from(drive.kind);
+    let values = |value: &dyn Fn(&State, &Option<State>) -> Option<f64>| -> Vec<Option<f64>> {
+        let places = along.visited.places.iter();
+        let value = |place: &Option<(State, Option<State>)>| {
+            let (state, per) = place.as_ref()?;
+            value(state, per).filter(|value| value.is_finite())
+        };
+        places.map(value).collect()
+    };
+    let converted = |kind: Kind| {
+        let (scale, symbol) = kind.for_people(unit);
+        (scale * kind.conversion(mechanism.unit, unit), symbol)
+    };
+    let (of_drive, _) = converted(kind);
+    let mut lines = Vec::new();
+    for column in columns(mechanism).into_iter().filter(is_bounded) {
+        let (scale, symbol) = converted(column.kind);
+        let title = name(&column);
+        if column.is(&MEASURES) {
+            let scale = scale / kind.conversion(mechanism.unit, unit);
+            lines.push(Line {
+                title: format!("motion ratio: {title} per {}", drive.name),
+                symbol: symbol_per(&symbol, kind, unit),
+                values: values(&|_, per| Some(column.along(per.as_ref()?).rate * scale)),
+            });
+        }
+        lines.push(Line {
+            title,
+            symbol,
+            values: values(&|state, _| Some(column.value(state) * scale)),
+        });
+    }
+    let count = |line: &Line| line.values.iter().flatten().count();
+    lines.retain(|line| count(line) > 1);
+    Curves {
+        drive: drive.name.clone(),
+        kind,
+        changes: along
+            .changes
+            .iter()
+            .map(|change| change * of_drive)
+            .collect(),
+        lines,
+    }
+}
+
+/// Whether it has no poles: instant centres lie at infinity where the carrier moves parallel.
+fn is_bounded(column: &Column) -> bool {
+    const WITH_POLES: [&Quantity; 4] = [&FRONT_CENTRE, &FRONT_ARM, &SIDE_CENTRE, &SIDE_ARM];
+    !WITH_POLES.iter().any(|quantity| column.is(quantity))
+}

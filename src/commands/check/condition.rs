@@ -1,0 +1,88 @@
+//! The Jacobian at the design position: its rank, its singular values and its pivots.
+
+use nalgebra::{DMatrix, DVectorView};
+use suspension_core::pivots::Elimination;
+use suspension_core::{Part, Parts};
+
+use crate::mechanism::{Mechanism, Names, Suspension};
+
+/// A singular value that is smaller counts as zero: no digit of a velocity is known there.
+const ZERO: f64 = 1e-7;
+
+/// Of the largest entry of a null vector: what an equation or an unknown must have to be named.
+const SHARE: f64 = 0.05;
+
+/// What is known of the Jacobian.
+pub(super) struct Condition {
+    /// How many equations are independent.
+    pub(super) rank: usize,
+    /// Equations that depend on each other.
+    pub(super) redundant: Vec<String>,
+    /// Unknowns that no equation determines.
+    pub(super) undetermined: Vec<String>,
+    /// The smallest and the largest singular value.
+    pub(super) singular_values: [f64; 2],
+    /// The fixed order of elimination.
+    pub(super) elimination: Elimination<f64>,
+    /// The largest residual, in the unit of lengths.
+    pub(super) residual: f64,
+}
+
+impl Condition {
+    /// Of the mechanism where it starts.
+    pub(super) fn of<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> Self {
+        let Mechanism { model, names, .. } = mechanism;
+        let q = &mechanism.start.position;
+        let [first, _] = mechanism.instants.ends();
+        let drives = mechanism.drives.inputs::<L::Drives>(first).drives;
+        let coordinates = model.coordinates(&drives).value;
+        let fixed = model.drive_anchors(*model.fixed(), &coordinates);
+        let jacobian = model.jacobian(q, &fixed);
+        // A model has room for more unknowns than the listing has.
+        let size = names.unknowns.len();
+        let jacobian = DMatrix::from_fn(size, size, |row, column| jacobian[(row, column)]);
+        let svd = jacobian.svd(true, true);
+        let values = svd.singular_values.as_slice();
+        let null = (0..size).filter(|index| values[*index] < ZERO);
+        let null: Vec<usize> = null.collect();
+        let (left, right) = (svd.u, svd.v_t.map(|transposed| transposed.transpose()));
+        let of_null = |vectors: &Option<DMatrix<f64>>, part: fn(usize) -> Part| {
+            let vectors = vectors.iter();
+            let null = vectors.flat_map(|vectors| null.iter().map(|index| vectors.column(*index)));
+            named(names, null, part)
+        };
+        Self {
+            rank: size - null.len(),
+            redundant: of_null(&left, Part::Equation),
+            undetermined: of_null(&right, Part::Unknown),
+            singular_values: [
+                values.iter().copied().fold(f64::INFINITY, f64::min),
+                values.iter().copied().fold(0.0, f64::max),
+            ],
+            elimination: Elimination::at(model, q, &fixed),
+            residual: model.residual(q, &fixed, &coordinates).amax(),
+        }
+    }
+
+    /// Whether drives do not determine the motion.
+    pub(super) fn is_singular(&self) -> bool {
+        !self.undetermined.is_empty()
+    }
+}
+
+/// The parts that have a share in any of the vectors.
+fn named<'a>(
+    names: &Names,
+    vectors: impl Iterator<Item = DVectorView<'a, f64>>,
+    part: fn(usize) -> Part,
+) -> Vec<String> {
+    let mut has_share = vec![false; names.unknowns.len()];
+    for vector in vectors {
+        for (has_share, entry) in has_share.iter_mut().zip(vector.iter()) {
+            *has_share |= entry.abs() > SHARE * vector.amax();
+        }
+    }
+    let parts = has_share.iter().enumerate().filter(|(_, share)| **share);
+    let name = |(index, _)| format!("`{}`", names.name(part(index)));
+    parts.map(name).collect()
+}

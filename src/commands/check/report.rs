@@ -1,0 +1,171 @@
+//! What was checked, for people.
+
+use std::fmt::Write;
+
+use crate::assemblies::Tally;
+use crate::commands::check::condition::Condition;
+use crate::mechanism::{Names, Unit, from_design};
+use crate::number::rounded;
+use crate::reach::{DriveRange, RangeEnd};
+
+/// All that the report tells.
+pub(super) struct Report<'a> {
+    pub(super) file: &'a str,
+    pub(super) linkage: &'a str,
+    pub(super) names: &'a Names,
+    pub(super) unit: Unit,
+    pub(super) design: &'a [f64],
+    pub(super) condition: Condition,
+    pub(super) ranges: Vec<DriveRange>,
+    pub(super) tally: Option<Tally>,
+    pub(super) notes: &'a [String],
+}
+
+/// Digits of a number that tells how large something is.
+const DIGITS: usize = 3;
+
+impl Report<'_> {
+    /// The report as text.
+    pub(super) fn text(&self) -> String {
+        let Self { names, unit, .. } = self;
+        let symbol = unit.symbol();
+        let residual = rounded(self.condition.residual, DIGITS);
+        let mut lines = vec![
+            ("points".to_owned(), self.points()),
+            ("equations".to_owned(), self.equations()),
+            ("freedom".to_owned(), self.freedom()),
+            (
+                "design".to_owned(),
+                names.drives_in_words(self.design, *unit, None),
+            ),
+            (
+                "residual".to_owned(),
+                format!("{residual} {symbol}: the design assembles"),
+            ),
+            ("rank".to_owned(), self.rank()),
+            ("conditioning".to_owned(), self.conditioning()),
+            ("elimination".to_owned(), self.elimination()),
+        ];
+        lines.extend(self.ranges.iter().flat_map(|range| self.reach(range)));
+        let tally = self.tally.iter();
+        lines.extend(tally.map(|tally| ("assemblies".to_owned(), assemblies(tally))));
+        let none = [("notes".to_owned(), "none".to_owned())];
+        let notes = self
+            .notes
+            .iter()
+            .map(|note| ("note".to_owned(), note.clone()));
+        let notes: Vec<_> = notes.collect();
+        lines.extend(if notes.is_empty() { none.into() } else { notes });
+        let width = lines.iter().map(|(what, _)| what.len()).max().unwrap_or(0);
+        let mut out = format!("{}: {}, lengths in {symbol}\n\n", self.file, self.linkage);
+        for (what, text) in lines {
+            // Writing into a string has no way to fail.
+            let _ = writeln!(out, "{what:width$}  {text}");
+        }
+        out
+    }
+
+    fn points(&self) -> String {
+        let Names { chassis, free, .. } = self.names;
+        let markers = self.names.markers().len();
+        format!("{chassis} on the chassis, {free} free, {markers} carried by bodies")
+    }
+
+    fn equations(&self) -> String {
+        let Names {
+            equations,
+            unknowns,
+            ..
+        } = self.names;
+        let drives = self.names.of_drives();
+        let of_drives = equations
+            .iter()
+            .filter(|name| drives.contains(&name.as_str()));
+        format!(
+            "{} for {} unknowns, {} of them of drives",
+            equations.len(),
+            unknowns.len(),
+            of_drives.count()
+        )
+    }
+
+    fn freedom(&self) -> String {
+        let drives = self.names.of_drives();
+        let left = self.names.unknowns.len() - self.condition.rank;
+        let left = match left {
+            0 => String::new(),
+            left => format!("; {left} more that no drive leads"),
+        };
+        format!(
+            "{} led by drives: {}{left}",
+            drives.len(),
+            drives.join(", ")
+        )
+    }
+
+    fn rank(&self) -> String {
+        let Condition {
+            rank,
+            redundant,
+            undetermined,
+            ..
+        } = &self.condition;
+        let count = self.names.unknowns.len();
+        if undetermined.is_empty() {
+            return format!(
+                "{rank} of {count}: no equation is redundant, all unknowns are determined"
+            );
+        }
+        format!(
+            "{rank} of {count}: one of these equations is redundant: {}; these unknowns are not determined: {}",
+            redundant.join(", "),
+            undetermined.join(", ")
+        )
+    }
+
+    fn conditioning(&self) -> String {
+        let [smallest, largest] = self.condition.singular_values;
+        format!(
+            "smallest singular value {}, largest {}, without a unit: equations and unknowns are lengths",
+            rounded(smallest, DIGITS),
+            rounded(largest, DIGITS)
+        )
+    }
+
+    fn elimination(&self) -> String {
+        let Condition { elimination, .. } = &self.condition;
+        let Names {
+            equations,
+            unknowns,
+            ..
+        } = self.names;
+        format!(
+            "smallest pivot {} of equation `{}` and unknown `{}`; rounding grows by {}, up to {} the order is kept",
+            rounded(elimination.pivot, DIGITS),
+            equations[elimination.equation],
+            unknowns[elimination.unknown],
+            rounded(elimination.growth, DIGITS),
+            rounded(elimination.allowed, DIGITS + 1),
+        )
+    }
+
+    /// A drive and where it ends to either side.
+    fn reach(&self, range: &DriveRange) -> [(String, String); 2] {
+        let symbol = self.unit.of_drive(range.kind);
+        let end = |what: &str, end: &RangeEnd| {
+            let change = from_design(end.value - range.start, symbol);
+            let limit = end.limit.in_words(self.unit);
+            (what.to_owned(), format!("ends {change}: {limit}"))
+        };
+        let [lower, upper] = &range.ends;
+        [end(&range.name, lower), end("", upper)]
+    }
+}
+
+fn assemblies(tally: &Tally) -> String {
+    let doubts = match tally.doubts().as_slice() {
+        [] => "all by what was tried".to_owned(),
+        doubts => format!("there may be more ({})", doubts.join("; ")),
+    };
+    format!("{} at the design, {doubts}", tally.real)
+}

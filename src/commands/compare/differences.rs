@@ -1,0 +1,138 @@
+//! What both suspensions have, beside each other.
+
+use crate::characteristics::{Curves, Line, Parameter};
+use crate::commands::compare::side::Side;
+
+/// A number of both.
+pub(super) struct Difference {
+    pub(super) quantity: String,
+    pub(super) symbol: String,
+    /// Of a curve: the drive's change.
+    pub(super) at: Option<f64>,
+    pub(super) values: [f64; 2],
+}
+
+impl Difference {
+    /// What the second has more.
+    pub(super) fn value(&self) -> f64 {
+        let [a, b] = self.values;
+        b - a
+    }
+}
+
+/// Numbers of one sort.
+pub(super) struct Part {
+    /// As `per travel`.
+    pub(super) of: &'static str,
+    /// Of curves: what `at` is, with its unit.
+    pub(super) across: Option<String>,
+    pub(super) differences: Vec<Difference>,
+}
+
+/// All that both have.
+pub(super) struct Comparison {
+    pub(super) parts: Vec<Part>,
+}
+
+impl Comparison {
+    /// Of both sides.
+    pub(super) fn of(sides: [&Side; 2]) -> Self {
+        let design = |parameter: &Parameter| Some((parameter.value, parameter.symbol.clone()));
+        let per = |way: usize| {
+            move |parameter: &Parameter| {
+                let derivative = parameter.per[way].as_ref()?;
+                Some((derivative.value, derivative.symbol.clone()))
+            }
+        };
+        let mut parts = vec![
+            Part {
+                of: "design",
+                across: None,
+                differences: of_parameters(sides, &design),
+            },
+            Part {
+                of: "per travel",
+                across: None,
+                differences: of_parameters(sides, &per(0)),
+            },
+            Part {
+                of: "per steer",
+                across: None,
+                differences: of_parameters(sides, &per(1)),
+            },
+        ];
+        let [a, b] = sides.map(|side| side.curves.iter());
+        let over = ["over travel", "over steer"];
+        for ((a, b), of) in a.zip(b).zip(over) {
+            if a.kind != b.kind {
+                continue;
+            }
+
+            let lines = pairs(a, b).into_iter();
+            let differences = lines.filter_map(|pair| largest(a, pair)).collect();
+            parts.push(Part {
+                of,
+                across: Some(a.across(sides[0].unit)),
+                differences,
+            });
+        }
+        parts.retain(|part| !part.differences.is_empty());
+        Self { parts }
+    }
+}
+
+/// The numbers that parameters of the same name and unit have.
+fn of_parameters(
+    [a, b]: [&Side; 2],
+    read: &dyn Fn(&Parameter) -> Option<(f64, String)>,
+) -> Vec<Difference> {
+    let of_one = |parameter: &Parameter| {
+        let other = b
+            .parameters
+            .iter()
+            .find(|other| other.name == parameter.name)?;
+        let ((a, symbol), (b, of_other)) = (read(parameter)?, read(other)?);
+        (symbol == of_other && a.is_finite() && b.is_finite()).then(|| Difference {
+            quantity: parameter.name.clone(),
+            symbol,
+            at: None,
+            values: [a, b],
+        })
+    };
+    a.parameters.iter().filter_map(of_one).collect()
+}
+
+/// The lines of the same name and unit.
+pub(super) fn pairs<'a>(a: &'a Curves, b: &'a Curves) -> Vec<[&'a Line; 2]> {
+    let pair = |line: &'a Line| {
+        let same = |other: &&Line| (&other.title, &other.symbol) == (&line.title, &line.symbol);
+        Some([line, b.lines.iter().find(same)?])
+    };
+    a.lines.iter().filter_map(pair).collect()
+}
+
+/// Where two lines differ most, of the places where both are.
+fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
+    let places = curves.changes.iter().zip(a.values.iter().zip(&b.values));
+    let both = places.filter_map(|(at, (a, b))| {
+        Some(Difference {
+            quantity: String::new(),
+            symbol: String::new(),
+            at: Some(*at),
+            values: [(*a)?, (*b)?],
+        })
+    });
+    let size = |difference: &Difference| difference.value().abs();
+    let most = both.reduce(|most, next| {
+        if size(&next) > size(&most) {
+            next
+        } else {
+            most
+        }
+    })?;
+    Some(Difference {
+        quantity: a.title.clone(),
+        symbol: a.symbol.clone(),
+        ..most
+    })
+}

@@ -1,0 +1,72 @@
+//! The page: differences, and the curves of both in one chart each.
+
+use maud::{Markup, html};
+
+use crate::characteristics::{Curves, Line};
+use crate::commands::compare::differences::{Comparison, Difference, Part, pairs};
+use crate::commands::compare::report::{heading, legend};
+use crate::commands::compare::side::Side;
+use crate::output::page::{charts, numbers, page};
+use crate::output::plot::{Chart, Curve};
+
+/// The page as HTML.
+pub(super) fn html(sides: [&Side; 2], comparison: &Comparison) -> String {
+    let [a, b] = legend(sides);
+    let ways = sides[0].curves.iter().zip(&sides[1].curves);
+    let ways = ways.filter(|(a, b)| a.kind == b.kind);
+    let body = html! {
+        p { "A: " code { (a) } }
+        p { "B: " code { (b) } }
+        @for missing in sides.iter().flat_map(|side| &side.missing) {
+            p { strong { "The curves are cut short: " } (missing) }
+        }
+        @for part in &comparison.parts {
+            h2 { (heading(part)) }
+            (table(part))
+        }
+        @for (a, b) in ways {
+            (charts(&format!("Over {}", a.drive), &both(sides, a, b)))
+        }
+    };
+    page("Two suspensions compared", &body)
+}
+
+fn both(sides: [&Side; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
+    let curve = |name: &str, curves: &Curves, line: &Line| Curve {
+        name: name.to_owned(),
+        line: curves.points(line),
+        marks: Vec::new(),
+    };
+    let chart = |[of_a, of_b]: [&Line; 2]| Chart {
+        title: of_a.title.clone(),
+        across: a.across(sides[0].unit),
+        quantity: of_a.symbol.clone(),
+        curves: vec![curve("A", a, of_a), curve("B", b, of_b)],
+    };
+    pairs(a, b).into_iter().map(chart).collect()
+}
+
+fn table(part: &Part) -> Markup {
+    let differences = || part.differences.iter();
+    let column = |value: &dyn Fn(&Difference) -> Option<f64>| numbers(differences().map(value));
+    let a = column(&|difference| Some(difference.values[0]));
+    let b = column(&|difference| Some(difference.values[1]));
+    let more = column(&|difference| Some(difference.value()));
+    let at = column(&|difference| difference.at);
+    html! {
+        table {
+            tr {
+                th { "quantity" } th.number { "A" } th.number { "B" } th.number { "B - A" } th { "unit" }
+                th.number { @if differences().any(|difference| difference.at.is_some()) { "at" } }
+            }
+            @for (row, difference) in part.differences.iter().enumerate() {
+                tr {
+                    td { (difference.quantity) }
+                    (a[row]) (b[row]) (more[row])
+                    td.unit { (difference.symbol) }
+                    (at[row])
+                }
+            }
+        }
+    }
+}

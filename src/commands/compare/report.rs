@@ -1,0 +1,134 @@
+//! The comparison as text and as comma-separated values.
+
+use std::fmt::Write;
+
+use crate::commands::compare::differences::{Comparison, Difference, Part};
+use crate::commands::compare::side::Side;
+use crate::failure::Failure;
+use crate::number::{aligned, exact};
+use crate::output::csv_file::{CsvFile, Heading, Target};
+use crate::output::page::in_digits;
+
+/// Which file is which, a line each.
+pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
+    sides.map(|side| {
+        let converted = if side.own_unit == side.unit {
+            String::new()
+        } else {
+            format!(
+                ", converted from {} to {}",
+                side.own_unit.symbol(),
+                side.unit.symbol()
+            )
+        };
+        format!("{} ({}{converted})", side.file, side.linkage)
+    })
+}
+
+/// Above a part.
+pub(super) fn heading(part: &Part) -> String {
+    match (part.of, &part.across) {
+        (of, Some(across)) => format!("Largest difference {of}, at a {across}"),
+        ("design", None) => "At the design position".to_owned(),
+        (of, None) => format!("At the design position, {of}"),
+    }
+}
+
+/// The comparison for people.
+pub(super) fn text(sides: [&Side; 2], comparison: &Comparison) -> String {
+    let [a, b] = legend(sides);
+    let mut out = format!("A  {a}\nB  {b}\n");
+    let ways = sides[0].curves.iter().zip(&sides[1].curves);
+    for (a, b) in ways.filter(|(a, b)| a.kind != b.kind) {
+        let (a, b) = (&a.drive, &b.drive);
+        let _ = writeln!(
+            out,
+            "`{a}` and `{b}` are a length and an angle: nothing along them is compared"
+        );
+    }
+    for part in &comparison.parts {
+        // Writing into a string has no way to fail.
+        let _ = write!(out, "\n{}\n\n", heading(part));
+        let rows = columns(part);
+        let widths: Vec<usize> = rows.iter().map(|column| width(column)).collect();
+        for row in 0..=part.differences.len() {
+            let cells = rows.iter().zip(&widths).enumerate();
+            let cells = cells.map(|(index, (column, width))| {
+                if matches!(index, 0 | 4) {
+                    format!("{:width$}", column[row])
+                } else {
+                    format!("{:>width$}", column[row])
+                }
+            });
+            let line = cells.collect::<Vec<_>>().join("  ");
+            let _ = writeln!(out, "  {}", line.trim_end());
+        }
+    }
+    out
+}
+
+fn width(column: &[String]) -> usize {
+    column
+        .iter()
+        .map(|cell| cell.chars().count())
+        .max()
+        .unwrap_or(0)
+}
+
+/// Columns with their headings; the last, where the curves differ most, of curves alone.
+fn columns(part: &Part) -> Vec<Vec<String>> {
+    let differences = || part.differences.iter();
+    let titled = |title: &str, cells: Vec<String>| {
+        [title.to_owned()]
+            .into_iter()
+            .chain(cells)
+            .collect::<Vec<_>>()
+    };
+    let numbers = |title, value: &dyn Fn(&Difference) -> f64| {
+        let cells = differences().map(|difference| in_digits(value(difference)));
+        titled(title, aligned(cells.collect(), [' ', ' ']))
+    };
+    let mut columns = vec![
+        titled(
+            "quantity",
+            differences()
+                .map(|difference| difference.quantity.clone())
+                .collect(),
+        ),
+        numbers("A", &|difference| difference.values[0]),
+        numbers("B", &|difference| difference.values[1]),
+        numbers("B - A", &Difference::value),
+        titled(
+            "unit",
+            differences()
+                .map(|difference| difference.symbol.clone())
+                .collect(),
+        ),
+    ];
+    if differences().any(|difference| difference.at.is_some()) {
+        columns.push(numbers("at", &|difference| {
+            difference.at.unwrap_or(f64::NAN)
+        }));
+    }
+    columns
+}
+
+/// The comparison as comma-separated values.
+pub(super) fn table(comparison: &Comparison, target: &Target) -> Result<(), Failure> {
+    let names = ["of", "quantity", "unit", "at", "a", "b", "difference"];
+    let headings = names.map(|name| Heading {
+        name: name.to_owned(),
+        counts: false,
+    });
+    let mut file = CsvFile::create(target, &headings.each_ref())?;
+    for part in &comparison.parts {
+        for difference in &part.differences {
+            let [a, b] = difference.values.map(exact);
+            let at = difference.at.map_or_else(String::new, exact);
+            let (quantity, symbol) = (&difference.quantity, &difference.symbol);
+            let value = exact(difference.value());
+            file.record([part.of, quantity, symbol, &at, &a, &b, &value].into_iter())?;
+        }
+    }
+    file.finish()
+}

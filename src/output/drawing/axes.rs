@@ -1,0 +1,186 @@
+//! What tells directions and sizes on a drawing: the axes of space, and a scale or rulers.
+
+use plotters::prelude::*;
+
+use super::view::{Seen, View};
+use super::{Area, CHASSIS, Drawn, FINE, FONT_SIZE, pixels};
+use crate::number::fixed;
+
+const NAMES: [&str; 3] = ["x", "y", "z"];
+
+/// As shown: the length of an axis, and how far its origin is from the lower left corner.
+const AXIS: f64 = 34.0;
+const CORNER: [f64; 2] = [52.0, 56.0];
+/// Of the scale: how far its right end is from the lower right corner, and the most that it is long.
+const SCALE: [f64; 2] = [30.0, 24.0];
+const LONGEST: f64 = 170.0;
+/// Of a ruler, at both ends: where it has no ticks, as other things are written there.
+const HEAD: f64 = 60.0;
+const FOOT: f64 = 30.0;
+/// Between the ticks of a ruler, at least.
+const TICKS: f64 = 70.0;
+
+/// Draws them on a sheet of a size as shown.
+pub(super) fn draw(area: &Area<'_>, view: &View, shown: (u32, u32), unit: &str) -> Drawn {
+    let size = [f64::from(shown.0), f64::from(shown.1)];
+    let title = pixels([10.0, 8.0]);
+    area.draw(&Text::new(view.seen.title(), title, font(FONT_SIZE)))?;
+    if view.seen == Seen::Oblique {
+        draw_triad(area, view, size)?;
+        draw_scale(area, view, size, unit)
+    } else {
+        draw_ruler(area, view, size, unit, Way::Across)?;
+        draw_ruler(area, view, size, unit, Way::Up)
+    }
+}
+
+fn draw_triad(area: &Area<'_>, view: &View, [_, height]: [f64; 2]) -> Drawn {
+    let origin = [CORNER[0], height - CORNER[1]];
+    for (axis, name) in NAMES.iter().enumerate() {
+        let [right, up] = [view.across[axis], view.up[axis]];
+        let at = |part: f64| {
+            [
+                origin[0] + part * AXIS * right,
+                origin[1] - part * AXIS * up,
+            ]
+        };
+        let line = [at(0.0), at(1.0)].map(pixels);
+        area.draw(&PathElement::new(line, CHASSIS.stroke_width(2 * FINE)))?;
+        // Letters hang from their upper left corner.
+        let [x, y] = at(1.35);
+        area.draw(&Text::new(
+            *name,
+            pixels([x - 4.0, y - 8.0]),
+            font(FONT_SIZE),
+        ))?;
+    }
+    Ok(())
+}
+
+fn draw_scale(area: &Area<'_>, view: &View, [width, height]: [f64; 2], unit: &str) -> Drawn {
+    let length = round_below(LONGEST / view.scale);
+    let [right, y] = [width - SCALE[0], height - SCALE[1]];
+    let left = right - length * view.scale;
+    let stroke = CHASSIS.stroke_width(2 * FINE);
+    for line in [
+        [[left, y], [right, y]],
+        [[left, y - 5.0], [left, y + 5.0]],
+        [[right, y - 5.0], [right, y + 5.0]],
+    ] {
+        area.draw(&PathElement::new(line.map(pixels), stroke))?;
+    }
+    let text = format!("{} {unit}", label(length, length));
+    area.draw(&Text::new(text, pixels([left, y - 20.0]), font(FONT_SIZE)))?;
+    Ok(())
+}
+
+/// Along the lower or the left side of the sheet.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    Across,
+    Up,
+}
+
+/// A ruler with lines over the sheet, in the coordinate that leads across or up.
+fn draw_ruler(area: &Area<'_>, view: &View, size: [f64; 2], unit: &str, way: Way) -> Drawn {
+    let (direction, sheet, length) = match way {
+        Way::Across => (view.across, 0, size[0]),
+        Way::Up => (view.up, 1, size[1]),
+    };
+    let axis = direction.iter().position(|part| *part != 0.0).unwrap_or(0);
+    let at = |value: f64| {
+        let mut place = [0.0; 3];
+        place[axis] = value;
+        view.of(place)[sheet]
+    };
+    // The coordinate of a place on the sheet.
+    let [zero, one] = [at(0.0), at(1.0)];
+    let value = |place: f64| (place - zero) / (one - zero);
+    let step = round_above(TICKS / view.scale);
+    let ends = [value(0.0), value(length)];
+    let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+    let ticks = (low / step).ceil() as i64..=(high / step).floor() as i64;
+    for tick in ticks {
+        let value = tick as f64 * step;
+        let place = at(value);
+        if !(HEAD..length - FOOT).contains(&place) {
+            continue;
+        }
+        let (line, text) = match way {
+            Way::Across => (
+                [[place, 0.0], [place, size[1]]],
+                [place + 3.0, size[1] - 18.0],
+            ),
+            Way::Up => ([[0.0, place], [size[0], place]], [4.0, place - 16.0]),
+        };
+        area.draw(&PathElement::new(
+            line.map(pixels),
+            BLACK.mix(0.1).stroke_width(FINE),
+        ))?;
+        area.draw(&Text::new(label(value, step), pixels(text), font(SMALL)))?;
+    }
+    let name = format!("{} ({unit})", NAMES[axis]);
+    let place = match way {
+        Way::Across => [size[0] - 44.0, size[1] - 36.0],
+        Way::Up => [4.0, 28.0],
+    };
+    area.draw(&Text::new(name, pixels(place), font(FONT_SIZE)))?;
+    Ok(())
+}
+
+/// The size of the letters of a ruler.
+const SMALL: u32 = 12;
+
+fn font(size: u32) -> TextStyle<'static> {
+    ("sans-serif", size * FINE).into_font().color(&CHASSIS)
+}
+
+/// With as many decimals as a step has.
+fn label(value: f64, step: f64) -> String {
+    let decimals = (-step.log10().floor()).clamp(0.0, 9.0);
+    fixed(value, decimals as usize)
+}
+
+/// 1, 2 or 5 times a power of ten: the largest that is no larger than a number.
+fn round_below(number: f64) -> f64 {
+    let power = 10_f64.powf(number.log10().floor());
+    let parts = [5.0, 2.0, 1.0].map(|part| part * power);
+    parts
+        .into_iter()
+        .find(|part| *part <= number)
+        .unwrap_or(power)
+}
+
+/// The smallest that is no smaller.
+fn round_above(number: f64) -> f64 {
+    let power = 10_f64.powf(number.log10().floor());
+    let parts = [1.0, 2.0, 5.0].map(|part| part * power);
+    parts
+        .into_iter()
+        .find(|part| *part >= number)
+        .unwrap_or(10.0 * power)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn round_numbers_are_beside_the_number() {
+        for (number, below, above) in [(0.07, 0.05, 0.1), (3.0, 2.0, 5.0), (120.0, 100.0, 200.0)] {
+            assert!((round_below(number) - below).abs() < 1e-12 * below);
+            assert!((round_above(number) - above).abs() < 1e-12 * above);
+        }
+    }
+
+    #[test]
+    fn labels_have_the_decimals_of_their_step() {
+        for (value, step, expected) in [
+            (0.2, 0.05, "0.20"),
+            (-0.0, 0.1, "0.0"),
+            (250.0, 50.0, "250"),
+        ] {
+            assert_eq!(label(value, step), expected);
+        }
+    }
+}

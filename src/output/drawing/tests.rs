@@ -1,0 +1,83 @@
+//! What drawings show.
+
+use super::*;
+
+fn corner() -> Drawing {
+    let points = [
+        ("lower_front", [0.2, 0.35, 0.16]),
+        ("lower_rear", [-0.2, 0.35, 0.16]),
+        ("lower_ball", [0.0, 0.70, 0.17]),
+        ("upper_ball", [-0.01, 0.66, 0.44]),
+    ];
+    Drawing {
+        points: points.map(|(name, at)| (name.to_owned(), at)).to_vec(),
+        chassis: 2,
+        links: vec![[0, 2], [1, 2]],
+        slides: vec![[2, 3, 0]],
+        lengths: vec![[1, 3]],
+        bodies: vec![vec![2, 3, 1]],
+        wheel: Some(Wheel {
+            axis: [0, 2],
+            radius: 0.3,
+        }),
+        kingpin: Some([2, 3]),
+        others: Vec::new(),
+        unit: "m",
+    }
+}
+
+fn svg(drawing: &Drawing) -> String {
+    drawing.svg(Seen::Oblique, SIZE).expect("points")
+}
+
+#[test]
+fn names_each_point_once() {
+    let svg = svg(&corner());
+    for (name, _) in corner().points {
+        assert_eq!(svg.matches(&name).count(), 1, "{name}");
+    }
+    assert_eq!(
+        svg.matches("<rect").count(),
+        1 + 2,
+        "background and two chassis points"
+    );
+}
+
+#[test]
+fn measured_lengths_are_dashed() {
+    let solid = Drawing {
+        lengths: Vec::new(),
+        ..corner()
+    };
+    let lines = |drawing: &Drawing| svg(drawing).matches("<polyline").count();
+    assert!(lines(&corner()) > lines(&solid) + 5);
+}
+
+#[test]
+fn each_view_has_its_axes_and_the_oblique_one_its_scale() {
+    for (seen, expected) in [
+        (Seen::Oblique, "0.2 m"),
+        (Seen::Front, "y (m)"),
+        (Seen::Side, "x (m)"),
+        (Seen::Top, "x (m)"),
+    ] {
+        let svg = corner().svg(seen, SIZE).expect("points");
+        assert!(svg.contains(expected), "{expected}");
+    }
+}
+
+#[test]
+fn other_places_of_the_motion_are_drawn_too() {
+    let moved = corner().points.iter().map(|(_, at)| *at).collect();
+    let with_others = Drawing {
+        others: vec![moved],
+        ..corner()
+    };
+    let lines = |drawing: &Drawing| svg(drawing).matches("<polyline").count();
+    assert!(lines(&with_others) > lines(&corner()) + 5);
+}
+
+#[test]
+fn without_points_there_is_no_drawing() {
+    assert!(Drawing::default().svg(Seen::Oblique, SIZE).is_none());
+}

@@ -1,0 +1,80 @@
+//! Pages of HTML without anything from elsewhere, which any browser shows and prints.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use crate::number::{aligned, rounded};
+use crate::output::plot::Chart;
+
+const STYLE: &str = "
+body { font-family: sans-serif; max-width: 1180px; margin: 1.5em auto; padding: 0 1em; color: #222; }
+table { border-collapse: collapse; font-size: 90%; }
+th, td { padding: 0.2em 0.7em; text-align: left; border-bottom: 1px solid #ddd; vertical-align: top; }
+th.number, td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; padding-right: 0.2em; }
+td.unit { white-space: nowrap; color: #555; padding-left: 0.2em; }
+td.definition { color: #555; font-size: 90%; }
+.drawings { display: grid; grid-template-columns: 1fr 1fr; gap: 0.6em; }
+.drawings svg { width: 100%; height: auto; }
+.charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)); gap: 0.6em; }
+.charts svg { width: 100%; height: auto; }
+@media print { .charts { grid-template-columns: repeat(3, 1fr); } h2 { break-after: avoid; } svg { break-inside: avoid; } }
+";
+
+/// Width and height of a chart.
+const CHART: (u32, u32) = (480, 330);
+
+/// Digits of a number in a table.
+const DIGITS: usize = 6;
+
+/// A page.
+pub fn page(title: &str, body: &Markup) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                h1 { (title) }
+                (body)
+            }
+        }
+    };
+    page.into_string()
+}
+
+/// Charts under a heading.
+pub fn charts(heading: &str, charts: &[Chart]) -> Markup {
+    html! {
+        h2 { (heading) }
+        div.charts {
+            @for svg in charts.iter().filter_map(|chart| chart.svg_of(CHART)) {
+                (PreEscaped(svg))
+            }
+        }
+    }
+}
+
+/// The cells of a column of numbers, their decimal points in a line; empty where there is none.
+pub fn numbers(values: impl Iterator<Item = Option<f64>>) -> Vec<Markup> {
+    /// As wide as a digit, and as a point.
+    const SPACES: [char; 2] = ['\u{2007}', '\u{2008}'];
+    let shown = |value: Option<f64>| value.map_or_else(String::new, in_digits);
+    let cells = aligned(values.map(shown).collect(), SPACES);
+    cells
+        .into_iter()
+        .map(|cell| html! { td.number { (cell) } })
+        .collect()
+}
+
+/// In the digits of tables; what is rounding is zero.
+pub fn in_digits(value: f64) -> String {
+    const ROUNDING: f64 = 1e-12;
+    if value.is_finite() {
+        rounded(if value.abs() < ROUNDING { 0.0 } else { value }, DIGITS)
+    } else {
+        String::new()
+    }
+}

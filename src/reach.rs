@@ -1,0 +1,11 @@
+//! How far a drive leads a mechanism: the drive is set free, and the curve of configurations followed both ways.
+
+mod course;
+mod limit;
+mod meeting;
+mod station;
+
+pub use course::{DriveRange, POOR, range};
+pub use limit::{Limit, RangeEnd};
+pub use meeting::{CARRIED_ON, meeting};
+pub use station::Station;

@@ -1,0 +1,79 @@
+//! What limits a drive.
+
+use suspension_core::Values;
+
+use crate::mechanism::{Mechanism, Suspension, Unit};
+use crate::number::rounded;
+
+/// An end of a drive's range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RangeEnd {
+    /// The drive's value, in rad or the unit.
+    pub value: f64,
+    /// What the end is.
+    pub limit: Limit,
+}
+
+/// What limits a drive.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Limit {
+    /// The drive turns: led by it, the mechanism locks.
+    Locks {
+        /// The link that reaches no further, where one is known.
+        link: Option<String>,
+    },
+    /// The angle itself is 0 or pi.
+    EndOfAngle,
+    /// Another curve crosses within so much of the value, in the unit of length.
+    Bifurcation(f64),
+    /// The search was cut short: all steps were made, or the user interrupted.
+    Cut,
+    /// No further place was found, and why.
+    Lost(String),
+}
+
+impl Limit {
+    /// What it is, in words.
+    pub fn in_words(&self, unit: Unit) -> String {
+        match self {
+            Self::Locks { link } => {
+                let link = link
+                    .as_ref()
+                    .map(|link| format!(": `{link}` reaches no further"));
+                let lock = "turning point of the drive, the mechanism locks";
+                format!("{lock}{}", link.unwrap_or_default())
+            }
+            Self::EndOfAngle => {
+                "the end of the angle, beyond it the drive acts as before it".to_owned()
+            }
+            Self::Bifurcation(accuracy) => format!(
+                "bifurcation within {} {} along the curve, the mechanism can go either way",
+                rounded(*accuracy, 2),
+                unit.symbol()
+            ),
+            Self::Cut => "the search was cut short here".to_owned(),
+            Self::Lost(cause) => format!("no further place was found ({cause})"),
+        }
+    }
+}
+
+/// The link that keeps a drive from going beyond a value, in the file's coordinates.
+pub(super) fn link_beyond<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    drive: usize,
+    value: f64,
+) -> Option<String> {
+    /// How far beyond, as a part of the way there.
+    const BEYOND: f64 = 0.01;
+    let [first, _] = mechanism.instants.ends();
+    let drives = mechanism.drives.inputs::<L::Drives>(first).drives.value;
+    let drives: Vec<f64> = drives.values().collect();
+    let end = value - mechanism.drive_offset(drive);
+    let beyond = end + BEYOND * (end - drives[drive]);
+    let mut motion = mechanism.start;
+    let (laws, stopped) = mechanism
+        .drive_to(&drives, drive, beyond, &mut motion)
+        .err()?;
+    let lock = mechanism.lock(&laws, &stopped, 1.0, &motion);
+    lock.link().map(str::to_owned)
+}

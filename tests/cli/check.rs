@@ -1,0 +1,111 @@
+//! The report on a design position.
+
+use std::process::Output;
+
+use super::program::{CORNER, edited, folder, run, text};
+
+/// An arm of 0.5 m about a line along x at a height of 0.3 m, led by the height of its tip.
+fn arm(tip: &str) -> String {
+    format!(
+        "unit = \"m\"\ntime = {{ instants = [0.0] }}\ndrives = {{ bump = 0.0 }}\nstatements = \"\"\"\n\
+         fixed: front at [0.2, 0.0, 0.3], rear at [-0.2, 0.0, 0.3];\nfree: tip at {tip};\n\
+         link fore: front -> tip;\nlink aft: rear -> tip;\ndrive bump: tip.z;\n\"\"\"\n"
+    )
+}
+
+fn check(content: &str, options: &[&str]) -> Output {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), content).expect("written");
+    run(folder.path(), &[&["check", "a.toml"], options].concat())
+}
+
+/// The line of a report under a heading.
+fn line<'a>(output: &'a Output, heading: &str) -> &'a str {
+    let report = text(&output.stdout);
+    let line = report.lines().find(|line| line.starts_with(heading));
+    line.unwrap_or_else(|| panic!("no {heading} in {report}"))
+}
+
+#[test]
+fn a_healthy_arm_is_told_as_it_is_by_hand() {
+    let output = check(&arm("[0.0, 0.4, 0.0]"), &["--assemblies"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    for (heading, expected) in [
+        ("points", "2 on the chassis, 1 free, 0 carried"),
+        ("equations", "3 for 3 unknowns, 1 of them of drives"),
+        ("freedom", "1 led by drives: bump"),
+        ("design", "bump = 0 m"),
+        ("rank", "3 of 3: no equation is redundant"),
+        // The tip is where it is, or on the other side.
+        ("assemblies", "2 at the design, all by what was tried"),
+        ("notes", "none"),
+    ] {
+        let line = line(&output, heading);
+        assert!(line.contains(expected), "{line}");
+    }
+    // Across, the two links leave the root of 2 (0.2 / L)^2; in the plane of the arm the squares of the singular
+    // values are those of [[a, b], [0, 1]].
+    let length = (0.2_f64.powi(2) + 0.25).sqrt();
+    let across = 2_f64.sqrt() * 0.2 / length;
+    let [a, b] = [0.4, 0.3].map(|part| 2_f64.sqrt() * part / length);
+    let sum = a * a + b * b + 1.0;
+    let largest = f64::midpoint(sum, (sum * sum - 4.0 * a * a).sqrt()).sqrt();
+    let expected = format!("smallest singular value {across:.3}, largest {largest:.2}");
+    let told = line(&output, "conditioning");
+    assert!(told.contains(&expected), "{told}, {expected}");
+    let ends = text(&output.stdout);
+    for expected in [
+        "0.2 m below the design: turning point",
+        "0.8 m above the design: turning point",
+    ] {
+        assert!(ends.contains(expected), "{ends}");
+    }
+}
+
+#[test]
+fn a_singular_design_names_what_depends_and_what_is_loose() {
+    let output = check(&arm("[0.0, 0.0, -0.2]"), &[]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let rank = line(&output, "rank");
+    let (redundant, undetermined) = rank.split_once("not determined: ").expect("both");
+    assert!(redundant.contains("2 of 3"), "{rank}");
+    for equation in ["`fore`", "`aft`", "`bump`"] {
+        assert!(redundant.contains(equation), "{rank}");
+    }
+    assert_eq!(undetermined, "`tip.y`");
+    assert!(line(&output, "freedom").contains("1 more that no drive leads"));
+    assert!(text(&output.stderr).contains("the design position is singular"));
+}
+
+#[test]
+fn a_corner_has_its_locks_and_its_notes() {
+    let output = check(&CORNER.replace("0.3 }", "300.0 }"), &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(line(&output, "note").contains("wheel_radius is 300 m"));
+    assert_eq!(text(&output.stderr), "", "notes are told once");
+    let travel = line(&output, "bump");
+    assert!(travel.contains("0.1115 m below the design"), "{travel}");
+    assert!(travel.contains("`pushrod` reaches no further"), "{travel}");
+    let steering = line(&output, "steer");
+    assert!(
+        steering.contains("`tie_rod` reaches no further"),
+        "{steering}"
+    );
+}
+
+#[test]
+fn what_does_not_assemble_or_is_wrong_is_said() {
+    for (content, code, expected) in [
+        (
+            edited("d6_1", "d6_1 = 445.872"),
+            3,
+            "the points do not assemble",
+        ),
+        (arm("[0.0, 0.4]"), 2, "a.toml:"),
+    ] {
+        let output = check(&content, &[]);
+        assert_eq!(output.status.code(), Some(code), "{output:?}");
+        assert!(text(&output.stderr).contains(expected), "{output:?}");
+        assert!(output.stdout.is_empty());
+    }
+}

@@ -1,0 +1,181 @@
+//! Two suspensions beside each other.
+
+use std::process::Output;
+
+use super::program::{CORNER, folder, run, text};
+
+fn compare(a: &str, b: &str, options: &[&str]) -> (tempfile::TempDir, Output) {
+    let folder = folder();
+    for (name, content) in [("a.toml", a), ("b.toml", b)] {
+        std::fs::write(folder.path().join(name), content).expect("written");
+    }
+    let output = run(
+        folder.path(),
+        &[&["compare", "a.toml", "b.toml"], options].concat(),
+    );
+    (folder, output)
+}
+
+/// The rows of the table: of, quantity, unit, then at, a, b and difference.
+fn rows(output: &Output) -> Vec<([String; 3], [f64; 4])> {
+    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+    let row = |record: csv::StringRecord| {
+        let text = |index: usize| record[index].to_owned();
+        let number = |index: usize| record[index].parse().unwrap_or(f64::NAN);
+        ([0, 1, 2].map(text), [3, 4, 5, 6].map(number))
+    };
+    reader
+        .records()
+        .map(|record| row(record.expect("a row")))
+        .collect()
+}
+
+/// An arm that turns about a line along x, led by its tip's height, with a spring upright above the tip.
+fn arm(unit: &str, metre: f64, top: f64) -> String {
+    let at =
+        |x: f64, y: f64, z: f64| format!("[{:?}, {:?}, {:?}]", x * metre, y * metre, z * metre);
+    format!(
+        "unit = \"{unit}\"\ntime = {{ instants = [0.0] }}\ndrives = {{ bump = 0.0 }}\nstatements = \"\"\"\n\
+         fixed: front at {}, rear at {}, top at {};\nfree: tip at {};\n\
+         link fore: front -> tip;\nlink aft: rear -> tip;\ndrive bump: tip.z;\n\
+         measure spring: length(top -> tip);\n\"\"\"\n",
+        at(0.2, 0.0, 0.0),
+        at(-0.2, 0.0, 0.0),
+        at(0.0, 0.5, top),
+        at(0.0, 0.5, 0.0),
+    )
+}
+
+#[test]
+fn a_moved_ball_joint_changes_the_kingpin_as_by_hand() {
+    let moved = format!("{CORNER}[points]\nupper_ball = [-0.015, 0.65, 0.44]\n");
+    let (_folder, output) = compare(CORNER, &moved, &["--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let rows = rows(&output);
+    let row = |of: &str, quantity: &str| {
+        let found = rows
+            .iter()
+            .find(|(names, _)| names[0] == of && names[1] == quantity);
+        found.unwrap_or_else(|| panic!("no {of} {quantity}"))
+    };
+    let ([_, _, unit], [_, a, b, difference]) = row("design", "kingpin angle");
+    let [before, after] = [0.04_f64, 0.05].map(|lean| lean.atan2(0.27).to_degrees());
+    assert_eq!(unit, "deg");
+    assert!(
+        (a - before).abs() < 1e-9 && (b - after).abs() < 1e-9,
+        "{a} {b}"
+    );
+    assert!((difference - (after - before)).abs() < 1e-9);
+    // Bump camber: the wheel's height is led, so that its own derivative is one in both.
+    let (_, [_, a, b, _]) = row("per travel", "wheel centre z");
+    assert!((a - 1.0).abs() < 1e-12 && (b - 1.0).abs() < 1e-12);
+    let (_, [at, a, b, difference]) = row("over travel", "camber angle");
+    assert!((-0.06..=0.06).contains(at) && (b - a - difference).abs() < 1e-12);
+    let (_, [_, _, _, at_design]) = row("design", "camber angle");
+    assert!(
+        difference.abs() > at_design.abs(),
+        "largest at the ends of the travel"
+    );
+}
+
+#[test]
+fn millimetres_are_converted_to_the_unit_of_the_first() {
+    let (_folder, output) = compare(
+        &arm("m", 1.0, 0.4),
+        &arm("mm", 1000.0, 0.4),
+        &["--csv", "-"],
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let rows = rows(&output);
+    assert!(rows.len() > 3, "{rows:?}");
+    for (names, [_, a, b, difference]) in &rows {
+        assert!(!names[2].contains("mm"), "{names:?}");
+        assert!(
+            difference.abs() < 1e-12 && (a - b).abs() < 1e-12,
+            "{names:?}"
+        );
+    }
+    let spring =
+        |(names, _): &&([String; 3], [f64; 4])| names[0] == "design" && names[1] == "spring";
+    let (_, [_, a, ..]) = rows.iter().find(spring).expect("a spring");
+    assert!((a - 0.4).abs() < 1e-12);
+}
+
+/// The tip goes up by z on a circle of 0.5 m; the spring above it stands 0.4 or 0.5 m high.
+#[test]
+fn the_largest_difference_of_a_curve_is_where_the_circle_has_it() {
+    let options = ["--csv", "-", "--travel", "-0.2:0.1"];
+    let (_folder, output) = compare(&arm("m", 1.0, 0.4), &arm("m", 1.0, 0.5), &options);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let spring = |top: f64, z: f64| (0.5 - (0.25 - z * z).sqrt()).hypot(top - z);
+    let difference = |place: i32| {
+        let z = -0.2 + 0.3 * f64::from(place) / 60.0;
+        (z, spring(0.5, z) - spring(0.4, z))
+    };
+    let (at, largest) = (0..=60)
+        .map(difference)
+        .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+        .expect("places");
+    let rows = rows(&output);
+    let over = rows
+        .iter()
+        .find(|(names, _)| names[0] == "over travel" && names[1] == "spring");
+    let (_, [told_at, _, _, told]) = over.expect("a curve");
+    assert!(
+        (told_at - at).abs() < 1e-12 && (told - largest).abs() < 1e-12,
+        "{told_at} {told}"
+    );
+}
+
+#[test]
+fn a_table_for_people_and_a_page() {
+    let (folder, output) = compare(CORNER, CORNER, &["--html", "c.html", "--csv", "c.csv"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report = text(&output.stdout);
+    for expected in [
+        "A  a.toml (double_wishbone_pushrod)",
+        "B - A",
+        "Largest difference over travel",
+    ] {
+        assert!(report.contains(expected), "{report}");
+    }
+    let page = std::fs::read_to_string(folder.path().join("c.html")).expect("a page");
+    assert!(page.matches("<svg").count() > 20 && page.contains("camber angle"));
+    assert!(folder.path().join("c.csv").exists());
+}
+
+#[test]
+fn what_cannot_be_compared_is_said() {
+    let arm_alone = arm("m", 1.0, 0.4).replace("bump", "lift");
+    for (b, options, expected) in [
+        (
+            arm_alone.as_str(),
+            &[][..],
+            "b.toml: which drive moves the wheel up and down?",
+        ),
+        (CORNER, &["--html", "b.toml"], "--html would overwrite"),
+        (CORNER, &["--csv", "a.toml"], "--csv would overwrite"),
+    ] {
+        let (_folder, output) = compare(CORNER, b, options);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(text(&output.stderr).contains(expected), "{output:?}");
+    }
+}
+
+#[test]
+fn a_travel_by_height_and_one_by_angle_are_not_mixed() {
+    let angle = arm("m", 1.0, 0.4)
+        .replace("drive bump: tip.z", "drive bump: angle(front -> tip, z)")
+        .replace("bump = 0.0", "bump = 1.5");
+    let (_folder, output) = compare(&arm("m", 1.0, 0.4), &angle, &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report = text(&output.stdout);
+    assert!(
+        report.contains("`bump` and `bump` are a length and an angle"),
+        "{report}"
+    );
+    assert!(
+        report.contains("At the design position\n") && !report.contains("over travel"),
+        "{report}"
+    );
+}
