@@ -98,7 +98,7 @@ pub fn exit_code_of(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> Exi
 }
 
 const NOTES: &str = "\
-Units: lengths in the unit that a motion file states (m or mm; the published motion: m), times in
+Units: lengths in the unit that a motion file states (m, mm or in; the published motion: m), times in
 seconds, angles in radians; tables and plots are in millimetres or degrees where they say so.
 
 Points 8 and 11 define the spin axis. The paper prints no coordinates for point 11, the wheel centre:

@@ -17,6 +17,7 @@ mod sheet;
 mod signals;
 mod stops;
 mod sweep;
+mod units;
 
 /// The program that is run.
 const PROGRAM: &str = env!("CARGO_BIN_EXE_suspension");
