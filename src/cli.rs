@@ -5,7 +5,9 @@ use std::sync::atomic::AtomicBool;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{assemblies, bake, draw, list, motion, published, range, sheet, sweep};
+use crate::commands::{
+    assemblies, bake, draw, import, list, motion, published, range, sheet, sweep,
+};
 use crate::failure::Failure;
 use crate::interrupt;
 
@@ -42,6 +44,10 @@ pub enum Command {
     ///
     /// Chassis points, links, slides, bodies, measured lengths and the wheel, as SVG.
     Draw(draw::Arguments),
+    /// Makes a motion file of an engineer's hardpoints.
+    ///
+    /// Reads tables of points, subsystem files of Adams/Car and model files of Lotus.
+    Import(import::Arguments),
     /// Lists the catalogue of layouts, or prints the statements of one.
     ///
     /// Of each its name, what it is, its drives and its measures.
@@ -73,6 +79,7 @@ impl Options {
             Some(Command::Assemblies(arguments)) => arguments.run(interrupted),
             Some(Command::Bake(arguments)) => arguments.run(interrupted),
             Some(Command::Draw(arguments)) => arguments.run(),
+            Some(Command::Import(arguments)) => arguments.run(),
             Some(Command::List(arguments)) => arguments.run(),
             Some(Command::Range(arguments)) => arguments.run(interrupted),
             Some(Command::Sheet(arguments)) => arguments.run(interrupted),

@@ -3,6 +3,7 @@
 pub mod assemblies;
 pub mod bake;
 pub mod draw;
+pub mod import;
 pub mod list;
 pub mod motion;
 pub mod published;

@@ -12,6 +12,7 @@ struct Readme;
 
 pub mod assemblies;
 pub mod bake;
+pub mod catalogue;
 pub mod cli;
 pub mod commands;
 pub mod detail;

@@ -6,6 +6,7 @@ mod bake;
 mod figures;
 mod files;
 mod hostile_files;
+mod import;
 mod led;
 mod list;
 mod notes;

@@ -9,6 +9,7 @@ use suspension_core::{Kind, Part, Parts};
 use suspension_runtime::{Fitted, Listing, Mistake, Mistakes, Model, Room, Size};
 use toml::Spanned;
 
+use crate::catalogue;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Position, Source};
 use crate::load::prepare::{Request, prepare};
@@ -89,10 +90,9 @@ fn of_catalogue(
 ) -> Result<Listing, Failure> {
     let wanted = name.get_ref().as_str();
     let Some((_, text)) = LISTINGS.iter().find(|(known, _)| *known == wanted) else {
-        let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
-        let known = known.join(", ");
-        let others = format!("{known}; `listing` names a file of your own statements");
-        return Err(unknown(source, name, &others));
+        let unknown = catalogue::unknown(wanted);
+        let message = format!("{unknown}; `listing` names a file of your own statements");
+        return Err(source.refuse(&name.span(), message));
     };
     let listing = Listing::parse_file(text, wanted)
         .map_err(|mistakes| refused(&Source::new(wanted, *text), &mistakes))?;
@@ -105,12 +105,6 @@ fn of_catalogue(
         return Err(source.refuse(&name.span(), message));
     }
     Ok(listing)
-}
-
-/// The file names none of the known linkages.
-pub(super) fn unknown(source: &Source, name: &Spanned<String>, known: &str) -> Failure {
-    let message = format!("unknown linkage `{}`; known are {known}", name.get_ref());
-    source.refuse(&name.span(), message)
 }
 
 /// The statements of a file beside the motion file, under the file's stem.

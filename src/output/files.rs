@@ -165,7 +165,7 @@ fn resolved(path: &Path) -> PathBuf {
     found
 }
 
-/// Refuses to write a result over the motion that it is the result of. `option` is the one that
+/// Refuses to write a result over the file that it is the result of. `option` is the one that
 /// names the result.
 ///
 /// # Errors
@@ -175,7 +175,7 @@ pub fn refuse_input(result: &Path, input: &Path, option: &str) -> Result<(), Fai
     match (result.canonicalize(), input.canonicalize()) {
         (Ok(result_found), Ok(input_found)) if result_found == input_found => {
             Err(Failure::Input(format!(
-                "{}: this is the motion file, which {option} would overwrite",
+                "{}: this is the file that is read, which {option} would overwrite",
                 result.display()
             )))
         }
