@@ -2,10 +2,16 @@
 
 use suspension_core::linkages::LISTINGS;
 
-/// That the catalogue has no such linkage, and what it has.
-pub fn unknown(name: &str) -> String {
+use crate::likely::did_you_mean;
+
+/// That the catalogue has no such linkage, what it has, and what there is besides.
+pub fn unknown(name: &str, besides: &str) -> String {
     let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
-    format!("unknown linkage `{name}`; known are {}", known.join(", "))
+    let hint = did_you_mean(name, known.iter().copied());
+    format!(
+        "unknown linkage `{name}`; known are {}{besides}{hint}",
+        known.join(", ")
+    )
 }
 
 /// The first sentence of what a listing says of itself.

@@ -19,6 +19,7 @@ pub mod detail;
 pub mod failure;
 pub mod file;
 pub mod interrupt;
+pub mod likely;
 pub mod load;
 pub mod mechanism;
 pub mod number;

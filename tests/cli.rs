@@ -9,6 +9,7 @@ mod hostile_files;
 mod import;
 mod led;
 mod list;
+mod newcomer;
 mod notes;
 mod plots;
 mod program;

@@ -32,7 +32,7 @@ impl Arguments {
         };
         match LISTINGS.iter().find(|(known, _)| *known == name) {
             Some((_, text)) => print(text),
-            None => Err(Failure::Input(unknown(&name))),
+            None => Err(Failure::Input(unknown(&name, ""))),
         }
     }
 }

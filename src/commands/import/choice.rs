@@ -99,7 +99,7 @@ pub(super) fn choose<'a>(
     choices.sort_by_key(|choice| (choice.missing.len(), usize::MAX - choice.found.len()));
     let mut choices = choices.into_iter();
     let Some(best) = choices.next() else {
-        return Err(catalogue::unknown(wanted.unwrap_or_default()));
+        return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));
     };
     if best.found.is_empty() {
         let first = points.first().map_or("", |point| point.name.as_str());

@@ -4,7 +4,7 @@ use super::hardpoints::Hardpoints;
 use super::names::Names;
 use super::{shark, subsystem, table};
 use crate::failure::Failure;
-use crate::file::Source;
+use crate::file::{Source, is_listing, is_motion};
 
 /// Reads a file of hardpoints, by what is in it.
 ///
@@ -12,6 +12,19 @@ use crate::file::Source;
 ///
 /// [`Failure::Input`] with a place where the file is wrong, or has no points.
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
+    let other = [
+        (
+            is_motion(source.text()),
+            "this is a motion file already; suspension sheet takes it",
+        ),
+        (
+            is_listing(source.text()),
+            "this is a listing; a motion file names it, see suspension motion --help",
+        ),
+    ];
+    if let Some((_, message)) = other.iter().find(|(is, _)| *is) {
+        return Err(source.refuse(&(0..0), message));
+    }
     let stated = if shark::is_model(source) {
         shark::read(source)?
     } else if subsystem::is_subsystem(source.text()) {

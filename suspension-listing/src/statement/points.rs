@@ -82,17 +82,18 @@ impl Parse for Number {
         } else {
             1.0
         };
-        let number: Lit = input.parse()?;
+        let place = input.span();
+        let number: Lit = input.parse().map_err(|_| not_a_number(place))?;
         let value = match &number {
             Lit::Int(digits) => digits.base10_parse::<f64>(),
             Lit::Float(digits) => digits.base10_parse::<f64>(),
-            other => Err(not_a_number(other)),
+            _ => Err(not_a_number(place)),
         };
         let value: f64 = value?;
         if value.is_finite() {
             Ok(Self(sign * value))
         } else {
-            Err(not_a_number(&number))
+            Err(not_a_number(place))
         }
     }
 }
@@ -118,9 +119,9 @@ fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
     )
 }
 
-fn not_a_number(literal: &Lit) -> Error {
+fn not_a_number(place: Span) -> Error {
     Error::new(
-        literal.span(),
+        place,
         "a coordinate is a finite number, for example `-1.25`",
     )
 }

@@ -90,7 +90,21 @@ fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
     let corner = table(&CORNER);
     let labelled = corner.replace("wheel_center", "hpl_wheel_center");
     let without_names = "-140, -170, 125\n150, -175, 120\n";
+    let motion = "linkage = \"double_wishbone\"\nunit = \"m\"\n".to_owned();
+    let listing = "fixed: a at [0.0, 0.0, 0.0];\n".to_owned();
     let cases = [
+        (
+            "a.csv",
+            motion,
+            vec![],
+            "a.csv:1:1: this is a motion file already",
+        ),
+        (
+            "a.csv",
+            listing,
+            vec![],
+            "a.csv:1:1: this is a listing; a motion file names it",
+        ),
         (
             "a.csv",
             "".to_owned(),
