@@ -7,6 +7,7 @@ mod figures;
 mod files;
 mod hostile_files;
 mod import;
+mod json;
 mod led;
 mod list;
 mod newcomer;

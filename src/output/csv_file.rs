@@ -1,66 +1,14 @@
 //! Rows as comma-separated values, 17 significant digits each.
 
-use std::io::{self, BufWriter, Stdout, Write};
-use std::path::{Path, PathBuf};
-
 use crate::failure::Failure;
-use crate::output::files::Pending;
-
-/// Where comma-separated values go.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Target {
-    /// Standard output.
-    Stdout,
-    /// A file.
-    File(PathBuf),
-}
-
-impl From<PathBuf> for Target {
-    /// Standard output for `-`, else a file.
-    fn from(path: PathBuf) -> Self {
-        if path.as_os_str() == "-" {
-            Self::Stdout
-        } else {
-            Self::File(path)
-        }
-    }
-}
-
-/// A column: what stands above it, and how its numbers are written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Heading {
-    /// The column's name.
-    pub name: String,
-    /// Whether its numbers are counts, written without a fraction.
-    pub counts: bool,
-}
+use crate::output::rows::Heading;
+use crate::output::target::{Sink, Target};
 
 /// A table of comma-separated values being written.
-pub struct CsvFile {
+pub(super) struct CsvFile {
     name: String,
     writer: csv::Writer<Sink>,
     counts: Vec<bool>,
-}
-
-enum Sink {
-    Stdout(BufWriter<Stdout>),
-    File(Pending),
-}
-
-impl Write for Sink {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match self {
-            Self::Stdout(out) => out.write(bytes),
-            Self::File(file) => file.write(bytes),
-        }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        match self {
-            Self::Stdout(out) => out.flush(),
-            Self::File(file) => file.flush(),
-        }
-    }
 }
 
 impl CsvFile {
@@ -69,14 +17,9 @@ impl CsvFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub fn create(target: &Target, headings: &[&Heading]) -> Result<Self, Failure> {
-        let (name, sink) = match target {
-            Target::Stdout => {
-                let out = BufWriter::new(io::stdout());
-                ("standard output".to_owned(), Sink::Stdout(out))
-            }
-            Target::File(path) => (path.display().to_string(), file(path)?),
-        };
+    pub(super) fn create(target: &Target, headings: &[Heading]) -> Result<Self, Failure> {
+        let sink = Sink::create(target)?;
+        let name = sink.name.clone();
         let mut table = Self {
             name,
             writer: csv::Writer::from_writer(sink),
@@ -91,7 +34,7 @@ impl CsvFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
+    pub(super) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
         let values = values.iter().zip(&self.counts);
         let fields: Vec<String> = values
             .map(|(value, counts)| {
@@ -110,14 +53,10 @@ impl CsvFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub fn finish(self) -> Result<(), Failure> {
+    pub(super) fn finish(self) -> Result<(), Failure> {
         let sink = self.writer.into_inner();
-        match sink.map_err(|error| Failure::writing(&self.name, error.error()))? {
-            Sink::Stdout(mut out) => out
-                .flush()
-                .map_err(|error| Failure::writing(&self.name, &error)),
-            Sink::File(file) => file.finish(),
-        }
+        let sink = sink.map_err(|error| Failure::writing(&self.name, error.error()))?;
+        sink.finish()
     }
 
     fn record<'a>(&mut self, fields: impl Iterator<Item = &'a str>) -> Result<(), Failure> {
@@ -127,8 +66,4 @@ impl CsvFile {
             other => Failure::Output(format!("{}: cannot be written: {other:?}", self.name)),
         })
     }
-}
-
-fn file(path: &Path) -> Result<Sink, Failure> {
-    Pending::create(path).map(Sink::File)
 }

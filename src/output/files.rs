@@ -135,18 +135,18 @@ pub fn announce(written: &[PathBuf]) {
     }
 }
 
-/// Refuses to write a table to where a plot is drawn.
+/// Refuses to write a table to where a plot is drawn. `option` is the one that names the table.
 ///
 /// # Errors
 ///
 /// [`Failure::Input`].
-pub fn refuse_plot(table: &Path, plots: impl IntoIterator<Item = PathBuf>) -> Result<(), Failure> {
+pub fn refuse_plot(table: &Path, option: &str, plots: &[PathBuf]) -> Result<(), Failure> {
     let place = resolved(table);
-    if !plots.into_iter().any(|plot| resolved(&plot) == place) {
+    if !plots.iter().any(|plot| resolved(plot) == place) {
         return Ok(());
     }
     Err(Failure::Input(format!(
-        "{}: --plots draws to this file, which --csv names too",
+        "{}: --plots draws to this file, which {option} names too",
         table.display()
     )))
 }
