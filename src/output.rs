@@ -4,6 +4,7 @@ mod csv_file;
 pub mod drawing;
 pub mod figures;
 pub mod files;
+pub mod heading;
 mod json_file;
 pub mod plot;
 pub mod progress;

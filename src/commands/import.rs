@@ -27,7 +27,7 @@ use axes::Axes;
 use choice::choose;
 use corner::Corner;
 use draft::{Draft, Imported};
-use hardpoints::Side;
+use hardpoints::{Hardpoints, Side};
 use names::Names;
 use orientation::orientation;
 
@@ -75,6 +75,7 @@ impl Arguments {
             return print(&known.map_err(|mistakes| Failure::Input(mistakes.to_string()))?);
         };
         let source = Source::read(file)?;
+        let stated = format::read(&source, &names)?;
         let out = self.out.clone();
         let out = out.unwrap_or_else(|| file.with_extension("toml"));
         refuse_input(&out, file, "--out")?;
@@ -83,15 +84,15 @@ impl Arguments {
             let message = format!("{out}: exists already; --out {out} replaces it");
             return Err(Failure::Input(message));
         }
-        let text = self.import(&source, &out.display().to_string(), &names)?;
+        let text = self.import(&stated, &out.display().to_string(), &names)?;
         write_file(&out, &text)?;
         announce(&[out]);
         Ok(())
     }
 
     /// The text of the motion file that is to be called `out`.
-    fn import(&self, source: &Source, out: &str, names: &Names) -> Result<String, Failure> {
-        let stated = format::read(source, names)?;
+    fn import(&self, stated: &Hardpoints<'_>, out: &str, names: &Names) -> Result<String, Failure> {
+        let source = stated.source;
         let refuse = |message: String| Failure::Input(format!("{}: {message}", source.name()));
         let points = stated.of_side(self.side)?;
         let choice = choose(&points, names, self.linkage.as_deref()).map_err(refuse)?;
@@ -99,7 +100,7 @@ impl Arguments {
         let found = found.map_err(refuse)?;
         let corner = Corner::of(&choice, found.axes, self.side).map_err(refuse)?;
         let draft = Draft::of(&Imported {
-            stated: &stated,
+            stated,
             names,
             points: &points,
             choice: &choice,
@@ -126,6 +127,15 @@ impl Work for DesignDrives {
         self,
         mechanism: &Mechanism<L, N>,
     ) -> Result<Vec<f64>, Failure> {
+        let names = &mechanism.names;
+        if let Some([inner, centre]) = names.wheel.map(|wheel| wheel.axis)
+            && inner < names.chassis + names.free
+        {
+            let [inner, centre] = [inner, centre].map(|point| &names.points[point]);
+            eprintln!(
+                "note: camber and toe are those of the line from {inner} to {centre} in this layout"
+            );
+        }
         let [first, _] = mechanism.instants.ends();
         let local = mechanism.drives.inputs::<L::Drives>(first).drives.value;
         Ok(mechanism.given(&local))

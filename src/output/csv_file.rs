@@ -1,7 +1,7 @@
 //! Rows as comma-separated values, 17 significant digits each.
 
 use crate::failure::Failure;
-use crate::output::rows::Heading;
+use crate::output::heading::Heading;
 use crate::output::target::{Sink, Target};
 
 /// A table of comma-separated values being written.

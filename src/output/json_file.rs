@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::{Serialize, Serializer};
 
 use crate::failure::Failure;
-use crate::output::rows::{Header, Heading};
+use crate::output::heading::{Header, Heading};
 use crate::output::target::{Sink, Target};
 
 /// A table as JSON being written.

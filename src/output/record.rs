@@ -6,8 +6,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::failure::Failure;
 use crate::mechanism::{End, Instants, Mechanism, State, Suspension};
 use crate::number::number;
+use crate::output::heading::Header;
 use crate::output::progress::Progress;
-use crate::output::rows::{Forms, Header};
+use crate::output::rows::Forms;
 use crate::output::table::{Column, Table};
 use crate::quantities::{self, CATALOGUE, Shown};
 

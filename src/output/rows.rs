@@ -2,46 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use serde::Serialize;
-
 use crate::failure::Failure;
-use crate::mechanism::Mechanism;
 use crate::output::csv_file::CsvFile;
 use crate::output::files::refuse_input;
+use crate::output::heading::{Header, Heading};
 use crate::output::json_file::JsonFile;
 use crate::output::target::Target;
-
-/// A column: what stands above it, and how its numbers are written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Heading {
-    /// The column's name.
-    pub name: String,
-    /// Whether its numbers are counts, written without a fraction.
-    pub counts: bool,
-}
-
-/// What the rows are about: the header of a JSON file.
-#[derive(Clone, Debug, Serialize)]
-pub struct Header {
-    linkage: String,
-    length: &'static str,
-    angle: &'static str,
-    time: &'static str,
-    axes: &'static str,
-}
-
-impl Header {
-    /// Of a mechanism's results.
-    pub fn of<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Self {
-        Self {
-            linkage: mechanism.linkage.clone(),
-            length: mechanism.unit.symbol(),
-            angle: "rad",
-            time: "s",
-            axes: "ISO 8855: x forward, y left, z up",
-        }
-    }
-}
 
 /// Where rows go, and in which form.
 #[derive(Clone, Debug, Default)]

@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::mechanism::{State, Unit};
-use crate::output::rows::{Forms, Header, Heading, Rows};
+use crate::output::heading::{Header, Heading};
+use crate::output::rows::{Forms, Rows};
 use crate::output::target::Target;
 use crate::quantities::{self, Kind};
 

@@ -150,6 +150,8 @@ fn every_listing_is_found_by_its_own_names() {
         assert_eq!(imported.text("unit"), "m");
         let expected = points.iter().map(|(name, at)| ((*name).to_owned(), *at));
         assert_eq!(imported.points(), expected.collect(), "{linkage}");
+        let told = "camber and toe are those of the line from upper_rear_outer to wheel_centre";
+        assert_eq!(imported.notes.contains(told), *linkage == "five_link");
         let output = run(
             folder.path(),
             &["sheet", "motion.toml", "--travel", "0:0.001"],

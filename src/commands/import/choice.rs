@@ -145,3 +145,29 @@ pub(super) fn known_names(names: &Names) -> Result<String, Mistakes> {
     }
     Ok(text)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::names::spelled;
+    use super::*;
+
+    #[test]
+    fn every_row_is_of_a_point_of_the_catalogue_in_the_spelling_that_is_compared() {
+        let names = Names::read().expect("a table");
+        let listings = LISTINGS.iter().map(|(_, text)| Listing::parse(text));
+        let points: Vec<String> = listings
+            .flat_map(|listing| points_of(&listing.unwrap()))
+            .collect();
+        for (point, others) in &names.points {
+            assert!(points.contains(point), "no listing has {point}");
+            for name in others {
+                assert_eq!(*name, spelled(name));
+            }
+        }
+        let order = &names.order;
+        let ordered = order.ahead.iter().chain(&order.above).flatten();
+        for point in ordered.chain(order.near.iter().flatten()) {
+            assert!(points.contains(point), "no listing has {point}");
+        }
+    }
+}

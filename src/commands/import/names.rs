@@ -10,7 +10,7 @@ use crate::failure::Failure;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Names {
-    points: BTreeMap<String, Vec<String>>,
+    pub(super) points: BTreeMap<String, Vec<String>>,
     numbers: BTreeMap<String, Vec<String>>,
     pub(super) order: Order,
 }
@@ -78,32 +78,7 @@ pub(super) fn spelled(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use suspension_core::linkages::LISTINGS;
-
     use super::*;
-    use crate::commands::import::choice::points_of;
-
-    #[test]
-    fn every_row_is_of_a_point_of_the_catalogue_in_the_spelling_that_is_compared() {
-        let names = Names::read().expect("a table");
-        let listings = LISTINGS
-            .iter()
-            .map(|(_, text)| suspension_runtime::Listing::parse(text));
-        let points: Vec<String> = listings
-            .flat_map(|listing| points_of(&listing.unwrap()))
-            .collect();
-        for (point, others) in &names.points {
-            assert!(points.contains(point), "no listing has {point}");
-            for name in others {
-                assert_eq!(*name, spelled(name));
-            }
-        }
-        let order = &names.order;
-        let ordered = order.ahead.iter().chain(&order.above).flatten();
-        for point in ordered.chain(order.near.iter().flatten()) {
-            assert!(points.contains(point), "no listing has {point}");
-        }
-    }
 
     #[test]
     fn words_are_apart_by_one_line() {

@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::mechanism::{Mechanism, Names, State};
-use crate::output::rows::{Forms, Header, Heading, Rows};
+use crate::output::heading::{Header, Heading};
+use crate::output::rows::{Forms, Rows};
 use crate::quantities::{self, CATALOGUE, Column, DRIVES, Shown};
 
 /// The numbers of a place.

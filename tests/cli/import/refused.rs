@@ -94,10 +94,10 @@ fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
     let listing = "fixed: a at [0.0, 0.0, 0.0];\n".to_owned();
     let cases = [
         (
-            "a.csv",
+            "b.toml",
             motion,
             vec![],
-            "a.csv:1:1: this is a motion file already",
+            "b.toml:1:1: this is a motion file already",
         ),
         (
             "a.csv",
