@@ -36,7 +36,7 @@ pub(super) fn read(source: &Source) -> Result<Hardpoints<'_>, Failure> {
     let lines: Vec<_> = lines(source.text()).collect();
     let found = template(&lines);
     let found = found.and_then(|names| Some((suspension(&lines, names.len())?, names)));
-    let Some(((coordinates, radius), names)) = found else {
+    let Some((suspension, names)) = found else {
         let message = "this is no .shk file of a known layout (TEMP_SETTINGS with the points' names, then one \
                        FRONT SUSPENSION or REAR SUSPENSION with as many coordinates); print the points as text in \
                        Lotus and import that";
@@ -44,10 +44,10 @@ pub(super) fn read(source: &Source) -> Result<Hardpoints<'_>, Failure> {
     };
     let mut stated = Hardpoints::new(source, Axes::Adams);
     stated.unit = Some(Unit::Millimetre);
-    for (name, (place, at)) in names.iter().zip(coordinates) {
+    for (name, (place, at)) in names.iter().zip(suspension.coordinates) {
         stated.add_point(name, Sides::Unsaid, at, place);
     }
-    if let Some((place, radius)) = radius {
+    if let Some((place, radius)) = suspension.radius {
         stated.add_number("rolling_radius", Sides::Unsaid, radius, place);
     }
     Ok(stated)
@@ -61,7 +61,7 @@ fn template<'a>(lines: &[(Range<usize>, &'a str)]) -> Option<Vec<&'a str>> {
     let [parts, points, ..] = counts.as_slice() else {
         return None;
     };
-    let blocks = lines.get(start + 4 + *parts as usize..)?;
+    let blocks = lines.get((start + 4).saturating_add(*parts as usize)..)?;
     let blocks = blocks.chunks_exact(LINES_OF_POINT).take(*points as usize);
     let name = |block: &[(Range<usize>, &'a str)]| {
         let (place, line) = &block[LINE_OF_COORDINATES];
@@ -74,11 +74,14 @@ fn template<'a>(lines: &[(Range<usize>, &'a str)]) -> Option<Vec<&'a str>> {
 
 type Placed<T> = (Range<usize>, T);
 
+/// The numbers of a suspension, each with its place.
+struct Suspension {
+    coordinates: Vec<Placed<[f64; 3]>>,
+    radius: Option<Placed<f64>>,
+}
+
 /// The coordinates of so many points, and the radius where one follows them.
-fn suspension(
-    lines: &[(Range<usize>, &str)],
-    points: usize,
-) -> Option<(Vec<Placed<[f64; 3]>>, Option<Placed<f64>>)> {
+fn suspension(lines: &[(Range<usize>, &str)], points: usize) -> Option<Suspension> {
     let mut starts = (0..lines.len()).filter(|&line| SUSPENSIONS.contains(&lines[line].1));
     let (Some(start), None) = (starts.next(), starts.next()) else {
         return None;
@@ -91,5 +94,8 @@ fn suspension(
         [radius] if *radius > 0.0 => Some((row.place, *radius)),
         _ => None,
     });
-    (coordinates.len() == points).then_some((coordinates, radius))
+    (coordinates.len() == points).then_some(Suspension {
+        coordinates,
+        radius,
+    })
 }

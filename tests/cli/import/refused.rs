@@ -196,6 +196,12 @@ fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
             "a.shk:1:1: this is no .shk file of a known layout",
         ),
         (
+            "a.shk",
+            "TEMP_SETTINGS\n 14\nDouble Wishbone\n 1e300 1e300\n".to_owned(),
+            vec![],
+            "a.shk:1:1: this is no .shk file of a known layout",
+        ),
+        (
             "a.sub",
             "[MDI_HEADER]\n[UNITS]\n LENGTH = 'cm'\n".to_owned(),
             vec![],
