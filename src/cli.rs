@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    assemblies, bake, check, compare, draw, list, motion, published, range, sheet, sweep,
+    assemblies, bake, check, compare, draw, import, list, motion, published, range, sheet, sweep,
 };
 use crate::failure::Failure;
 use crate::interrupt;
@@ -52,6 +52,10 @@ pub enum Command {
     ///
     /// Chassis points, links, slides, bodies, measured lengths, kingpin and wheel, as SVG.
     Draw(draw::Arguments),
+    /// Makes a motion file of an engineer's hardpoints.
+    ///
+    /// Reads tables of points, subsystem files of Adams/Car and model files of Lotus.
+    Import(import::Arguments),
     /// Lists the catalogue of layouts, or prints the statements of one.
     ///
     /// Of each its name, what it is, its drives and its measures.
@@ -85,6 +89,7 @@ impl Options {
             Some(Command::Check(arguments)) => arguments.run(interrupted),
             Some(Command::Compare(arguments)) => arguments.run(interrupted),
             Some(Command::Draw(arguments)) => arguments.run(),
+            Some(Command::Import(arguments)) => arguments.run(),
             Some(Command::List(arguments)) => arguments.run(),
             Some(Command::Range(arguments)) => arguments.run(interrupted),
             Some(Command::Sheet(arguments)) => arguments.run(interrupted),
@@ -110,7 +115,7 @@ pub fn exit_code_of(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> Exi
 }
 
 const NOTES: &str = "\
-Units: lengths in the unit that a motion file states (m or mm; the published motion: m), times in
+Units: lengths in the unit that a motion file states (m, mm or in; the published motion: m), times in
 seconds, angles in radians; tables and plots are in millimetres or degrees where they say so.
 
 Points 8 and 11 define the spin axis. The paper prints no coordinates for point 11, the wheel centre:

@@ -5,6 +5,7 @@ pub mod bake;
 pub mod check;
 pub mod compare;
 pub mod draw;
+pub mod import;
 pub mod list;
 pub mod motion;
 pub mod published;

@@ -12,6 +12,7 @@ struct Readme;
 
 pub mod assemblies;
 pub mod bake;
+pub mod catalogue;
 pub mod characteristics;
 pub mod cli;
 pub mod commands;
@@ -19,6 +20,7 @@ pub mod detail;
 pub mod failure;
 pub mod file;
 pub mod interrupt;
+pub mod likely;
 pub mod load;
 pub mod mechanism;
 pub mod number;

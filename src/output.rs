@@ -1,12 +1,16 @@
-//! What the user gets: CSV files, plots, summaries, progress.
+//! What the user gets: CSV and JSON files, plots, summaries, progress.
 
 pub mod csv_file;
 pub mod drawing;
 pub mod figures;
 pub mod files;
+pub mod heading;
+mod json_file;
 pub mod page;
 pub mod plot;
 pub mod progress;
 pub mod record;
+pub mod rows;
 pub mod summary;
 pub mod table;
+pub mod target;

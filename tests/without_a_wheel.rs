@@ -9,10 +9,11 @@ use suspension::commands::bake::order::{Order, Ordered};
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::Mechanism;
-use suspension::output::csv_file::Target;
 use suspension::output::figures::{draw, height_and_angles};
 use suspension::output::record::record;
+use suspension::output::rows::Forms;
 use suspension::output::summary;
+use suspension::output::target::Target;
 use suspension::reach::range;
 use suspension_core::linkage;
 
@@ -61,9 +62,12 @@ fn its_motion_has_columns_of_points_alone() {
     let folder = tempfile::tempdir().expect("a folder");
     let mechanism = mechanism();
     let path = folder.path().join("a.csv");
-    let target = Target::File(path.clone());
+    let forms = Forms {
+        csv: Some(Target::File(path.clone())),
+        json: None,
+    };
     let never = AtomicBool::new(false);
-    let outcome = record(&mechanism, &mechanism.instants, Some(&target), 12, &never);
+    let outcome = record(&mechanism, &mechanism.instants, &forms, 12, &never);
     let outcome = outcome.expect("a table");
     let table = std::fs::read_to_string(path).expect("a table");
     assert_eq!(

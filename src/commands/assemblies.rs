@@ -12,9 +12,9 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{Mechanism, Suspension, Work};
-use crate::output::csv_file::Target;
 use crate::output::files::{announce, print, refuse_input};
 use crate::output::table::Table;
+use crate::output::target::Target;
 use listed::{Wish, list};
 use report::Report;
 

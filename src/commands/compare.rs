@@ -14,8 +14,8 @@ use crate::characteristics::Span;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::output::csv_file::Target;
 use crate::output::files::{announce, print, refuse_input, write_file};
+use crate::output::target::Target;
 use differences::Comparison;
 use side::{Side, Sided};
 

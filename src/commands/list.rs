@@ -7,6 +7,7 @@ use suspension_core::linkages::LISTINGS;
 use suspension_core::{Kind, Part, Parts};
 use suspension_runtime::Listing;
 
+use crate::catalogue::{first_sentence, unknown};
 use crate::failure::Failure;
 use crate::output::files::print;
 
@@ -31,13 +32,7 @@ impl Arguments {
         };
         match LISTINGS.iter().find(|(known, _)| *known == name) {
             Some((_, text)) => print(text),
-            None => {
-                let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
-                let known = known.join(", ");
-                Err(Failure::Input(format!(
-                    "unknown linkage `{name}`; known are {known}"
-                )))
-            }
+            None => Err(Failure::Input(unknown(&name, ""))),
         }
     }
 }
@@ -64,29 +59,9 @@ fn parts(listing: &Listing, kind: Kind, part: fn(usize) -> Part) -> String {
     names.collect::<Vec<_>>().join(", ")
 }
 
-/// The first sentence of what a listing says of itself.
-fn first_sentence(text: &str) -> String {
-    let lines = text.lines().map_while(|line| line.strip_prefix("//! "));
-    let paragraph = lines.collect::<Vec<_>>().join(" ");
-    let end = paragraph.find(". ").map_or(paragraph.len(), |end| end + 1);
-    paragraph[..end].to_owned()
-}
-
 const NOTES: &str = "\
 Each layout has its hardpoints, in metres; a motion file names it, linkage = \"macpherson\", and states the points that
 differ. Where other links are wanted, copy the statements and name the file, listing = \"my.linkage\".
 
 Example:
   suspension list macpherson > my.linkage";
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_sentence_ends_at_its_full_stop_or_with_the_paragraph() {
-        let text = "//! An arm, 0.4 m long,\n//! rear left. More.\n//!\n//! Axes.\nfixed: a;\n";
-        assert_eq!(first_sentence(text), "An arm, 0.4 m long, rear left.");
-        assert_eq!(first_sentence("//! An arm\n//!\n//! Axes.\n"), "An arm");
-    }
-}

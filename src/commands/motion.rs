@@ -11,11 +11,12 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{Mechanism, Suspension, Work};
-use crate::output::csv_file::Target;
 use crate::output::figures::{draw, height_and_angles, path};
-use crate::output::files::{announce, print, refuse_input, refuse_plot};
+use crate::output::files::{announce, print, refuse_plot};
 use crate::output::record::record;
+use crate::output::rows::Forms;
 use crate::output::summary;
+use crate::output::target::Target;
 
 /// What `suspension motion` is given.
 #[derive(Args, Clone, Debug)]
@@ -27,6 +28,10 @@ pub struct Arguments {
     /// folders are made.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
+    /// Write every row as JSON to PATH, or to standard output for `-`: a header with units and axes, and the rows
+    /// under the same names.
+    #[arg(long, value_name = "PATH")]
+    json: Option<PathBuf>,
     /// Draw wheel-centre height, kingpin and camber angle as SVG into the folder DIR.
     #[arg(long, value_name = "DIR")]
     plots: Option<PathBuf>,
@@ -43,15 +48,16 @@ impl Arguments {
     /// See [`Failure`]. Where the solver stops or the user interrupts, what was solved is written.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let csv = self.csv.clone().map(Target::from);
-        if let Some(Target::File(csv)) = &csv {
-            refuse_input(csv, &self.file, "--csv")?;
-        }
+        let forms = Forms {
+            csv: self.csv.clone().map(Target::from),
+            json: self.json.clone().map(Target::from),
+        };
+        forms.check(&self.file)?;
         let loaded = load(&source)?;
         loaded.run(Motion {
             source: source.name(),
             arguments: self,
-            csv,
+            forms,
             interrupted,
         })
     }
@@ -60,7 +66,7 @@ impl Arguments {
 struct Motion<'a> {
     source: &'a str,
     arguments: Arguments,
-    csv: Option<Target>,
+    forms: Forms,
     interrupted: &'a AtomicBool,
 }
 
@@ -71,22 +77,26 @@ impl Work for Motion<'_> {
         self,
         mechanism: &Mechanism<L, N>,
     ) -> Result<(), Failure> {
-        let csv = self.csv.as_ref();
+        let Self { forms, .. } = &self;
         let Arguments { file, plots, .. } = &self.arguments;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-        if let (Some(Target::File(csv)), Some(folder)) = (csv, plots) {
+        if let Some(folder) = plots {
             let Mechanism { names, unit, .. } = mechanism;
             let charts = height_and_angles(names, *unit, [&[], &[]]);
-            refuse_plot(
-                csv,
-                charts.iter().map(|(name, _)| path(folder, &stem, name)),
-            )?;
+            let plots = charts.iter().map(|(name, _)| path(folder, &stem, name));
+            let plots: Vec<PathBuf> = plots.collect();
+            for (table, option) in forms.files() {
+                refuse_plot(table, option, &plots)?;
+            }
         }
-        let outcome = record(mechanism, &mechanism.instants, csv, KEPT, self.interrupted)?;
-        let mut written = Vec::new();
-        if let Some(Target::File(path)) = csv {
-            written.push(path.clone());
-        }
+        let outcome = record(
+            mechanism,
+            &mechanism.instants,
+            forms,
+            KEPT,
+            self.interrupted,
+        )?;
+        let mut written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
         if let Some(folder) = plots {
             written.extend(draw(
                 mechanism,
@@ -95,7 +105,7 @@ impl Work for Motion<'_> {
                 height_and_angles,
             )?);
         }
-        if csv.is_none() && plots.is_none() {
+        if forms.is_empty() && plots.is_none() {
             let Mechanism {
                 linkage,
                 names,
@@ -105,6 +115,6 @@ impl Work for Motion<'_> {
             print(&summary::text(linkage, names, *unit, &outcome))?;
         }
         announce(&written);
-        outcome.failure(self.source, csv).map_or(Ok(()), Err)
+        outcome.failure(self.source, forms).map_or(Ok(()), Err)
     }
 }

@@ -13,11 +13,12 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{Mechanism, Suspension, Work};
-use crate::output::csv_file::Target;
 use crate::output::figures::draw;
 use crate::output::files::{announce, print};
 use crate::output::record::record;
+use crate::output::rows::Forms;
 use crate::output::summary;
+use crate::output::target::Target;
 use paper::Paper;
 use timing::Timing;
 
@@ -53,12 +54,15 @@ impl Work for Published<'_> {
     ) -> Result<(), Failure> {
         let (folder, stem) = WRITTEN;
         let csv = PathBuf::from(format!("{folder}/{stem}.csv"));
-        let target = Target::File(csv.clone());
+        let forms = Forms {
+            csv: Some(Target::File(csv.clone())),
+            json: None,
+        };
         let instants = &mechanism.instants;
         let keep = instants.count();
-        let outcome = record(mechanism, instants, Some(&target), keep, self.interrupted)?;
+        let outcome = record(mechanism, instants, &forms, keep, self.interrupted)?;
         let (name, _) = BUILT_IN;
-        if let Some(failure) = outcome.failure(name, Some(&target)) {
+        if let Some(failure) = outcome.failure(name, &forms) {
             return Err(failure);
         }
         let mut written = vec![csv];

@@ -13,10 +13,10 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{Mechanism, Names, Suspension, Unit, Work};
-use crate::output::csv_file::Target;
 use crate::output::figures::path;
 use crate::output::files::{announce, print, refuse_input, refuse_plot, write_file};
 use crate::output::table::Table;
+use crate::output::target::Target;
 use crate::reach::{DriveRange, range};
 
 /// What `suspension range` is given.
@@ -80,7 +80,8 @@ impl Work for Ranges<'_> {
         let plot = |folder: &PathBuf, drive: &str| path(folder, &stem, &format!("range_{drive}"));
         if let (Some(Target::File(csv)), Some(folder)) = (&self.csv, plots) {
             let drives = names.drives.iter();
-            refuse_plot(csv, drives.map(|drive| plot(folder, &drive.name)))?;
+            let plots: Vec<_> = drives.map(|drive| plot(folder, &drive.name)).collect();
+            refuse_plot(csv, "--csv", &plots)?;
         }
         let drives = 0..names.drives.len();
         let ranges = drives.map(|index| range(mechanism, index, self.interrupted));

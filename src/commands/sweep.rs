@@ -12,9 +12,10 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{Mechanism, Order, Suspension, Work};
-use crate::output::csv_file::Target;
-use crate::output::files::{announce, refuse_input};
+use crate::output::files::announce;
 use crate::output::progress::Progress;
+use crate::output::rows::Forms;
+use crate::output::target::Target;
 use grid::{Swept, grid};
 
 /// What `suspension sweep` is given.
@@ -37,6 +38,10 @@ pub struct Arguments {
     /// NAME being the motion file's.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
+    /// Write the rows as JSON to PATH, or to standard output for `-`: a header with units and axes, and the rows
+    /// under the same names; then there is no CSV file unless --csv is given too.
+    #[arg(long, value_name = "PATH")]
+    json: Option<PathBuf>,
 }
 
 impl Arguments {
@@ -50,14 +55,18 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
         let beside = || Path::new("out").join(format!("{stem}_sweep.csv"));
-        let target = Target::from(self.csv.clone().unwrap_or_else(beside));
-        if let Target::File(csv) = &target {
-            refuse_input(csv, &self.file, "--csv")?;
-        }
+        let json = self.json.clone().map(Target::from);
+        let csv = self.csv.clone();
+        let csv = csv.or_else(|| json.is_none().then(beside));
+        let forms = Forms {
+            csv: csv.map(Target::from),
+            json,
+        };
+        forms.check(&self.file)?;
         load(&source)?.run_at_design(Sweep {
             source: source.name(),
             arguments: &self,
-            target,
+            forms,
             interrupted,
         })
     }
@@ -66,7 +75,7 @@ impl Arguments {
 struct Sweep<'a> {
     source: &'a str,
     arguments: &'a Arguments,
-    target: Target,
+    forms: Forms,
     interrupted: &'a AtomicBool,
 }
 
@@ -94,10 +103,9 @@ impl Work for Sweep<'_> {
             progress.step();
             columns.row(state, per)
         });
-        table::write(mechanism, &columns, &visited.places, &self.target)?;
-        if let Target::File(path) = &self.target {
-            announce(std::slice::from_ref(path));
-        }
+        table::write(mechanism, &columns, &visited.places, &self.forms)?;
+        let written: Vec<PathBuf> = self.forms.files().map(|(path, _)| path.clone()).collect();
+        announce(&written);
         visited.failure(self.source).map_or(Ok(()), Err)
     }
 }

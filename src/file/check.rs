@@ -8,6 +8,7 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position, Table, Time};
 use crate::file::source::Source;
+use crate::likely::did_you_mean;
 use crate::mechanism::Instants;
 use crate::number::{exact, rounded};
 
@@ -25,19 +26,21 @@ pub fn names<V>(
     kind: &str,
     known: &[impl Borrow<str>],
 ) -> Result<(), Failure> {
-    known_names(source, table, kind, known)?;
+    let has = format!("the linkage has {}", known.join(", "));
+    known_names(source, table, kind, known, &has)?;
     let entries = table.get_ref();
-    match known
-        .iter()
-        .map(Borrow::borrow)
-        .find(|name| !entries.contains_key(*name))
-    {
-        Some(name) => Err(source.refuse(&table.span(), format!("{kind} `{name}` is missing"))),
-        None => Ok(()),
-    }
+    let missing = known.iter().map(Borrow::borrow);
+    let missing = missing.filter(|name| !entries.contains_key(*name));
+    let missing: Vec<String> = missing.map(|name| format!("`{name}`")).collect();
+    let message = match missing.as_slice() {
+        [] => return Ok(()),
+        [name] => format!("{kind} {name} is missing"),
+        names => format!("{kind}s {} are missing", names.join(", ")),
+    };
+    Err(source.refuse(&table.span(), message))
 }
 
-/// Checks that a table has no entry but for known names.
+/// Checks that a table has no entry but for known names; `has` says in words what they are.
 ///
 /// # Errors
 ///
@@ -47,6 +50,7 @@ pub fn known_names<V>(
     table: &Table<V>,
     kind: &str,
     known: &[impl Borrow<str>],
+    has: &str,
 ) -> Result<(), Failure> {
     let unknown = table
         .get_ref()
@@ -56,11 +60,9 @@ pub fn known_names<V>(
     let Some(key) = unknown else {
         return Ok(());
     };
-    let message = format!(
-        "unknown {kind} `{}`; the linkage has {}",
-        key.get_ref(),
-        known.join(", ")
-    );
+    let name = key.get_ref();
+    let hint = did_you_mean(name, known.iter().map(Borrow::borrow));
+    let message = format!("unknown {kind} `{name}`; {has}{hint}");
     Err(source.refuse(&key.span(), message))
 }
 

@@ -30,7 +30,11 @@ pub fn stand_in<V>(
     drives: &[&str],
     measures: &[&str],
 ) -> Result<Option<StandIn>, Failure> {
-    check::known_names(source, table, "drive", &[drives, measures].concat())?;
+    let mut has = format!("the drives are {}", drives.join(", "));
+    if !measures.is_empty() {
+        has += &format!(", and in place of one may lead {}", measures.join(", "));
+    }
+    check::known_names(source, table, "drive", &[drives, measures].concat(), &has)?;
     let entries = table.get_ref();
     let missing: Vec<usize> = (0..drives.len())
         .filter(|index| !entries.contains_key(drives[*index]))
@@ -108,7 +112,7 @@ mod tests {
             ("steer = 1", "a.toml:1:1: drive `bump` is missing"),
             (
                 "steer = 1\ncamber = 2",
-                "a.toml:2:1: unknown drive `camber`",
+                "a.toml:2:1: unknown drive `camber`; the drives are bump, steer, and in place of one may lead height, spring",
             ),
             (
                 "height = 1",

@@ -11,6 +11,7 @@ use serde::de::{
 use toml::Spanned;
 
 use crate::failure::Failure;
+use crate::file::explain::explained;
 use crate::file::source::Source;
 use crate::mechanism::{Axle, Unit};
 
@@ -53,8 +54,7 @@ impl MotionFile {
     /// [`Failure::Input`] with the place of the first mistake.
     pub fn parse(source: &Source) -> Result<Self, Failure> {
         toml::from_str(source.text()).map_err(|error| {
-            let message = error.message().trim_end().replace('\n', ", ");
-            let message = message.replace("expected f64", "expected a number");
+            let message = explained(error.message(), source);
             source.refuse(&error.span().unwrap_or(0..0), message)
         })
     }

@@ -9,6 +9,7 @@ use suspension_core::{Kind, Part, Parts};
 use suspension_runtime::{Fitted, Listing, Mistake, Mistakes, Model, Room, Size};
 use toml::Spanned;
 
+use crate::catalogue;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Position, Source};
 use crate::load::prepare::{Request, prepare};
@@ -36,7 +37,7 @@ impl Chosen {
         };
         let (name, listing) = match (&file.linkage, &file.listing, &file.statements) {
             (Some(name), ..) => (name.get_ref().clone(), of_catalogue(source, file, name)?),
-            (None, Some(path), _) => of_file(source, path)?,
+            (None, Some(path), _) => of_file(source, file, path)?,
             (None, None, Some(text)) => ("statements".to_owned(), of_text(source, text)?),
             (None, None, None) => return Err(source.refuse(place, "no listing")),
         };
@@ -91,10 +92,9 @@ fn of_catalogue(
 ) -> Result<Listing, Failure> {
     let wanted = name.get_ref().as_str();
     let Some((_, text)) = LISTINGS.iter().find(|(known, _)| *known == wanted) else {
-        let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
-        let known = known.join(", ");
-        let others = format!("{known}; `listing` names a file of your own statements");
-        return Err(unknown(source, name, &others));
+        let own = "; `listing` names a file of your own statements";
+        let message = catalogue::unknown(wanted, own);
+        return Err(source.refuse(&name.span(), message));
     };
     let listing = Listing::parse_file(text, wanted)
         .map_err(|mistakes| refused(&Source::new(wanted, *text), &mistakes))?;
@@ -109,23 +109,54 @@ fn of_catalogue(
     Ok(listing)
 }
 
-/// The file names none of the known linkages.
-pub(super) fn unknown(source: &Source, name: &Spanned<String>, known: &str) -> Failure {
-    let message = format!("unknown linkage `{}`; known are {known}", name.get_ref());
-    source.refuse(&name.span(), message)
-}
-
 /// The statements of a file beside the motion file, under the file's stem.
-fn of_file(source: &Source, path: &Spanned<String>) -> Result<(String, Listing), Failure> {
+fn of_file(
+    source: &Source,
+    file: &MotionFile,
+    path: &Spanned<String>,
+) -> Result<(String, Listing), Failure> {
     let folder = Path::new(source.name()).parent().unwrap_or(Path::new(""));
     let path = folder.join(path.get_ref());
     let text = Source::read(&path)?;
     let listing = Listing::parse_file(text.text(), text.name())
         .map_err(|mistakes| refused(&text, &mistakes))?;
+    check_places(&text, &listing, file)?;
     let name = path
         .file_stem()
         .map_or("listing".into(), |stem| stem.to_string_lossy());
     Ok((name.into_owned(), listing))
+}
+
+/// Two points in one place are the listing's mistake where the motion file states neither.
+fn check_places(text: &Source, listing: &Listing, file: &MotionFile) -> Result<(), Failure> {
+    let [chassis, free] = [Kind::ChassisPoint, Kind::FreePoint].map(|kind| listing.count(kind));
+    let points = file.points.get_ref();
+    let own = listing.stated().filter_map(|(point, at)| {
+        let name = listing.name(Part::Point(point));
+        (point < chassis + free && !points.contains_key(name)).then_some((name, at))
+    });
+    let own: Vec<(&str, Vector3<f64>)> = own.collect();
+    for (index, (name, at)) in own.iter().enumerate() {
+        if let Some((other, _)) = own[..index].iter().find(|(_, place)| place == at) {
+            let message = format!("point `{name}` is in the same place as point `{other}`");
+            return Err(text.refuse(&statement_of(text.text(), name), message));
+        }
+    }
+    Ok(())
+}
+
+/// Where a listing states a point: the name with `at` behind it.
+fn statement_of(text: &str, name: &str) -> Range<usize> {
+    let mut places = text.match_indices(name).filter(|(place, _)| {
+        let before = text[..*place].chars().next_back();
+        let behind = &text[place + name.len()..];
+        let stated =
+            behind.trim_start().starts_with("at ") && behind.starts_with(char::is_whitespace);
+        stated && !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
+    });
+    places
+        .next()
+        .map_or(0..0, |(place, _)| place..place + name.len())
 }
 
 /// The statements in the motion file itself; mistakes have its lines.

@@ -4,7 +4,7 @@ use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, check};
-use crate::load::listing::{Chosen, unknown};
+use crate::load::listing::Chosen;
 use crate::load::prepare::{Request, Start, prepare};
 use crate::mechanism::{Instants, Mechanism, Suspension, Unit, Work};
 
@@ -90,7 +90,10 @@ where
     let file = MotionFile::parse(source)?;
     match &file.linkage {
         Some(name) if name.get_ref() == linkage => {}
-        Some(name) => return Err(unknown(source, name, linkage)),
+        Some(name) => {
+            let message = format!("unknown linkage `{}`; known are {linkage}", name.get_ref());
+            return Err(source.refuse(&name.span(), message));
+        }
         None => {
             let message = format!("`linkage = \"{linkage}\"` is missing");
             return Err(source.refuse(&(0..0), message));

@@ -8,7 +8,7 @@ use crate::mechanism::Unit;
 use crate::number::rounded;
 
 /// No suspension is so large, in metres, nor so small.
-const LARGEST: f64 = 30.0;
+const LARGEST: f64 = 10.0;
 const SMALLEST: f64 = 0.03;
 
 /// How far a guess may be off the assembled position before it looks like a change that was meant, in metres: the
@@ -40,12 +40,11 @@ fn size<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
     let first = points.first()?;
     let apart = |point: &Vector3<f64>| (point - first).norm();
     let apart = points.iter().map(apart).fold(0.0, f64::max);
-    let (unit, metres) = (task.file.unit, apart / task.file.unit.metre());
-    let other = match unit {
-        Unit::Metre if metres > LARGEST => Unit::Millimetre,
-        Unit::Millimetre if metres < SMALLEST => Unit::Metre,
-        _ => return None,
-    };
+    let unit = task.file.unit;
+    let other = Unit::of_size(apart);
+    if (SMALLEST..LARGEST).contains(&(apart / unit.metre())) || other == unit {
+        return None;
+    }
     let (apart, unit, other) = (rounded(apart, 3), unit.symbol(), other.symbol());
     Some(format!(
         "the points are up to {apart} {unit} apart: is the file in {other}? (unit = \"{other}\")"

@@ -202,7 +202,10 @@ impl Names {
             (None, _) => Err(format!("--drive must say which: {all}")),
             (Some(wanted), _) => {
                 let found = names.iter().position(|name| *name == wanted);
-                found.ok_or_else(|| format!("unknown drive `{wanted}`; known are {all}"))
+                found.ok_or_else(|| match self.of_measures().contains(&wanted) {
+                    true => format!("`{wanted}` is a measure, no drive; the drives are {all}"),
+                    false => format!("unknown drive `{wanted}`; known are {all}"),
+                })
             }
         }
     }

@@ -12,14 +12,26 @@ pub enum Unit {
     /// Millimetres.
     #[serde(rename = "mm")]
     Millimetre,
+    /// Inches.
+    #[serde(rename = "in")]
+    Inch,
 }
 
 impl Unit {
+    /// The one in which something of the size of a suspension is so large.
+    pub fn of_size(size: f64) -> Self {
+        let off = |unit: &Self| (size / unit.metre()).ln().abs();
+        let units = [Self::Metre, Self::Millimetre, Self::Inch].into_iter();
+        let nearest = units.min_by(|a, b| off(a).total_cmp(&off(b)));
+        nearest.unwrap_or(Self::Metre)
+    }
+
     /// Its symbol.
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Metre => "m",
             Self::Millimetre => "mm",
+            Self::Inch => "in",
         }
     }
 
@@ -28,14 +40,16 @@ impl Unit {
         match self {
             Self::Metre => 1.0,
             Self::Millimetre => 1000.0,
+            Self::Inch => 1.0 / 0.0254,
         }
     }
 
-    /// Decimals of a length in a table for people: a hundredth of a millimetre.
+    /// Decimals of a length in a table for people: a hundredth of a millimetre, or finer.
     pub fn decimals(self) -> usize {
         match self {
             Self::Metre => 5,
             Self::Millimetre => 2,
+            Self::Inch => 4,
         }
     }
 

@@ -8,6 +8,7 @@ use crate::mechanism::{End, Instants, Mechanism, Names, State, Suspension, Unit}
 use crate::output::files::write_file;
 use crate::output::plot::{Chart, Curve};
 use crate::output::record::{Outcome, record};
+use crate::output::rows::Forms;
 use crate::quantities::{Axis, CAMBER, CENTRE, Column, KINGPIN, Quantity, columns};
 
 /// Instants behind a line.
@@ -36,7 +37,14 @@ pub fn draw<L: Suspension<N>, const N: usize>(
     }
     let [first, _] = mechanism.instants.ends();
     let dense = Instants::dense(first, outcome.farthest(), DENSE);
-    let line = record(mechanism, &dense, None, DENSE, &AtomicBool::new(false))?.kept;
+    let line = record(
+        mechanism,
+        &dense,
+        &Forms::default(),
+        DENSE,
+        &AtomicBool::new(false),
+    )?
+    .kept;
     let every_instant_kept = outcome.kept.len() == outcome.solved;
     let marks = if every_instant_kept {
         outcome.kept.as_slice()

@@ -135,18 +135,18 @@ pub fn announce(written: &[PathBuf]) {
     }
 }
 
-/// Refuses to write a table to where a plot is drawn.
+/// Refuses to write a table to where a plot is drawn. `option` is the one that names the table.
 ///
 /// # Errors
 ///
 /// [`Failure::Input`].
-pub fn refuse_plot(table: &Path, plots: impl IntoIterator<Item = PathBuf>) -> Result<(), Failure> {
+pub fn refuse_plot(table: &Path, option: &str, plots: &[PathBuf]) -> Result<(), Failure> {
     let place = resolved(table);
-    if !plots.into_iter().any(|plot| resolved(&plot) == place) {
+    if !plots.iter().any(|plot| resolved(plot) == place) {
         return Ok(());
     }
     Err(Failure::Input(format!(
-        "{}: --plots draws to this file, which --csv names too",
+        "{}: --plots draws to this file, which {option} names too",
         table.display()
     )))
 }
@@ -165,7 +165,7 @@ fn resolved(path: &Path) -> PathBuf {
     found
 }
 
-/// Refuses to write a result over the motion that it is the result of. `option` is the one that
+/// Refuses to write a result over the file that it is the result of. `option` is the one that
 /// names the result.
 ///
 /// # Errors
@@ -175,7 +175,7 @@ pub fn refuse_input(result: &Path, input: &Path, option: &str) -> Result<(), Fai
     match (result.canonicalize(), input.canonicalize()) {
         (Ok(result_found), Ok(input_found)) if result_found == input_found => {
             Err(Failure::Input(format!(
-                "{}: this is the motion file, which {option} would overwrite",
+                "{}: this is the file that is read, which {option} would overwrite",
                 result.display()
             )))
         }

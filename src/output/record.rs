@@ -1,4 +1,4 @@
-//! A motion written down: every state into a CSV file, some kept for tables and plots, and the totals.
+//! A motion written down: every state into files, some kept for tables and plots, and the totals.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -6,8 +6,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::failure::Failure;
 use crate::mechanism::{End, Instants, Mechanism, State, Suspension};
 use crate::number::number;
-use crate::output::csv_file::Target;
+use crate::output::heading::Header;
 use crate::output::progress::Progress;
+use crate::output::rows::Forms;
 use crate::output::table::{Column, Table};
 use crate::quantities::{self, CATALOGUE, Shown};
 
@@ -30,7 +31,7 @@ pub struct Outcome {
     pub kept: Vec<State>,
 }
 
-/// Moves through the instants, writes every state to `csv` and keeps about `keep` of them.
+/// Moves through the instants, writes every state in all `forms` and keeps about `keep` of them.
 ///
 /// A file is complete and named even where the solver stops or the user interrupts.
 ///
@@ -40,13 +41,11 @@ pub struct Outcome {
 pub fn record<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     instants: &Instants,
-    csv: Option<&Target>,
+    forms: &Forms,
     keep: usize,
     interrupted: &AtomicBool,
 ) -> Result<Outcome, Failure> {
-    let mut table = csv
-        .map(|target| Table::create(target, columns_of(mechanism)))
-        .transpose()?;
+    let mut table = Table::in_forms(forms, &Header::of(mechanism), columns_of(mechanism))?;
     let [first, _] = instants.ends();
     let mut outcome = Outcome {
         end: End::Complete,
@@ -61,9 +60,7 @@ pub fn record<L: Suspension<N>, const N: usize>(
     let mut last = None;
     let mut progress = Progress::new(instants.count(), "instants");
     outcome.end = mechanism.move_through(instants, &mut |state| {
-        if let Some(table) = &mut table {
-            table.add(&state)?;
-        }
+        table.add(&state)?;
         last = outcome.add(state, every);
         progress.step();
         Ok(if interrupted.load(Ordering::Relaxed) {
@@ -73,7 +70,7 @@ pub fn record<L: Suspension<N>, const N: usize>(
         })
     })?;
     outcome.kept.extend(last);
-    table.map_or(Ok(()), Table::finish)?;
+    table.finish()?;
     Ok(outcome)
 }
 
@@ -113,8 +110,8 @@ impl Outcome {
 
     /// What remains to be said where the motion did not reach its last instant. Rows are kept
     /// where a table was written.
-    pub fn failure(&self, source: &str, table: Option<&Target>) -> Option<Failure> {
-        let done = self.done_in_words(table.is_some());
+    pub fn failure(&self, source: &str, forms: &Forms) -> Option<Failure> {
+        let done = self.done_in_words(!forms.is_empty());
         match &self.end {
             End::Complete => None,
             End::Cut => Some(Failure::Interrupted(format!(

@@ -1,8 +1,10 @@
-//! A table in a CSV file: a row a thing, each column read off the thing.
+//! A table in files: a row a thing, each column read off the thing.
 
 use crate::failure::Failure;
 use crate::mechanism::{State, Unit};
-use crate::output::csv_file::{CsvFile, Heading, Target};
+use crate::output::heading::{Header, Heading};
+use crate::output::rows::{Forms, Rows};
+use crate::output::target::Target;
 use crate::quantities::{self, Kind};
 
 /// A column of numbers that are read off things.
@@ -44,21 +46,41 @@ impl<T: 'static> Column<T> {
 
 /// A table being written.
 pub struct Table<T> {
-    file: CsvFile,
+    rows: Rows,
     columns: Vec<Column<T>>,
     row: Vec<f64>,
 }
 
 impl<T: 'static> Table<T> {
-    /// Starts a table with its header.
+    /// Starts a table of comma-separated values.
     ///
     /// # Errors
     ///
     /// See [`Failure::writing`].
     pub fn create(target: &Target, columns: Vec<Column<T>>) -> Result<Self, Failure> {
-        let headings: Vec<_> = columns.iter().map(|column| &column.heading).collect();
+        Self::of(columns, |headings| Rows::csv(target, headings))
+    }
+
+    /// Starts a table in the forms that are wanted.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure::writing`].
+    pub fn in_forms(
+        forms: &Forms,
+        header: &Header,
+        columns: Vec<Column<T>>,
+    ) -> Result<Self, Failure> {
+        Self::of(columns, |headings| Rows::create(forms, header, headings))
+    }
+
+    fn of(
+        columns: Vec<Column<T>>,
+        rows: impl FnOnce(&[Heading]) -> Result<Rows, Failure>,
+    ) -> Result<Self, Failure> {
+        let headings = columns.iter().map(|column| column.heading.clone());
         Ok(Self {
-            file: CsvFile::create(target, &headings)?,
+            rows: rows(&headings.collect::<Vec<_>>())?,
             columns,
             row: Vec::new(),
         })
@@ -73,7 +95,7 @@ impl<T: 'static> Table<T> {
         self.row.clear();
         let values = self.columns.iter().map(|column| (column.value)(thing));
         self.row.extend(values);
-        self.file.row(&self.row)
+        self.rows.add(&self.row)
     }
 
     /// Ends the table; a file takes its name.
@@ -82,6 +104,6 @@ impl<T: 'static> Table<T> {
     ///
     /// See [`Failure::writing`].
     pub fn finish(self) -> Result<(), Failure> {
-        self.file.finish()
+        self.rows.finish()
     }
 }

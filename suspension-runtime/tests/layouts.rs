@@ -1,6 +1,7 @@
 //! The catalogue's layouts over their travel: links, bodies and slides by plain geometry, and for each layout what
 //! follows from its kind without the solver.
 
+mod double_wishbone_rocker;
 mod integral_link;
 mod layout;
 mod live_axle_panhard;

@@ -10,7 +10,7 @@ type Case = (&'static str, &'static str, &'static str, &'static str);
 const BAD: [Case; 62] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
-    ("unit", "unit = \"ft\"", ":7:8", "ft"),
+    ("unit", "unit = \"ft\"", ":7:8", "`m`, `mm`, `in`"),
     ("linkage", "linkage = \"strut\"", ":6:11", "attia2003, five_link"),
     ("p11", "", ":9:", "`p11` is missing"),
     ("p2", "p2 = [-1.301, 0.1168, 0.106]\np12 = [0, 0, 0]", ":14:1", "unknown point `p12`"),

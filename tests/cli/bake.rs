@@ -372,7 +372,7 @@ fn wrong_orders_are_exit_code_2_and_one_sentence() {
         ),
         (
             &["--output", "./a.toml"],
-            "./a.toml: this is the motion file, which --output would",
+            "./a.toml: this is the file that is read, which --output would",
         ),
     ] {
         let output = run(folder.path(), &[&["bake", "a.toml"], arguments].concat());

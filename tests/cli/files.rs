@@ -39,7 +39,7 @@ fn the_input_is_not_overwritten_by_its_results() {
         assert_eq!(output.status.code(), Some(2), "{message}");
         assert_eq!(message.lines().count(), 1, "{message}");
         assert!(
-            message.starts_with(&format!("{name}: this is the motion file")),
+            message.starts_with(&format!("{name}: this is the file that is read")),
             "{message}"
         );
         let kept = std::fs::read_to_string(folder.path().join("a.toml")).expect("the input");

@@ -231,7 +231,7 @@ fn sets_of_leading_quantities_that_do_not_fit_are_refused() {
         ),
         (
             "bump = [50.0]",
-            ":51:1: unknown drive `bump`; the linkage has theta, height",
+            ":51:1: unknown drive `bump`; the drives are theta, and in place of one may lead height",
         ),
         (
             "height = []",

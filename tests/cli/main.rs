@@ -9,8 +9,11 @@ mod compare;
 mod figures;
 mod files;
 mod hostile_files;
+mod import;
+mod json;
 mod led;
 mod list;
+mod newcomer;
 mod notes;
 mod plots;
 mod program;
@@ -23,6 +26,7 @@ mod stops;
 mod support;
 mod support_angles;
 mod sweep;
+mod units;
 
 /// The program that is run.
 const PROGRAM: &str = env!("CARGO_BIN_EXE_suspension");

@@ -22,6 +22,9 @@ fn hardpoints_in_another_unit_are_remarked() {
         "{told}"
     );
     assert!(told.contains("unit = \"mm\""), "{told}");
+    let inches = millimetres.replace("unit = \"mm\"", "unit = \"in\"");
+    let told = notes(&inches);
+    assert!(told.contains("537 in apart: is the file in mm?"), "{told}");
 }
 
 #[test]

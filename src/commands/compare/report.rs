@@ -6,8 +6,10 @@ use crate::commands::compare::differences::{Comparison, Difference, Part};
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
 use crate::number::{aligned, exact};
-use crate::output::csv_file::{CsvFile, Heading, Target};
+use crate::output::csv_file::CsvFile;
+use crate::output::heading::Heading;
 use crate::output::page::in_digits;
+use crate::output::target::Target;
 
 /// Which file is which, a line each.
 pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
@@ -120,7 +122,7 @@ pub(super) fn table(comparison: &Comparison, target: &Target) -> Result<(), Fail
         name: name.to_owned(),
         counts: false,
     });
-    let mut file = CsvFile::create(target, &headings.each_ref())?;
+    let mut file = CsvFile::create(target, &headings)?;
     for part in &comparison.parts {
         for difference in &part.differences {
             let [a, b] = difference.values.map(exact);

@@ -28,7 +28,7 @@ const FILE: &str = r#"The file:
   linkage = "attia2003"              # or another of `suspension list`; in its place
                                      # listing = "corner.linkage", a file of statements beside this one, or
                                      # statements = '''...''' with the statements themselves
-  unit = "m"                         # or "mm": of all lengths here, and of results; no conversion
+  unit = "m"                         # or "mm" or "in": of all lengths here, and of results; no conversion
   [points]                           # chassis points, free points and markers, each by name
   p1 = [-1.396, -0.025, -0.082]
   p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, off another point

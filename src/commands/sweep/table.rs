@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::mechanism::{Mechanism, Names, State};
-use crate::output::csv_file::{CsvFile, Heading, Target};
+use crate::output::heading::{Header, Heading};
+use crate::output::rows::{Forms, Rows};
 use crate::quantities::{self, CATALOGUE, Column, DRIVES, Seen, Shown};
 
 /// The numbers of a place.
@@ -64,7 +65,7 @@ pub(super) fn write<L, const N: usize>(
     mechanism: &Mechanism<L, N>,
     columns: &Columns,
     rows: &[Option<Row>],
-    target: &Target,
+    forms: &Forms,
 ) -> Result<(), Failure> {
     let Mechanism { names, unit, .. } = mechanism;
     let values = columns
@@ -85,9 +86,9 @@ pub(super) fn write<L, const N: usize>(
         counts: false,
     };
     let headings: Vec<Heading> = values.chain(derivatives).map(heading).collect();
-    let mut file = CsvFile::create(target, &headings.iter().collect::<Vec<_>>())?;
+    let mut file = Rows::create(forms, &Header::of(mechanism), &headings)?;
     for row in rows.iter().flatten() {
-        file.row(row)?;
+        file.add(row)?;
     }
     file.finish()
 }

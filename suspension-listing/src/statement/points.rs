@@ -74,16 +74,17 @@ pub(super) fn vector(input: ParseStream<'_>, what: &str) -> syn::Result<Vector> 
 
 /// A number without sign.
 pub(super) fn number(input: ParseStream<'_>) -> syn::Result<f64> {
-    let number: Lit = input.parse()?;
+    let place = input.span();
+    let number: Lit = input.parse().map_err(|_| not_a_number(place))?;
     let value: f64 = match &number {
         Lit::Int(digits) => digits.base10_parse(),
         Lit::Float(digits) => digits.base10_parse(),
-        other => Err(not_a_number(other)),
+        _ => Err(not_a_number(place)),
     }?;
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(not_a_number(&number))
+        Err(not_a_number(place))
     }
 }
 
@@ -120,9 +121,9 @@ fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
     )
 }
 
-fn not_a_number(literal: &Lit) -> Error {
+fn not_a_number(place: Span) -> Error {
     Error::new(
-        literal.span(),
+        place,
         "a coordinate or a factor is a finite number, for example `-1.25`",
     )
 }

@@ -1,0 +1,35 @@
+//! The catalogue of layouts, in words.
+
+use suspension_core::linkages::LISTINGS;
+
+use crate::likely::did_you_mean;
+
+/// That the catalogue has no such linkage, what it has, and what there is besides.
+pub fn unknown(name: &str, besides: &str) -> String {
+    let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
+    let hint = did_you_mean(name, known.iter().copied());
+    format!(
+        "unknown linkage `{name}`; known are {}{besides}{hint}",
+        known.join(", ")
+    )
+}
+
+/// The first sentence of what a listing says of itself.
+pub fn first_sentence(text: &str) -> String {
+    let lines = text.lines().map_while(|line| line.strip_prefix("//! "));
+    let paragraph = lines.collect::<Vec<_>>().join(" ");
+    let end = paragraph.find(". ").map_or(paragraph.len(), |end| end + 1);
+    paragraph[..end].to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sentence_ends_at_its_full_stop_or_with_the_paragraph() {
+        let text = "//! An arm, 0.4 m long,\n//! rear left. More.\n//!\n//! Axes.\nfixed: a;\n";
+        assert_eq!(first_sentence(text), "An arm, 0.4 m long, rear left.");
+        assert_eq!(first_sentence("//! An arm\n//!\n//! Axes.\n"), "An arm");
+    }
+}

@@ -1,0 +1,77 @@
+//! The points of a file in our axes, on the side that is wanted.
+
+use super::axes::Axes;
+use super::choice::Choice;
+use super::hardpoints::Side;
+
+/// The points that the file has, in ISO 8855.
+#[derive(Debug)]
+pub(super) struct Corner {
+    /// In the order of the choice.
+    pub(super) at: Vec<[f64; 3]>,
+    /// Where it is now.
+    pub(super) side: Side,
+    /// Whether it was on the other side before.
+    pub(super) mirrored: bool,
+}
+
+impl Corner {
+    /// The points of a choice.
+    ///
+    /// # Errors
+    ///
+    /// Where the corner is not on the side that its names say, and nobody has said where it is to be.
+    pub(super) fn of(
+        choice: &Choice<'_>,
+        axes: Axes,
+        wanted: Option<Side>,
+    ) -> Result<Self, String> {
+        let at = choice.found.iter().map(|(_, point)| axes.to_iso(point.at));
+        let at: Vec<_> = at.collect();
+        let Some(centre) = choice.point("wheel_centre") else {
+            return match wanted {
+                None => Ok(Self {
+                    at,
+                    side: Side::Left,
+                    mirrored: false,
+                }),
+                Some(_) => Err(format!(
+                    "--side is for corners; {} has both sides",
+                    choice.linkage
+                )),
+            };
+        };
+        let [_, y, _] = axes.to_iso(centre.at);
+        let is = if y < 0.0 { Side::Right } else { Side::Left };
+        let named = centre.side.unwrap_or(is);
+        if wanted.is_none() && named != is {
+            return Err(format!(
+                "`{}` is on the {} by its name, and on the {} by y = {} in axes {}; say other --axes, or --side to have \
+                 the corner mirrored to that side",
+                centre.name,
+                named.name(),
+                is.name(),
+                centre.at[1],
+                axes.in_words()
+            ));
+        }
+        let side = wanted.unwrap_or(is);
+        let mirrored = side != is;
+        let mirror = |[x, y, z]: [f64; 3]| if mirrored { [x, 0.0 - y, z] } else { [x, y, z] };
+        Ok(Self {
+            at: at.into_iter().map(mirror).collect(),
+            side,
+            mirrored,
+        })
+    }
+
+    /// The largest distance of two points along an axis.
+    pub(super) fn apart(&self) -> f64 {
+        let along = |axis: usize| {
+            let values = self.at.iter().map(|at| at[axis]);
+            let least = values.clone().fold(f64::INFINITY, f64::min);
+            values.fold(f64::NEG_INFINITY, f64::max) - least
+        };
+        [0, 1, 2].map(along).into_iter().fold(0.0, f64::max)
+    }
+}

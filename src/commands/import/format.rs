@@ -1,0 +1,40 @@
+//! Which format a file has.
+
+use super::hardpoints::Hardpoints;
+use super::names::Names;
+use super::{shark, subsystem, table};
+use crate::failure::Failure;
+use crate::file::{Source, is_listing, is_motion};
+
+/// Reads a file of hardpoints, by what is in it.
+///
+/// # Errors
+///
+/// [`Failure::Input`] with a place where the file is wrong, or has no points.
+pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
+    let other = [
+        (
+            is_motion(source.text()),
+            "this is a motion file already; suspension sheet takes it",
+        ),
+        (
+            is_listing(source.text()),
+            "this is a listing; a motion file names it, see suspension motion --help",
+        ),
+    ];
+    if let Some((_, message)) = other.iter().find(|(is, _)| *is) {
+        return Err(source.refuse(&(0..0), message));
+    }
+    let stated = if shark::is_model(source) {
+        shark::read(source)?
+    } else if subsystem::is_subsystem(source.text()) {
+        subsystem::read(source, names)?
+    } else {
+        table::read(source, names)?
+    };
+    if stated.points.is_empty() {
+        let message = "there are no hardpoints here; a line has a name and three numbers: x, y, z";
+        return Err(source.refuse(&(0..0), message));
+    }
+    Ok(stated)
+}

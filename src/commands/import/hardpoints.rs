@@ -1,0 +1,194 @@
+//! What a hardpoint file says, whatever its format.
+
+use std::ops::Range;
+
+use clap::ValueEnum;
+
+use super::axes::Axes;
+use super::names::spelled;
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::mechanism::Unit;
+
+/// A side of the vehicle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Side {
+    /// The left one.
+    Left,
+    /// The right one.
+    Right,
+}
+
+impl Side {
+    /// In words.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}
+
+/// Which sides a row of a file is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sides {
+    /// It does not say, or it is in the middle.
+    Unsaid,
+    /// One.
+    One(Side),
+    /// Both: it has the left one, and the right one is its mirror image.
+    Mirrored,
+}
+
+/// A point of a file.
+#[derive(Clone, Debug)]
+pub(super) struct Hardpoint {
+    /// As the file writes it.
+    pub(super) name: String,
+    /// In the spelling that names are compared in.
+    pub(super) key: String,
+    pub(super) side: Option<Side>,
+    /// In the file's axes.
+    pub(super) at: [f64; 3],
+    pub(super) place: Range<usize>,
+}
+
+/// A number of a file that is no coordinate.
+#[derive(Clone, Debug)]
+pub(super) struct Number {
+    pub(super) key: String,
+    pub(super) side: Option<Side>,
+    pub(super) value: f64,
+    pub(super) place: Range<usize>,
+}
+
+/// How the names of points end that Lotus has for the masses of parts.
+const CENTRE_OF_MASS: &str = "c_of_g";
+
+/// What a file says.
+#[derive(Debug)]
+pub(super) struct Hardpoints<'a> {
+    pub(super) source: &'a Source,
+    pub(super) points: Vec<Hardpoint>,
+    pub(super) numbers: Vec<Number>,
+    /// The unit of lengths, where the file states it.
+    pub(super) unit: Option<Unit>,
+    /// Whether its angles are in radians.
+    pub(super) radians: bool,
+    /// The axes that are usual in such files.
+    pub(super) usual: Axes,
+}
+
+impl<'a> Hardpoints<'a> {
+    /// Of a file that has not been read yet.
+    pub(super) fn new(source: &'a Source, usual: Axes) -> Self {
+        Self {
+            source,
+            points: Vec::new(),
+            numbers: Vec::new(),
+            unit: None,
+            radians: false,
+            usual,
+        }
+    }
+
+    /// Adds a point, on both sides where it is mirrored; a centre of mass is none.
+    pub(super) fn add_point(
+        &mut self,
+        name: &str,
+        sides: Sides,
+        at: [f64; 3],
+        place: Range<usize>,
+    ) {
+        let [x, y, z] = at;
+        let (key, prefixed) = key_of(name);
+        if key.ends_with(CENTRE_OF_MASS) {
+            return;
+        }
+        let each = match (prefixed, sides) {
+            (Sides::Unsaid, Sides::Mirrored) => {
+                vec![(Some(Side::Left), at), (Some(Side::Right), [x, 0.0 - y, z])]
+            }
+            (Sides::One(side), _) | (_, Sides::One(side)) => vec![(Some(side), at)],
+            _ => vec![(None, at)],
+        };
+        let name: String = name.chars().filter(|c| !c.is_control()).collect();
+        self.points
+            .extend(each.into_iter().map(|(side, at)| Hardpoint {
+                name: name.clone(),
+                key: key.clone(),
+                side,
+                at,
+                place: place.clone(),
+            }));
+    }
+
+    /// Adds a number.
+    pub(super) fn add_number(&mut self, name: &str, sides: Sides, value: f64, place: Range<usize>) {
+        let side = match sides {
+            Sides::One(side) => Some(side),
+            Sides::Unsaid | Sides::Mirrored => None,
+        };
+        let (key, _) = key_of(name);
+        self.numbers.push(Number {
+            key,
+            side,
+            value,
+            place,
+        });
+    }
+
+    /// The points of one corner, and those of no side; of two corners the left one unless the other is wanted.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where a name stands twice.
+    pub(super) fn of_side(&self, wanted: Option<Side>) -> Result<Vec<&Hardpoint>, Failure> {
+        let has = |side: Side| self.points.iter().any(|point| point.side == Some(side));
+        let wanted = wanted.unwrap_or(Side::Left);
+        let other = match wanted {
+            Side::Left => Side::Right,
+            Side::Right => Side::Left,
+        };
+        let side = if has(wanted) { wanted } else { other };
+        let points = self.points.iter();
+        let points = points.filter(|point| point.side.is_none_or(|other| other == side));
+        let points: Vec<&Hardpoint> = points.collect();
+        for (index, point) in points.iter().enumerate() {
+            if let Some(first) = points[..index].iter().find(|first| first.key == point.key) {
+                let message = format!(
+                    "point `{}` stands in {} already; leave one of them",
+                    point.name,
+                    self.line(&first.place)
+                );
+                return Err(self.source.refuse(&point.place, message));
+            }
+        }
+        Ok(points)
+    }
+
+    /// `file:line` of a place.
+    pub(super) fn line(&self, place: &Range<usize>) -> String {
+        let place = self.source.place(place);
+        let line = place.rsplit_once(':').map(|(line, _)| line.to_owned());
+        line.unwrap_or(place)
+    }
+}
+
+/// A name as it is compared, without what Adams/Car puts before it: the model, and hpl_, hpr_ or hps_ for left, right
+/// and single; and the side that this says.
+pub(super) fn key_of(name: &str) -> (String, Sides) {
+    let own = name.rsplit('.').next().unwrap_or(name);
+    let key = spelled(own);
+    let prefixes = [
+        ("hpl_", Sides::One(Side::Left)),
+        ("hpr_", Sides::One(Side::Right)),
+        ("pvl_", Sides::One(Side::Left)),
+        ("pvr_", Sides::One(Side::Right)),
+        ("hps_", Sides::Unsaid),
+        ("pvs_", Sides::Unsaid),
+    ];
+    let mut found = prefixes.into_iter();
+    let found = found.find_map(|(prefix, side)| Some((key.strip_prefix(prefix)?.to_owned(), side)));
+    found.unwrap_or((key, Sides::Unsaid))
+}

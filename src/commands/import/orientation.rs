@@ -1,0 +1,108 @@
+//! Which axes a file has, by the order of its points.
+
+use super::axes::Axes;
+use super::choice::Choice;
+use super::hardpoints::{Hardpoint, Side};
+use super::names::Order;
+
+/// What points say of an axis.
+struct Clue {
+    axis: usize,
+    /// 1 where the axis points as in ISO 8855, -1 where it points the other way.
+    sign: f64,
+    why: String,
+}
+
+/// Axes, and why these.
+#[derive(Debug)]
+pub(super) struct Orientation {
+    pub(super) axes: Axes,
+    /// What speaks for them.
+    pub(super) why: String,
+    /// What speaks against axes that the user stated.
+    pub(super) doubts: Vec<String>,
+}
+
+/// The axes that are stated, or else those that the points have.
+///
+/// # Errors
+///
+/// What the points say where no axes have that.
+pub(super) fn orientation(
+    choice: &Choice<'_>,
+    order: &Order,
+    stated: Option<Axes>,
+    usual: Axes,
+) -> Result<Orientation, String> {
+    let clues = [
+        of_order(choice, &order.ahead, 0, "behind"),
+        of_order(choice, &order.above, 2, "below"),
+        of_side(choice.point("wheel_centre")),
+    ];
+    let clues: Vec<Clue> = clues.into_iter().flatten().collect();
+    let fits = |axes: &Axes, clue: &Clue| axes.signs()[clue.axis] == clue.sign;
+    if let Some(axes) = stated {
+        // Which side the corner is on is asked on its own.
+        let against = clues
+            .iter()
+            .filter(|clue| clue.axis != 1 && !fits(&axes, clue));
+        return Ok(Orientation {
+            axes,
+            why: "as --axes says".to_owned(),
+            doubts: against.map(|clue| clue.why.clone()).collect(),
+        });
+    }
+    let why: Vec<&str> = clues.iter().map(|clue| clue.why.as_str()).collect();
+    let why = why.join(", ");
+    let fit = Axes::ALL.into_iter();
+    let fit: Vec<Axes> = fit
+        .filter(|axes| clues.iter().all(|clue| fits(axes, clue)))
+        .collect();
+    match fit.as_slice() {
+        [] => Err(format!(
+            "the axes are none of iso, adams, sae, as {why}; say --axes, and --side for the corner that it is"
+        )),
+        [axes] => Ok(Orientation {
+            axes: *axes,
+            why: format!("as {why}"),
+            doubts: Vec::new(),
+        }),
+        [first, ..] => Ok(Orientation {
+            axes: if fit.contains(&usual) { usual } else { *first },
+            why: "as is usual in such files".to_owned(),
+            doubts: Vec::new(),
+        }),
+    }
+}
+
+/// By the first of the pairs that the file has.
+fn of_order(choice: &Choice<'_>, pairs: &[[String; 2]], axis: usize, is: &str) -> Option<Clue> {
+    pairs.iter().find_map(|[first, second]| {
+        let [first, second] = [choice.point(first)?, choice.point(second)?];
+        let [a, b] = [first.at[axis], second.at[axis]];
+        let name = ["x", "y", "z"][axis];
+        (a != b).then(|| Clue {
+            axis,
+            sign: (a - b).signum(),
+            why: format!(
+                "{name} is {a} at `{}` and {b} at `{}` {is} it",
+                first.name, second.name
+            ),
+        })
+    })
+}
+
+/// By the side that a name says.
+fn of_side(point: Option<&Hardpoint>) -> Option<Clue> {
+    let point = point?;
+    let (side, y) = (point.side?, point.at[1]);
+    let outboard = match side {
+        Side::Left => 1.0,
+        Side::Right => -1.0,
+    };
+    (y != 0.0).then(|| Clue {
+        axis: 1,
+        sign: outboard * y.signum(),
+        why: format!("y is {y} at `{}` on the {}", point.name, side.name()),
+    })
+}

@@ -1,0 +1,166 @@
+//! A line of a table: a name and numbers, whatever stands between them.
+
+use std::ops::Range;
+
+use super::hardpoints::{Side, Sides};
+use crate::mechanism::Unit;
+
+/// What begins a remark.
+const REMARKS: [&str; 5] = ["#", "//", "%", "$", "!"];
+
+/// What stands between fields; a tab or `;` lets numbers have a decimal comma.
+const SEPARATORS: [char; 4] = [';', '\t', ',', ' '];
+
+/// A line that has been taken apart.
+#[derive(Debug)]
+pub(super) struct Row<'a> {
+    fields: Vec<&'a str>,
+    separator: char,
+    /// The line in its file.
+    pub(super) place: Range<usize>,
+}
+
+/// The lines of a text without blanks at their ends, each with its place.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
+    let mut start = 0;
+    text.split_inclusive('\n').map(move |line| {
+        let from = start;
+        start += line.len();
+        let line = line.trim_end();
+        let own = line.trim_start_matches(|c: char| c.is_whitespace() || c == '\u{feff}');
+        (from + line.len() - own.len()..from + line.len(), own)
+    })
+}
+
+impl<'a> Row<'a> {
+    /// A line without its remark: apart at the separator that gives it three coordinates, or else the most numbers.
+    pub(super) fn of(place: Range<usize>, line: &'a str) -> Self {
+        let starts = REMARKS.iter().filter_map(|remark| line.find(remark));
+        let line = &line[..starts.min().unwrap_or(line.len())];
+        let present = SEPARATORS
+            .into_iter()
+            .filter(|c| *c == ' ' || line.contains(*c));
+        let rows = present.map(|separator| Self {
+            fields: fields(line, separator),
+            separator,
+            place: place.clone(),
+        });
+        let mut rows: Vec<Self> = rows.collect();
+        let best = rows.iter().position(|row| row.coordinates().is_some());
+        rows.swap_remove(best.unwrap_or_default())
+    }
+
+    /// Three numbers in a row, neither fewer nor more, and where among the fields they begin.
+    fn found(&self) -> Option<(usize, [f64; 3])> {
+        let numbers: Vec<_> = self.fields.iter().map(|field| self.number(field)).collect();
+        let mut first = 0;
+        for run in numbers.chunk_by(|a, b| a.is_some() == b.is_some()) {
+            if let [Some(x), Some(y), Some(z)] = run {
+                return Some((first, [*x, *y, *z]));
+            }
+            first += run.len();
+        }
+        None
+    }
+
+    /// The three coordinates of a point.
+    pub(super) fn coordinates(&self) -> Option<[f64; 3]> {
+        self.found().map(|(_, at)| at)
+    }
+
+    /// All numbers.
+    pub(super) fn numbers(&self) -> Vec<f64> {
+        let fields = self.fields.iter();
+        fields.filter_map(|field| self.number(field)).collect()
+    }
+
+    /// The name: what stands before the coordinates, or else behind them, as in reports of Lotus.
+    pub(super) fn name(&self) -> String {
+        let first = self.found().map_or(self.fields.len(), |(first, _)| first);
+        let (before, behind) = self.fields.split_at(first);
+        let mut words = self.words(before);
+        if words.is_empty() {
+            words = self.words(behind);
+            let is_label = |word: &str| word.eq_ignore_ascii_case("point");
+            if words.first().is_some_and(|word| is_label(word)) {
+                words.remove(0);
+            }
+        }
+        // The name is next to the coordinates; of a row without them other words may be mistyped numbers.
+        let word = if first == self.fields.len() {
+            words.first()
+        } else {
+            words.last()
+        };
+        match word {
+            Some(word) if self.separator != ' ' => (*word).to_owned(),
+            _ => words.join(" "),
+        }
+    }
+
+    /// Which sides the row says that it is of.
+    pub(super) fn sides(&self) -> Sides {
+        let said = self.fields.iter().find_map(|field| sides_of(field));
+        said.unwrap_or(Sides::Unsaid)
+    }
+
+    /// The fields that are neither numbers nor sides, types or units.
+    fn words(&self, fields: &[&'a str]) -> Vec<&'a str> {
+        let is_word = |field: &&str| {
+            let is_type = ["real", "deg", "rad"].contains(field) || unit(field).is_some();
+            self.number(field).is_none() && sides_of(field).is_none() && !is_type
+        };
+        fields.iter().copied().filter(is_word).collect()
+    }
+
+    fn number(&self, field: &str) -> Option<f64> {
+        let with_comma = matches!(self.separator, ';' | '\t');
+        let number: f64 = if with_comma {
+            field.replace(',', ".").parse().ok()?
+        } else {
+            field.parse().ok()?
+        };
+        // `inf` and `nan` would be numbers too.
+        number.is_finite().then_some(number)
+    }
+}
+
+fn sides_of(field: &str) -> Option<Sides> {
+    match field.to_ascii_lowercase().as_str() {
+        "left" => Some(Sides::One(Side::Left)),
+        "right" => Some(Sides::One(Side::Right)),
+        "left/right" => Some(Sides::Mirrored),
+        "single" => Some(Sides::Unsaid),
+        _ => None,
+    }
+}
+
+/// The unit that a word names.
+pub(super) fn unit(word: &str) -> Option<Unit> {
+    match word {
+        "mm" | "millimeter" | "millimetre" | "millimeters" | "millimetres" => {
+            Some(Unit::Millimetre)
+        }
+        "m" | "meter" | "metre" | "meters" | "metres" => Some(Unit::Metre),
+        "in" | "inch" | "inches" => Some(Unit::Inch),
+        _ => None,
+    }
+}
+
+/// The fields of a line, without quotes, and without those that are empty.
+fn fields(line: &str, separator: char) -> Vec<&str> {
+    let mut quote = None;
+    let apart = move |c: char| {
+        if quote.is_none() && matches!(c, '\'' | '"') {
+            quote = Some(c);
+        } else if quote == Some(c) {
+            quote = None;
+        }
+        let is_blank = separator == ' ' && c.is_whitespace();
+        quote.is_none() && (c == separator || is_blank || "=:[](){}".contains(c))
+    };
+    let fields = line.split(apart);
+    let fields =
+        fields.map(|field| field.trim_matches(|c: char| c.is_whitespace() || "'\"".contains(c)));
+    fields.filter(|field| !field.is_empty()).collect()
+}

@@ -1,0 +1,101 @@
+//! Model files of Lotus Suspension Analysis: the template names the points, the suspension has their coordinates.
+//!
+//! The file is not documented; this reads what can be told from files: behind `TEMP_SETTINGS` a number, the
+//! template's name, how many parts and points it has, the parts' names, and nine lines a point, its name first.
+//! Behind `FRONT SUSPENSION` or `REAR SUSPENSION` are a number, the points' coordinates in the same order, in
+//! millimetres, and the tyre's rolling radius.
+
+use std::ops::Range;
+
+use super::axes::Axes;
+use super::hardpoints::{Hardpoints, Sides};
+use super::row::{Row, lines};
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::mechanism::Unit;
+
+const TEMPLATE: &str = "TEMP_SETTINGS";
+const SUSPENSIONS: [&str; 2] = ["FRONT SUSPENSION", "REAR SUSPENSION"];
+
+/// Lines of a point in the template, and which of them has coordinates.
+const LINES_OF_POINT: usize = 9;
+const LINE_OF_COORDINATES: usize = 6;
+
+/// Whether a text is such a file.
+pub(super) fn is_model(source: &Source) -> bool {
+    source.name().to_lowercase().ends_with(".shk")
+        || lines(source.text()).any(|(_, line)| line == TEMPLATE)
+}
+
+/// Reads a model file of one suspension.
+///
+/// # Errors
+///
+/// [`Failure::Input`] where the file is not laid out as expected: points are never guessed.
+pub(super) fn read(source: &Source) -> Result<Hardpoints<'_>, Failure> {
+    let lines: Vec<_> = lines(source.text()).collect();
+    let found = template(&lines);
+    let found = found.and_then(|names| Some((suspension(&lines, names.len())?, names)));
+    let Some((suspension, names)) = found else {
+        let message = "this is no .shk file of a known layout (TEMP_SETTINGS with the points' names, then one \
+                       FRONT SUSPENSION or REAR SUSPENSION with as many coordinates); print the points as text in \
+                       Lotus and import that";
+        return Err(source.refuse(&(0..0), message));
+    };
+    let mut stated = Hardpoints::new(source, Axes::Adams);
+    stated.unit = Some(Unit::Millimetre);
+    for (name, (place, at)) in names.iter().zip(suspension.coordinates) {
+        stated.add_point(name, Sides::Unsaid, at, place);
+    }
+    if let Some((place, radius)) = suspension.radius {
+        stated.add_number("rolling_radius", Sides::Unsaid, radius, place);
+    }
+    Ok(stated)
+}
+
+/// The names of the points, in the order of their coordinates.
+fn template<'a>(lines: &[(Range<usize>, &'a str)]) -> Option<Vec<&'a str>> {
+    let start = lines.iter().position(|(_, line)| *line == TEMPLATE)?;
+    let (place, counts) = lines.get(start + 3)?;
+    let counts = Row::of(place.clone(), counts).numbers();
+    let [parts, points, ..] = counts.as_slice() else {
+        return None;
+    };
+    let blocks = lines.get((start + 4).saturating_add(*parts as usize)..)?;
+    let blocks = blocks.chunks_exact(LINES_OF_POINT).take(*points as usize);
+    let name = |block: &[(Range<usize>, &'a str)]| {
+        let (place, line) = &block[LINE_OF_COORDINATES];
+        let (_, name) = block[0];
+        Row::of(place.clone(), line).coordinates().map(|_| name)
+    };
+    let names: Vec<&str> = blocks.map_while(name).collect();
+    (names.len() == *points as usize).then_some(names)
+}
+
+type Placed<T> = (Range<usize>, T);
+
+/// The numbers of a suspension, each with its place.
+struct Suspension {
+    coordinates: Vec<Placed<[f64; 3]>>,
+    radius: Option<Placed<f64>>,
+}
+
+/// The coordinates of so many points, and the radius where one follows them.
+fn suspension(lines: &[(Range<usize>, &str)], points: usize) -> Option<Suspension> {
+    let mut starts = (0..lines.len()).filter(|&line| SUSPENSIONS.contains(&lines[line].1));
+    let (Some(start), None) = (starts.next(), starts.next()) else {
+        return None;
+    };
+    let rows = lines.get(start + 2..)?.iter();
+    let mut rows = rows.map(|(place, line)| Row::of(place.clone(), line));
+    let at = |row: Row<'_>| Some((row.place.clone(), row.coordinates()?));
+    let coordinates: Vec<_> = rows.by_ref().take(points).map_while(at).collect();
+    let radius = rows.next().and_then(|row| match row.numbers().as_slice() {
+        [radius] if *radius > 0.0 => Some((row.place, *radius)),
+        _ => None,
+    });
+    (coordinates.len() == points).then_some(Suspension {
+        coordinates,
+        radius,
+    })
+}

@@ -1,0 +1,114 @@
+//! Points that listings need and hardpoint files seldom have, placed by those that they have.
+
+use super::hardpoints::{Hardpoints, Number, Side};
+use super::names::Names;
+
+/// How far from the wheel centre a point of the spin axis is put, m.
+const INBOARD: f64 = 0.1;
+
+/// Whether a point follows from others that there are.
+pub(super) fn has_stand_in(point: &str, has: impl Fn(&str) -> bool) -> bool {
+    match point {
+        "axle" | "shaft_outer" => has("wheel_centre"),
+        "bar_inner" => has("bar_outer"),
+        "strut_high" => has("strut_low") && has("top"),
+        _ => false,
+    }
+}
+
+/// Where a point is put, as the motion file has it, and why there. The others are in ISO 8855; a metre is so many units.
+pub(super) fn stand_in(
+    point: &str,
+    at: impl Fn(&str) -> Option<[f64; 3]>,
+    spin: &Spin,
+    metre: f64,
+) -> Option<(String, String)> {
+    match point {
+        "axle" | "shaft_outer" => {
+            let offset = spin.inboard(INBOARD * metre);
+            let position = format!("{{ from = \"wheel_centre\", offset = {offset:?} }}");
+            let why = format!(
+                "on the spin axis, inboard of the wheel centre: {}",
+                spin.why
+            );
+            Some((position, why))
+        }
+        "bar_inner" => {
+            let [x, _, z] = at("bar_outer")?;
+            let why = "in the middle of the vehicle: the bar twists about a line across it";
+            Some((format!("{:?}", [x, 0.0, z]), why.to_owned()))
+        }
+        "strut_high" => {
+            let [low, top] = [at("strut_low")?, at("top")?];
+            let middle = [0, 1, 2].map(|axis| 0.5 * (low[axis] + top[axis]));
+            let why = "halfway from strut_low to top: the strut points at its top mount";
+            Some((format!("{middle:?}"), why.to_owned()))
+        }
+        _ => None,
+    }
+}
+
+/// The direction of the spin axis.
+#[derive(Debug)]
+pub(super) struct Spin {
+    /// Outboard, of length 1, in ISO 8855.
+    direction: [f64; 3],
+    why: String,
+}
+
+impl Spin {
+    /// By toe and camber, where the file has them; otherwise straight outboard.
+    pub(super) fn of(stated: &Hardpoints<'_>, names: &Names, side: Side) -> Self {
+        let number = |name: &str| number(stated, names, name, side);
+        let (toe, camber) = (number("toe"), number("camber"));
+        let radians = |number: Option<&Number>| {
+            let value = number.map_or(0.0, |number| number.value);
+            if stated.radians {
+                value
+            } else {
+                value.to_radians()
+            }
+        };
+        let (toe_sin, toe_cos) = radians(toe).sin_cos();
+        let (camber_sin, camber_cos) = radians(camber).sin_cos();
+        let outboard = match side {
+            Side::Left => 1.0,
+            Side::Right => -1.0,
+        };
+        let said = [("toe", toe), ("camber", camber)].map(|(what, number)| match number {
+            Some(Number { value, place, .. }) => {
+                format!("{what} {value} {} ({})", angle(stated), stated.line(place))
+            }
+            None => format!("no {what} in the file, 0 taken"),
+        });
+        Self {
+            direction: [
+                camber_cos * toe_sin,
+                outboard * camber_cos * toe_cos,
+                -camber_sin,
+            ],
+            why: said.join(", "),
+        }
+    }
+
+    /// So far from the wheel centre, inboard.
+    fn inboard(&self, length: f64) -> [f64; 3] {
+        self.direction.map(|part| 0.0 - length * part)
+    }
+}
+
+fn angle(stated: &Hardpoints<'_>) -> &'static str {
+    if stated.radians { "rad" } else { "deg" }
+}
+
+/// A number of the corner.
+pub(super) fn number<'a>(
+    stated: &'a Hardpoints<'_>,
+    names: &Names,
+    name: &str,
+    side: Side,
+) -> Option<&'a Number> {
+    let is_of_corner = |number: &&Number| number.side.is_none_or(|other| other == side);
+    let mut numbers = stated.numbers.iter().filter(is_of_corner);
+    numbers.find(|number| names.of_number(name).any(|other| other == number.key))
+}

@@ -1,0 +1,90 @@
+//! Tables of points: a name and three numbers a line, headings and remarks among them.
+
+use super::axes::Axes;
+use super::hardpoints::{Hardpoints, key_of};
+use super::names::{Names, spelled};
+use super::row::{Row, lines, unit};
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::mechanism::Unit;
+
+/// Reads a table.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at a known point that does not have three numbers, and at columns in another order.
+pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
+    let mut stated = Hardpoints::new(source, Axes::Iso);
+    for (place, line) in lines(source.text()) {
+        let row = Row::of(place.clone(), line);
+        add(&mut stated, &row, names)?;
+        if row.numbers().is_empty() {
+            let words = spelled(line);
+            let words: Vec<&str> = words.split('_').collect();
+            check_columns(&words).map_err(|message| source.refuse(&place, message))?;
+            stated.unit = stated.unit.or_else(|| unit_of_heading(&words));
+        }
+    }
+    if stated
+        .points
+        .iter()
+        .any(|point| point.name.to_lowercase().starts_with("hp"))
+    {
+        stated.usual = Axes::Adams;
+    }
+    Ok(stated)
+}
+
+/// Adds the point or the number of a row; other rows say nothing.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at a known point that does not have three numbers.
+pub(super) fn add(
+    stated: &mut Hardpoints<'_>,
+    row: &Row<'_>,
+    names: &Names,
+) -> Result<(), Failure> {
+    let name = row.name();
+    let (key, _) = key_of(&name);
+    match (row.coordinates(), row.numbers().as_slice()) {
+        (Some(at), _) if !key.is_empty() => {
+            stated.add_point(&name, row.sides(), at, row.place.clone());
+        }
+        (_, [value]) if names.is_number(&key) => {
+            stated.add_number(&name, row.sides(), *value, row.place.clone());
+        }
+        (_, [_, ..]) if names.is_point(&key) => {
+            let message = format!("point `{name}` needs three numbers in a row: x, y, z");
+            return Err(stated.source.refuse(&row.place, message));
+        }
+        _ => {}
+    }
+    Ok(())
+}
+
+/// Columns are x, y, z.
+fn check_columns(words: &[&str]) -> Result<(), String> {
+    let columns = words.iter().filter(|word| ["x", "y", "z"].contains(word));
+    let columns: Vec<&str> = columns.copied().collect();
+    let is_heading = ["x", "y", "z"].iter().all(|axis| columns.contains(axis));
+    if is_heading && columns[..3] != ["x", "y", "z"] {
+        let found = columns.join(", ");
+        return Err(format!(
+            "the columns are {found}; put them in the order x, y, z"
+        ));
+    }
+    Ok(())
+}
+
+/// The unit in the headings of columns, in a line of units, and in a remark on units.
+fn unit_of_heading(words: &[&str]) -> Option<Unit> {
+    let said = |word: &str| words.contains(&word);
+    let of_columns = said("x") && said("y") && said("z");
+    let of_units = words.iter().all(|word| unit(word).is_some());
+    let remarked = said("unit") || said("units");
+    let mut found = words.iter().filter_map(|word| unit(word));
+    // «in» may be no unit: «x, y, z in mm».
+    let other = found.clone().find(|unit| *unit != Unit::Inch);
+    (of_columns || of_units || remarked).then(|| other.or_else(|| found.next()))?
+}

@@ -1,0 +1,63 @@
+//! What the reader of TOML says of a motion file, with what to do about it.
+
+use crate::file::source::Source;
+use crate::likely::did_you_mean;
+
+/// A mistake in words.
+pub(super) fn explained(message: &str, source: &Source) -> String {
+    if let Some(other) = other_kind(source) {
+        return other;
+    }
+    let message = message.trim_end().replace('\n', ", ");
+    let message = message.replace("expected f64", "expected a number");
+    let mut quoted = message.split('`').skip(1).step_by(2);
+    let name = quoted.next().unwrap_or_default();
+    let hint = if message.starts_with("unknown field") {
+        did_you_mean(name, quoted)
+    } else if message.starts_with("missing field") {
+        to_write(name).to_owned()
+    } else {
+        String::new()
+    };
+    message + &hint
+}
+
+/// What to write where a key is missing.
+fn to_write(key: &str) -> &'static str {
+    match key {
+        "unit" => "; write unit = \"m\", \"mm\" or \"in\", that of all lengths in the file",
+        "time" => "; write [time] with start, stop and step, or with instants, in seconds",
+        "drives" => "; write [drives] with a line for each drive, as bump = [0.30, 0.05]",
+        _ => "",
+    }
+}
+
+/// What to do with a file of another kind.
+fn other_kind(source: &Source) -> Option<String> {
+    let is_listing = is_listing(source.text());
+    let name = source.name();
+    let endings = [".csv", ".sub", ".shk", ".txt"];
+    let has_hardpoints = endings
+        .iter()
+        .any(|ending| name.to_lowercase().ends_with(ending));
+    if is_listing {
+        Some("this is a listing; a motion file names it: listing = \"FILE\", with unit, [time] and [drives]".to_owned())
+    } else {
+        has_hardpoints
+            .then(|| "this is no motion file; suspension import makes one of hardpoints".to_owned())
+    }
+}
+
+/// Whether a text has the statements of a listing, outside a motion file.
+pub fn is_listing(text: &str) -> bool {
+    let mut lines = text.lines().map(str::trim_start);
+    let begins = |line: &str| line.starts_with("fixed:") || line.starts_with("free:");
+    !is_motion(text) && lines.any(begins)
+}
+
+/// Whether a text has the keys of a motion file.
+pub fn is_motion(text: &str) -> bool {
+    let keys = text.lines().filter_map(|line| line.split_once('='));
+    let mut keys = keys.map(|(key, _)| key.trim());
+    keys.any(|key| ["linkage", "listing", "statements"].contains(&key))
+}

@@ -1,0 +1,37 @@
+//! What stands above rows of numbers.
+
+use serde::Serialize;
+
+use crate::mechanism::Mechanism;
+
+/// A column: what stands above it, and how its numbers are written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Heading {
+    /// The column's name.
+    pub name: String,
+    /// Whether its numbers are counts, written without a fraction.
+    pub counts: bool,
+}
+
+/// What the rows are about: the header of a JSON file.
+#[derive(Clone, Debug, Serialize)]
+pub struct Header {
+    linkage: String,
+    length: &'static str,
+    angle: &'static str,
+    time: &'static str,
+    axes: &'static str,
+}
+
+impl Header {
+    /// Of a mechanism's results.
+    pub fn of<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Self {
+        Self {
+            linkage: mechanism.linkage.clone(),
+            length: mechanism.unit.symbol(),
+            angle: "rad",
+            time: "s",
+            axes: "ISO 8855: x forward, y left, z up",
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! Rows as JSON: an object with a header, which says units and axes, and the rows, an object each.
+
+use std::io::{self, Write};
+
+use serde::{Serialize, Serializer};
+
+use crate::failure::Failure;
+use crate::output::heading::{Header, Heading};
+use crate::output::target::{Sink, Target};
+
+/// A table as JSON being written.
+pub(super) struct JsonFile {
+    sink: Sink,
+    headings: Vec<Heading>,
+    is_empty: bool,
+}
+
+/// The numbers of a row under their names.
+struct Row<'a>(&'a [Heading], &'a [f64]);
+
+impl Serialize for Row<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(headings, values) = self;
+        let names = headings.iter().map(|heading| &heading.name);
+        serializer.collect_map(names.zip(values.iter()))
+    }
+}
+
+impl JsonFile {
+    /// Starts a table with its header.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure::writing`].
+    pub(super) fn create(
+        target: &Target,
+        header: &Header,
+        headings: &[Heading],
+    ) -> Result<Self, Failure> {
+        let mut file = Self {
+            sink: Sink::create(target)?,
+            headings: headings.to_vec(),
+            is_empty: true,
+        };
+        file.write(|sink| {
+            sink.write_all(b"{\"header\":")?;
+            serde_json::to_writer(&mut *sink, header)?;
+            sink.write_all(b",\n\"rows\":[")
+        })?;
+        Ok(file)
+    }
+
+    /// Adds a row; what is no number is null.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure::writing`].
+    pub(super) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
+        let headings = std::mem::take(&mut self.headings);
+        let separator: &[u8] = if self.is_empty { b"\n" } else { b",\n" };
+        self.is_empty = false;
+        let written = self.write(|sink| {
+            sink.write_all(separator)?;
+            Ok(serde_json::to_writer(sink, &Row(&headings, values))?)
+        });
+        self.headings = headings;
+        written
+    }
+
+    /// Ends the table; a file takes its name.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure::writing`].
+    pub(super) fn finish(mut self) -> Result<(), Failure> {
+        self.write(|sink| sink.write_all(b"\n]}\n"))?;
+        self.sink.finish()
+    }
+
+    fn write(&mut self, write: impl FnOnce(&mut Sink) -> io::Result<()>) -> Result<(), Failure> {
+        write(&mut self.sink).map_err(|error| Failure::writing(&self.sink.name, &error))
+    }
+}

@@ -1,0 +1,80 @@
+//! Where rows go.
+
+use std::io::{self, BufWriter, Stdout, Write};
+use std::path::PathBuf;
+
+use crate::failure::Failure;
+use crate::output::files::Pending;
+
+/// Where rows go.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// Standard output.
+    Stdout,
+    /// A file.
+    File(PathBuf),
+}
+
+impl From<PathBuf> for Target {
+    /// Standard output for `-`, else a file.
+    fn from(path: PathBuf) -> Self {
+        if path.as_os_str() == "-" {
+            Self::Stdout
+        } else {
+            Self::File(path)
+        }
+    }
+}
+
+/// A target being written.
+pub(super) struct Sink {
+    /// What messages call it.
+    pub(super) name: String,
+    writer: Writer,
+}
+
+enum Writer {
+    Stdout(BufWriter<Stdout>),
+    File(Pending),
+}
+
+impl Sink {
+    pub(super) fn create(target: &Target) -> Result<Self, Failure> {
+        Ok(match target {
+            Target::Stdout => Self {
+                name: "standard output".to_owned(),
+                writer: Writer::Stdout(BufWriter::new(io::stdout())),
+            },
+            Target::File(path) => Self {
+                name: path.display().to_string(),
+                writer: Writer::File(Pending::create(path)?),
+            },
+        })
+    }
+
+    /// Ends it; a file takes its name.
+    pub(super) fn finish(self) -> Result<(), Failure> {
+        match self.writer {
+            Writer::Stdout(mut out) => out
+                .flush()
+                .map_err(|error| Failure::writing(&self.name, &error)),
+            Writer::File(file) => file.finish(),
+        }
+    }
+}
+
+impl Write for Sink {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.writer {
+            Writer::Stdout(out) => out.write(bytes),
+            Writer::File(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.writer {
+            Writer::Stdout(out) => out.flush(),
+            Writer::File(file) => file.flush(),
+        }
+    }
+}

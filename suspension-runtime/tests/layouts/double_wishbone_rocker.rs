@@ -1,0 +1,29 @@
+//! The bar that it lacks is driven and drives nothing: all else moves as in the layout that has one.
+
+use super::layout::{CLOSE, Layout, TRAVEL};
+
+#[test]
+fn it_moves_as_the_layout_with_an_anti_roll_bar() {
+    let [without, with] = ["double_wishbone_rocker", "double_wishbone_pushrod"].map(Layout::of);
+    let points = ["wheel_centre", "axle", "pushrod_upper", "damper_outer"];
+    for bump in TRAVEL {
+        for steer in [-0.03, 0.0, 0.03] {
+            let [ours, other] =
+                [&without, &with].map(|it| it.moved(&[("bump", bump), ("steer", steer)]));
+            for point in points {
+                let off = (ours.at(point) - other.at(point)).norm();
+                assert!(off < CLOSE, "{point} is {off:e} m off at {bump}, {steer}");
+            }
+            let off = (ours.measure("damper") - other.measure("damper")).abs();
+            assert!(off < CLOSE, "the damper is {off:e} m off");
+        }
+    }
+}
+
+/// In bump the pushrod turns the rocker so that the damper is compressed.
+#[test]
+fn the_damper_is_compressed_in_bump() {
+    let layout = Layout::of("double_wishbone_rocker");
+    let lengths = TRAVEL.map(|bump| layout.moved(&[("bump", bump)]).measure("damper"));
+    assert!(lengths.is_sorted_by(|a, b| a > b), "{lengths:?}");
+}

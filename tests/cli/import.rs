@@ -1,0 +1,175 @@
+//! `suspension import`: from hardpoint files to motion files.
+
+mod formats;
+mod frames;
+mod refused;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use suspension_core::linkages::LISTINGS;
+use suspension_core::{Part, Parts};
+use suspension_runtime::Listing;
+
+use super::program::{folder, rows, run, text};
+
+/// A double wishbone with pushrod and rocker in names of Adams/Car, front left; x rearward, y right, z up, mm.
+const CORNER: [(&str, [f64; 3]); 15] = [
+    ("lca_front", [-140.0, -170.0, 125.0]),
+    ("lca_rear", [150.0, -175.0, 120.0]),
+    ("lca_outer", [-4.0, -560.0, 128.0]),
+    ("uca_front", [-120.0, -235.0, 270.0]),
+    ("uca_rear", [130.0, -240.0, 262.0]),
+    ("uca_outer", [14.0, -535.0, 330.0]),
+    ("tierod_inner", [-72.0, -190.0, 152.0]),
+    ("tierod_outer", [-68.0, -552.0, 166.0]),
+    ("wheel_center", [0.0, -610.0, 229.0]),
+    ("prod_outboard", [2.0, -520.0, 150.0]),
+    ("prod_inboard", [10.0, -265.0, 480.0]),
+    ("bellcrank_pivot", [-8.0, -225.0, 455.0]),
+    ("bellcrank_axis", [22.0, -223.0, 454.0]),
+    ("shock_to_bellcrank", [6.0, -210.0, 515.0]),
+    ("shock_to_chassis", [4.0, -20.0, 530.0]),
+];
+
+/// The same in the listing's names, x forward, y left, z up.
+const IN_OUR_AXES: [(&str, [f64; 3]); 15] = [
+    ("lower_front", [140.0, 170.0, 125.0]),
+    ("lower_rear", [-150.0, 175.0, 120.0]),
+    ("lower_ball", [4.0, 560.0, 128.0]),
+    ("upper_front", [120.0, 235.0, 270.0]),
+    ("upper_rear", [-130.0, 240.0, 262.0]),
+    ("upper_ball", [-14.0, 535.0, 330.0]),
+    ("rack", [72.0, 190.0, 152.0]),
+    ("tie_ball", [68.0, 552.0, 166.0]),
+    ("wheel_centre", [0.0, 610.0, 229.0]),
+    ("pushrod_lower", [-2.0, 520.0, 150.0]),
+    ("pushrod_upper", [-10.0, 265.0, 480.0]),
+    ("rocker_front", [8.0, 225.0, 455.0]),
+    ("rocker_rear", [-22.0, 223.0, 454.0]),
+    ("damper_outer", [-6.0, 210.0, 515.0]),
+    ("damper_inner", [-4.0, 20.0, 530.0]),
+];
+
+/// What an import says and writes.
+struct Imported {
+    notes: String,
+    motion: toml::Table,
+}
+
+impl Imported {
+    /// The points that have coordinates.
+    fn points(&self) -> BTreeMap<String, [f64; 3]> {
+        let points = self.motion["points"].as_table().expect("a table");
+        let placed = points.iter().filter_map(|(name, at)| {
+            let at: Vec<f64> = at
+                .as_array()?
+                .iter()
+                .filter_map(toml::Value::as_float)
+                .collect();
+            Some((name.clone(), at.try_into().expect("three")))
+        });
+        placed.collect()
+    }
+
+    fn text(&self, key: &str) -> &str {
+        self.motion[key].as_str().expect("text")
+    }
+}
+
+/// Imports a file, which must succeed.
+fn import(folder: &Path, name: &str, content: &str, options: &[&str]) -> Imported {
+    std::fs::write(folder.join(name), content).expect("written");
+    let arguments = [&["import", name, "--out", "motion.toml"], options].concat();
+    let output = run(folder, &arguments);
+    assert_eq!(output.status.code(), Some(0), "{content}{output:?}");
+    let motion = std::fs::read_to_string(folder.join("motion.toml")).expect("a motion file");
+    Imported {
+        notes: text(&output.stderr).to_owned(),
+        motion: motion.parse().expect("TOML"),
+    }
+}
+
+/// A line a point, between commas.
+fn table(points: &[(&str, [f64; 3])]) -> String {
+    let lines = points.iter();
+    let lines = lines.map(|(name, [x, y, z])| format!("{name}, {x}, {y}, {z}\n"));
+    lines.collect()
+}
+
+#[test]
+fn two_commands_lead_from_adams_names_to_the_sheet() {
+    let folder = folder();
+    let points = CORNER.map(|(name, at)| (format!("hpl_{name}"), at));
+    let points = points.each_ref().map(|(name, at)| (name.as_str(), *at));
+    let file = table(&points) + "toe_angle, -0.2\ncamber_angle, -1.2\ntire_radius, 229\n";
+    std::fs::write(folder.path().join("front.csv"), file).expect("written");
+    let output = run(folder.path(), &["import", "front.csv"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let output = run(folder.path(), &["sheet", "front.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(folder.path().join("out/front_sheet.html").exists());
+    let output = run(folder.path(), &["motion", "front.toml", "--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let motion = rows(&output.stdout);
+    assert_eq!(motion.len(), 51);
+    // At the design position the wheel stands as the file says, and the kingpin as the ball joints do.
+    let design = &motion[0];
+    let close = |name: &str, expected: f64| {
+        let off = (design[name].to_degrees() - expected).abs();
+        assert!(off < 1e-9, "{name} is {off:e} deg off");
+    };
+    close("toe_rad", -0.2);
+    close("kingpin_rad", (25.0_f64).atan2(202.0).to_degrees());
+    close("caster_rad", (18.0_f64).atan2(202.0).to_degrees());
+    // Adams/Car turns the wheel by toe, then by camber, which is to the ground.
+    let camber = (1.2_f64.to_radians().tan() / 0.2_f64.to_radians().cos()).atan();
+    close("camber_rad", -camber.to_degrees());
+    let length = (2.0_f64.powi(2) + 190.0_f64.powi(2) + 15.0_f64.powi(2)).sqrt();
+    assert!((design["damper_mm"] - length).abs() < 1e-9);
+}
+
+#[test]
+fn every_listing_is_found_by_its_own_names() {
+    let folder = folder();
+    for (linkage, listing) in LISTINGS {
+        let listing = Listing::parse(listing).expect("a listing");
+        let stated: Vec<_> = listing.stated().collect();
+        let points = stated.iter();
+        let points = points.map(|(point, at)| (listing.name(Part::Point(*point)), (*at).into()));
+        let mut points: Vec<(&str, [f64; 3])> = points.collect();
+        // Two listings leave the wheel centre to the host.
+        if let Some(marker) = ["p11", "wheel_centre"]
+            .into_iter()
+            .find(|name| listing.point(name) == Some(points.len()))
+        {
+            points.push((marker, [-1.27, 0.415, 0.218]));
+        }
+        let imported = import(folder.path(), "own.csv", &table(&points), &[]);
+        assert_eq!(imported.text("linkage"), *linkage);
+        assert_eq!(imported.text("unit"), "m");
+        let expected = points.iter().map(|(name, at)| ((*name).to_owned(), *at));
+        assert_eq!(imported.points(), expected.collect(), "{linkage}");
+        let told = "camber and toe are those of the line from upper_rear_outer to wheel_centre";
+        assert_eq!(imported.notes.contains(told), *linkage == "five_link");
+        let output = run(
+            folder.path(),
+            &["sheet", "motion.toml", "--travel", "0:0.001"],
+        );
+        assert_eq!(output.status.code(), Some(0), "{linkage}: {output:?}");
+    }
+}
+
+#[test]
+fn the_page_has_the_names_that_are_known() {
+    let output = run(folder().path(), &["import", "--names"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let page = include_str!("../../docs/hardpoints.md");
+    let names = text(&output.stdout);
+    assert!(names.lines().count() > 100);
+    let told = format!("```text\n{names}```\n");
+    assert!(
+        page.contains(&told),
+        "docs/hardpoints.md is not as suspension import --names has it"
+    );
+}

@@ -1,0 +1,150 @@
+//! The same corner in each format.
+
+use std::fmt::Write;
+
+use super::super::program::folder;
+use super::{CORNER, IN_OUR_AXES, import, table};
+
+/// A subsystem file of Adams/Car; lengths in a unit of which a millimetre has so many.
+fn subsystem(unit: &str, millimetre: f64) -> String {
+    let mut file =
+        "$---MDI_HEADER\n[MDI_HEADER]\n FILE_TYPE = 'sub'\n FILE_VERSION = 4.0\n".to_owned();
+    write!(file, "[UNITS]\n LENGTH = '{unit}'\n ANGLE = 'radians'\n").unwrap();
+    file += "[HARDPOINT]\n{hardpoint_name symmetry x_value y_value z_value}\n";
+    file += " 'global              '  'single    '  0.0  0.0  0.0\n";
+    for (name, at) in CORNER {
+        let [x, y, z] = at.map(|x| x * millimetre);
+        writeln!(file, " '{name:20}'  'left/right'  {x}  {y}  {z}").unwrap();
+    }
+    file += "[PARAMETER]\n{parameter_name symmetry type value}\n";
+    file += " 'camber_angle '  'left/right'  'real'  -0.02\n 'kinematic_flag '  'single '  'integer'  0\n";
+    file + "[BUSHING]\n 'lca_front'  1.0  2.0  3.0\n"
+}
+
+/// A model file of Lotus, with two points that are no hardpoints among the others.
+fn model() -> String {
+    let mut points: Vec<(String, [f64; 3])> =
+        CORNER.map(|(name, at)| (name.replace('_', " "), at)).into();
+    points.push(("Part 1 C of G".to_owned(), [1.0, 2.0, 3.0]));
+    points.push(("Part 2 C of G".to_owned(), [3.0, 2.0, 1.0]));
+    let mut file =
+        "VERSION\n  15  3\n  1\nTEMP_SETTINGS\n  14\nDouble Wishbone, Push Rod to damper\n"
+            .to_owned();
+    writeln!(
+        file,
+        "  2  {}  12  16  3\nLower Wishbone\nUpright",
+        points.len()
+    )
+    .unwrap();
+    for (name, _) in &points {
+        let described = "Not Defined\n".repeat(5);
+        let ends = "  1  0  1  -1  1  0  0  0  0\n  0  0  0  0  0  0  0";
+        writeln!(file, "{name}\n{described}  9.0  9.0  9.0\n{ends}").unwrap();
+    }
+    file += "EXTENDED_TYRE\n  0  0\nFRONT SUSPENSION\n  14\n";
+    for (_, [x, y, z]) in &points {
+        writeln!(file, "  {x:.10}  {y:.10}  {z:.10}").unwrap();
+    }
+    file + "  229.5\nTOLERANCES\n  1.0E-10  5.0E-02  5.0E-02\n"
+}
+
+#[test]
+fn all_formats_have_the_same_points() {
+    let with_blanks = CORNER.map(|(name, [x, y, z])| format!("  {name}   {x}  {y} {z}  # bush\n"));
+    let german = CORNER.map(|(name, [x, y, z])| format!("\"{name}\";{x},0;{y},000;{z},0;bush\n"));
+    let assigned = CORNER.map(|(name, [x, y, z])| format!("{name} = [{x}, {y}, {z}];\n"));
+    let numbered = CORNER.map(|(name, [x, y, z])| format!("{x}\t{y}\t{z}\tPOINT ( 3 ) = {name}\n"));
+    let of_model =
+        CORNER.map(|(name, [x, y, z])| format!(".car.susp.ground.hpl_{name} {x} {y} {z}\n"));
+    let files = [
+        ("a.csv", table(&CORNER)),
+        (
+            "a.csv",
+            format!(
+                "Front, rev 3\n\nname, x [mm], y [mm], z [mm]\n{}",
+                table(&CORNER)
+            ),
+        ),
+        ("a.txt", with_blanks.concat()),
+        ("a.csv", german.concat()),
+        ("a.m", assigned.concat()),
+        ("a.txt", numbered.concat()),
+        ("a.lst", of_model.concat()),
+        ("a.sub", subsystem("mm", 1.0)),
+        ("a.shk", model()),
+    ];
+    let folder = folder();
+    for (name, file) in files {
+        let imported = import(folder.path(), name, &file, &[]);
+        assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
+        assert_eq!(imported.text("unit"), "mm");
+        let expected = IN_OUR_AXES.map(|(name, at)| (name.to_owned(), at));
+        assert_eq!(imported.points(), expected.into(), "{file}");
+    }
+}
+
+/// The axle point is marked off the wheel centre, along the spin axis; without toe and camber along y.
+#[test]
+fn angles_and_the_radius_are_read_where_a_format_has_them() {
+    let folder = folder();
+    let offset = |name: &str, file: &str| {
+        let imported = import(folder.path(), name, file, &[]);
+        let axle = imported.motion["points"]["axle"]["offset"].as_array();
+        let axle: Vec<f64> = axle
+            .expect("three")
+            .iter()
+            .filter_map(toml::Value::as_float)
+            .collect();
+        let radius = imported.motion["vehicle"].get("wheel_radius").cloned();
+        (axle, radius.and_then(|radius| radius.as_float()))
+    };
+    let (axle, radius) = offset("a.csv", &table(&CORNER));
+    assert_eq!((axle, radius), (vec![0.0, -100.0, 0.0], None));
+    let (axle, _) = offset("a.sub", &subsystem("mm", 1.0));
+    assert!(
+        (axle[2] / -axle[1] - -0.02_f64.tan()).abs() < 1e-15,
+        "{axle:?}"
+    );
+    let (_, radius) = offset("a.shk", &model());
+    assert_eq!(radius, Some(229.5));
+    let file = table(&CORNER) + "TYRE ROLLING RADIUS (mm): 229\ntoe [deg], 1.0\n";
+    let (axle, radius) = offset("a.csv", &file);
+    assert!(
+        (axle[0] / axle[1] - 1_f64.to_radians().tan()).abs() < 1e-15,
+        "{axle:?}"
+    );
+    assert_eq!(radius, Some(229.0));
+}
+
+#[test]
+fn lengths_are_in_the_unit_that_the_file_states_or_else_has_the_size_of() {
+    let folder = folder();
+    let found = |file: &str, options: &[&str]| {
+        let imported = import(folder.path(), "a.sub", file, options);
+        let why = imported
+            .notes
+            .lines()
+            .find(|note| note.contains("lengths are in"));
+        (
+            imported.text("unit").to_owned(),
+            why.expect("a note").to_owned(),
+        )
+    };
+    let inches = 1.0 / 25.4;
+    for (unit, millimetre, expected) in [("meter", 1e-3, "m"), ("inch", inches, "in")] {
+        let (unit, why) = found(&subsystem(unit, millimetre), &[]);
+        assert_eq!(unit, expected);
+        assert!(why.ends_with("as the file says"), "{why}");
+    }
+    for (millimetre, expected) in [(1.0, "mm"), (1e-3, "m"), (inches, "in")] {
+        let points = CORNER.map(|(name, at)| (name, at.map(|x| x * millimetre)));
+        let (unit, why) = found(&table(&points), &[]);
+        assert_eq!(unit, expected);
+        let apart = 590.0 * millimetre;
+        let said = format!("as the points are up to {}", &apart.to_string()[..3]);
+        assert!(why.contains(&said), "{why}");
+    }
+    let (unit, why) = found(&table(&CORNER), &["--unit", "in"]);
+    assert_eq!(unit, "in");
+    assert!(why.ends_with("as --unit says"), "{why}");
+}

@@ -1,0 +1,241 @@
+//! Files that are refused, and what is remarked on those that are not.
+
+use super::super::program::{folder, run, text};
+use super::{CORNER, import, table};
+
+/// The corner without some points.
+fn without(names: &[&str]) -> String {
+    let points = CORNER.into_iter();
+    let points: Vec<_> = points.filter(|(name, _)| !names.contains(name)).collect();
+    table(&points)
+}
+
+/// What is said of a file that is refused.
+fn refusal(name: &str, content: &str, options: &[&str]) -> String {
+    let folder = folder();
+    std::fs::write(folder.path().join(name), content).expect("written");
+    let output = run(folder.path(), &[&["import", name], options].concat());
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let message = text(&output.stderr);
+    let last = message.lines().next_back().expect("a message").to_owned();
+    assert!(!folder.path().join("a.toml").exists());
+    last
+}
+
+#[test]
+fn what_is_missing_is_named_at_once_with_the_names_that_would_do() {
+    let said = refusal(
+        "a.csv",
+        &without(&["tierod_outer", "shock_to_chassis"]),
+        &["--linkage", "double_wishbone_rocker"],
+    );
+    assert!(
+        said.starts_with(
+            "a.csv: double_wishbone_rocker lacks `damper_inner` (or shock_to_chassis, "
+        ),
+        "{said}"
+    );
+    assert!(
+        said.contains("; `tie_ball` (or tierod_outer, tie_rod_outer, "),
+        "{said}"
+    );
+    let said = refusal("a.csv", &without(&["lca_rear"]), &[]);
+    assert!(
+        said.contains("no layout has all its points here; the nearest, double_wishbone"),
+        "{said}"
+    );
+    assert!(said.contains("lacks `lower_rear` (or lca_rear, "), "{said}");
+}
+
+#[test]
+fn what_is_not_used_and_what_is_not_there_is_noted() {
+    let folder = folder();
+    let file = without(&["shock_to_chassis"]) + "hps_global, 0, 0, 0\n";
+    let imported = import(folder.path(), "a.csv", &file, &[]);
+    assert_eq!(imported.text("linkage"), "double_wishbone");
+    let unused = "not used: prod_outboard, prod_inboard, bellcrank_pivot, bellcrank_axis, shock_to_bellcrank, hps_global\n";
+    assert!(imported.notes.contains(unused), "{}", imported.notes);
+    assert!(
+        imported
+            .notes
+            .contains("axle is not in the file: on the spin axis"),
+        "{}",
+        imported.notes
+    );
+    assert!(
+        imported.notes.contains("no tire_radius"),
+        "{}",
+        imported.notes
+    );
+}
+
+#[test]
+fn a_pushrod_on_the_upper_wishbone_is_doubted() {
+    let folder = folder();
+    let pulled = table(&CORNER).replace(
+        "prod_outboard, 2, -520, 150",
+        "prod_outboard, 12, -500, 325",
+    );
+    let imported = import(folder.path(), "a.csv", &pulled, &[]);
+    let doubt =
+        "`prod_outboard` is on the part of `lca_outer` in this layout, but nearer to `uca_outer`";
+    assert!(imported.notes.contains(doubt), "{}", imported.notes);
+    let imported = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    assert!(!imported.notes.contains("nearer"), "{}", imported.notes);
+}
+
+/// File, its content, options, and how the last line of the message begins or what it has.
+#[test]
+fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
+    let corner = table(&CORNER);
+    let labelled = corner.replace("wheel_center", "hpl_wheel_center");
+    let without_names = "-140, -170, 125\n150, -175, 120\n";
+    let motion = "linkage = \"double_wishbone\"\nunit = \"m\"\n".to_owned();
+    let listing = "fixed: a at [0.0, 0.0, 0.0];\n".to_owned();
+    let cases = [
+        (
+            "b.toml",
+            motion,
+            vec![],
+            "b.toml:1:1: this is a motion file already",
+        ),
+        (
+            "a.csv",
+            listing,
+            vec![],
+            "a.csv:1:1: this is a listing; a motion file names it",
+        ),
+        (
+            "a.csv",
+            "".to_owned(),
+            vec![],
+            "a.csv:1:1: there are no hardpoints here",
+        ),
+        (
+            "a.csv",
+            without_names.to_owned(),
+            vec![],
+            "a.csv:1:1: there are no hardpoints here",
+        ),
+        (
+            "a.csv",
+            "foo, 1, 2, 3\n".to_owned(),
+            vec![],
+            "a.csv: no name of a point is known, `foo` for one",
+        ),
+        (
+            "a.csv",
+            corner.replace("150, -175, 120", "150, -175"),
+            vec![],
+            "a.csv:2:1: point `lca_rear` needs three numbers",
+        ),
+        (
+            "a.csv",
+            corner.replace("150, -175, 120", "150, -175, 120, 7"),
+            vec![],
+            "a.csv:2:1: point `lca_rear` needs three",
+        ),
+        (
+            "a.csv",
+            corner.replace("-175", "-l75"),
+            vec![],
+            "a.csv:2:1: point `lca_rear` needs three numbers",
+        ),
+        (
+            "a.csv",
+            corner.replace("-175", "inf"),
+            vec![],
+            "a.csv:2:1: point `lca_rear` needs three numbers",
+        ),
+        (
+            "a.csv",
+            format!("{corner}lca_rear, 1, 2, 3\n"),
+            vec![],
+            "a.csv:16:1: point `lca_rear` stands in a.csv:2 already",
+        ),
+        (
+            "a.csv",
+            format!("name, y, x, z\n{corner}"),
+            vec![],
+            "a.csv:1:1: the columns are y, x, z",
+        ),
+        (
+            "a.csv",
+            corner.clone(),
+            vec!["--linkage", "strut"],
+            "a.csv: unknown linkage `strut`; known are attia2003, ",
+        ),
+        (
+            "a.csv",
+            corner.clone(),
+            vec!["--linkage", "macpherson"],
+            "a.csv: macpherson lacks `top` (or top_mount, ",
+        ),
+        (
+            "a.csv",
+            corner.clone(),
+            vec!["--out", "a.csv"],
+            "a.csv: this is the file that is read, which --out would",
+        ),
+        (
+            "a.csv",
+            labelled.clone(),
+            vec!["--axes", "iso"],
+            "a.csv: `hpl_wheel_center` is on the left by its name, and on the right",
+        ),
+        (
+            "a.csv",
+            labelled.replace(", -", ", "),
+            vec![],
+            "a.csv: the axes are none of iso, adams, sae",
+        ),
+        (
+            "a.shk",
+            corner.clone(),
+            vec![],
+            "a.shk:1:1: this is no .shk file of a known layout",
+        ),
+        (
+            "a.shk",
+            "TEMP_SETTINGS\n 14\nDouble Wishbone\n 1e300 1e300\n".to_owned(),
+            vec![],
+            "a.shk:1:1: this is no .shk file of a known layout",
+        ),
+        (
+            "a.sub",
+            "[MDI_HEADER]\n[UNITS]\n LENGTH = 'cm'\n".to_owned(),
+            vec![],
+            "a.sub:3:2: lengths in `cm`: convert them to mm, m or in",
+        ),
+        (
+            "a.csv",
+            corner.replace(
+                "tierod_inner, -72, -190, 152",
+                "tierod_inner, -68, -552, 166",
+            ),
+            vec![],
+            "is in the same place as point",
+        ),
+    ];
+    for (name, content, options, expected) in cases {
+        let said = refusal(name, &content, &options);
+        assert!(said.contains(expected), "{expected}: {said}");
+    }
+}
+
+#[test]
+fn a_motion_file_that_is_there_is_not_replaced_unasked() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.csv"), table(&CORNER)).expect("written");
+    std::fs::write(folder.path().join("a.toml"), "mine").expect("written");
+    let output = run(folder.path(), &["import", "a.csv"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert_eq!(
+        text(&output.stderr),
+        "a.toml: exists already; --out a.toml replaces it\n"
+    );
+    let kept = std::fs::read_to_string(folder.path().join("a.toml")).expect("there");
+    assert_eq!(kept, "mine");
+    let output = run(folder.path(), &["import", "a.csv", "-o", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+}

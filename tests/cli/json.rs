@@ -1,0 +1,83 @@
+//! Rows as JSON, beside those of CSV files.
+
+use serde_json::Value;
+
+use super::program::{CORNER, folder, rows, run, text};
+
+#[test]
+fn json_has_the_rows_of_the_csv_file_under_a_header_with_units_and_axes() {
+    let folder = folder();
+    let moving = CORNER.replace("bump = 0.3", "bump = [0.3, 0.05]");
+    let moving = moving.replace("[0.0]", "[0.0, 0.5, 1.0]");
+    std::fs::write(folder.path().join("a.toml"), moving).expect("written");
+    for command in [
+        &["motion", "a.toml"][..],
+        &["sweep", "a.toml", "--drive", "bump=-0.05:0.05:3"],
+        // Beyond the lock there are no rows, before it all have their derivatives.
+        &[
+            "sweep",
+            "a.toml",
+            "--drive",
+            "bump=-0.2:0.2:9",
+            "--derivatives",
+            "2",
+        ],
+    ] {
+        let arguments = [command, &["--csv", "a.csv", "--json", "out/a.json"]].concat();
+        let output = run(folder.path(), &arguments);
+        assert!(
+            text(&output.stderr).contains("wrote out/a.json"),
+            "{output:?}"
+        );
+        let read = |name: &str| std::fs::read(folder.path().join(name)).expect("a file");
+        let json: Value = serde_json::from_slice(&read("out/a.json")).expect("JSON");
+        let header = &json["header"];
+        assert_eq!(header["linkage"], "double_wishbone_pushrod");
+        assert_eq!(
+            (&header["length"], &header["angle"]),
+            (&Value::from("m"), &Value::from("rad"))
+        );
+        assert_eq!(header["axes"], "ISO 8855: x forward, y left, z up");
+        let expected = rows(&read("a.csv"));
+        let found = json["rows"].as_array().expect("rows");
+        assert_eq!(found.len(), expected.len());
+        assert!(found.len() > 2);
+        for (found, expected) in found.iter().zip(&expected) {
+            let found = found.as_object().expect("an object");
+            assert_eq!(found.len(), expected.len());
+            for (name, value) in expected {
+                // What is no number is null; this reader of JSON rounds the last digit as it likes.
+                let same = found[name].as_f64().map_or(value.is_nan(), |other| {
+                    (other - value).abs() <= 4e-16 * value.abs()
+                });
+                assert!(same, "{name}: {} is not {value}", found[name]);
+            }
+        }
+    }
+}
+
+#[test]
+fn json_goes_to_standard_output_and_to_a_place_of_its_own() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let sweep = ["sweep", "a.toml", "--drive", "bump=0", "--json", "-"];
+    let output = run(folder.path(), &sweep);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(json["rows"][0]["bump_m"], 0.3);
+    assert!(!folder.path().join("out").exists());
+    for (json, expected) in [
+        (
+            "a.toml",
+            "a.toml: this is the file that is read, which --json would overwrite",
+        ),
+        ("-", "--csv and --json name the same place"),
+    ] {
+        let output = run(
+            folder.path(),
+            &["motion", "a.toml", "--csv", "-", "--json", json],
+        );
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(text(&output.stderr).contains(expected), "{output:?}");
+    }
+}

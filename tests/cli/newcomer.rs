@@ -1,0 +1,136 @@
+//! Mistakes of a first motion file, each told with what to write instead.
+
+use super::program::{CORNER, edited, folder, run, text};
+
+/// What is said of files that a command is given, the first of them.
+fn refusal(command: &str, files: &[(&str, &str)], options: &[&str]) -> String {
+    let folder = folder();
+    for (name, content) in files {
+        std::fs::write(folder.path().join(name), content).expect("written");
+    }
+    let output = run(folder.path(), &[&[command, files[0].0], options].concat());
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    text(&output.stderr).trim_end().to_owned()
+}
+
+#[test]
+fn a_mistyped_name_is_told_the_one_that_was_meant() {
+    for (from, to, expected) in [
+        ("[drives]", "[drive]", "; did you mean `drives`?"),
+        (
+            "double_wishbone_pushrod",
+            "double_wishbone_pusrod",
+            "; did you mean `double_wishbone_pushrod`?",
+        ),
+        ("steer =", "ster =", "; did you mean `steer`?"),
+    ] {
+        let said = refusal("motion", &[("a.toml", &CORNER.replace(from, to))], &[]);
+        assert!(
+            said.starts_with("a.toml:") && said.ends_with(expected),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn a_key_that_is_missing_is_told_with_what_to_write() {
+    for (line, expected) in [
+        (
+            "unit = \"m\"\n",
+            "missing field `unit`; write unit = \"m\", \"mm\" or \"in\"",
+        ),
+        (
+            "time = { instants = [0.0] }\n",
+            "missing field `time`; write [time] with start, stop and step",
+        ),
+        (
+            "[drives]\nbump = 0.3\nsteer = 0.34\n",
+            "missing field `drives`; write [drives] with a line for each",
+        ),
+    ] {
+        let said = refusal("sheet", &[("a.toml", &CORNER.replace(line, ""))], &[]);
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
+#[test]
+fn all_lengths_that_are_missing_are_named() {
+    let file = edited("d7_2", "").replace("\nd7_6", "\n# d7_6");
+    let said = refusal("motion", &[("a.toml", &file)], &[]);
+    assert!(
+        said.ends_with("lengths `d7_2`, `d7_6` are missing"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_file_of_another_kind_is_named_as_what_it_is() {
+    let listing = "//! An arm.\nfixed: hinge at [0.0, 0.0, 0.0];\n";
+    for (name, content, expected) in [
+        (
+            "a.linkage",
+            listing,
+            "this is a listing; a motion file names it: listing = \"FILE\"",
+        ),
+        (
+            "a.csv",
+            "lca_front, 1, 2, 3\n",
+            "this is no motion file; suspension import makes one of hardpoints",
+        ),
+    ] {
+        let said = refusal("sheet", &[(name, content)], &[]);
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
+#[test]
+fn a_mistake_of_a_listing_is_told_at_its_place_there() {
+    let (_, listing) = suspension_core::linkages::LISTINGS
+        .iter()
+        .find(|(name, _)| *name == "double_wishbone_pushrod")
+        .expect("in the catalogue");
+    let motion = CORNER.replace(
+        "linkage = \"double_wishbone_pushrod\"",
+        "listing = \"a.linkage\"",
+    );
+    for (from, to, expected) in [
+        (
+            "lower_rear  at [-0.20,",
+            "lower_rear  at [0.20,",
+            "a.linkage:8:8: point `lower_rear` is in the same place as point `lower_front`",
+        ),
+        (
+            "lower_rear  at [-0.20,",
+            "lower_rear  at [rear,",
+            "a.linkage:8:24: a coordinate is a finite number, for example `-1.25`",
+        ),
+    ] {
+        let listing = listing.replace(from, to);
+        let files = [("a.toml", motion.as_str()), ("a.linkage", &listing)];
+        assert_eq!(refusal("motion", &files, &[]), expected);
+    }
+    // Where the motion file moves one of the two, nothing is wrong.
+    let folder = folder();
+    let listing = listing.replace("lower_rear  at [-0.20,", "lower_rear  at [0.20,");
+    let moved = format!("{motion}[points]\nlower_rear = [-0.2, 0.35, 0.16]\n");
+    std::fs::write(folder.path().join("a.linkage"), listing).expect("written");
+    std::fs::write(folder.path().join("a.toml"), moved).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+}
+
+#[test]
+fn a_measure_is_not_listed_among_the_drives() {
+    let said = refusal("sweep", &[("a.toml", CORNER)], &["--drive", "damper=0:1:3"]);
+    assert_eq!(
+        said,
+        "`damper` is a measure, no drive; the drives are bump, steer"
+    );
+    let said = refusal(
+        "motion",
+        &[("a.toml", &CORNER.replace("steer =", "heave ="))],
+        &[],
+    );
+    let expected = "unknown drive `heave`; the drives are bump, steer, and in place of one may lead damper, bar_arm";
+    assert!(said.contains(expected), "{said}");
+}
