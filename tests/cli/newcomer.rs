@@ -102,7 +102,7 @@ fn a_mistake_of_a_listing_is_told_at_its_place_there() {
         (
             "lower_rear  at [-0.20,",
             "lower_rear  at [rear,",
-            "a.linkage:8:24: a coordinate is a finite number, for example `-1.25`",
+            "a.linkage:8:24: a coordinate or a factor is a finite number, for example `-1.25`",
         ),
     ] {
         let listing = listing.replace(from, to);
