@@ -143,7 +143,7 @@ fn skew_double_wishbone(seed: u64) -> String {
 
 #[test]
 fn a_list_of_a_skew_double_wishbone_is_complete_with_32_or_says_that_it_may_not_be() {
-    const SEEDS: u64 = 12;
+    const SEEDS: u64 = 6;
     let folder = folder();
     let mut complete = 0;
     for seed in 0..SEEDS {
@@ -158,5 +158,5 @@ fn a_list_of_a_skew_double_wishbone_is_complete_with_32_or_says_that_it_may_not_
             complete += 1;
         }
     }
-    assert!(complete + 2 >= SEEDS, "{complete} of {SEEDS}");
+    assert!(complete + 1 >= SEEDS, "{complete} of {SEEDS}");
 }
