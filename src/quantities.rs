@@ -5,8 +5,8 @@ mod kind;
 mod moving;
 mod on_ground;
 mod quantity;
+mod reader;
 mod readings;
-mod seen;
 mod support;
 mod words;
 
@@ -20,5 +20,5 @@ pub use catalogue::{
 };
 pub use kind::Kind;
 pub use quantity::{Axis, Column, Quantity, Shown, columns};
-pub use seen::Seen;
+pub use reader::Reader;
 pub use words::in_words;

@@ -11,7 +11,7 @@ use toml::Spanned;
 
 use crate::catalogue;
 use crate::failure::Failure;
-use crate::file::{MotionFile, Position, Source};
+use crate::file::{MotionFile, Offset, Position, Source};
 use crate::load::prepare::{Request, prepare};
 use crate::mechanism::{Mechanism, Unit, Work};
 
@@ -208,9 +208,15 @@ fn with_points(listing: Listing, file: &mut MotionFile, place: &Range<usize>) ->
             stated.insert(key, Spanned::new(place.clone(), Position::At(at.into())));
         }
     }
-    let at = |name| match stated.get(name).map(Spanned::get_ref) {
+    let at_coordinates = |name: &str| match stated.get(name).map(Spanned::get_ref) {
         Some(Position::At(at)) => Vector3::from(*at),
         _ => Vector3::repeat(f64::NAN),
+    };
+    let at = |name| match stated.get(name).map(Spanned::get_ref) {
+        Some(Position::Off(Offset { from, offset })) => {
+            at_coordinates(from.get_ref()) + Vector3::from(*offset)
+        }
+        _ => at_coordinates(name),
     };
     let hardpoints: Vec<Vector3<f64>> = points(&listing).map(at).collect();
     listing.ordered_at(&hardpoints)

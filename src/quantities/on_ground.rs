@@ -25,7 +25,7 @@ fn rolling_on_ground(names: &Names) -> Option<Rolling> {
 /// The contact point.
 pub(super) fn of_contact(names: &Names) -> Vec<Reading> {
     rolling_on_ground(names).map_or_else(Vec::new, |rolling| {
-        place(None, move |seen| seen.wheel(rolling).contact)
+        place(None, move |reader| reader.wheel(rolling).contact)
     })
 }
 
@@ -53,9 +53,9 @@ fn of_kingpin_at(
     let Some((rolling, [lower, upper])) = rolling.zip(names.kingpin) else {
         return Vec::new();
     };
-    vec![reading(Kind::Length, move |seen| {
-        let wheel = seen.wheel(rolling);
-        let kingpin = SteeringAxis::through([at(seen, lower), at(seen, upper)]);
+    vec![reading(Kind::Length, move |reader| {
+        let wheel = reader.wheel(rolling);
+        let kingpin = SteeringAxis::through([at(reader, lower), at(reader, upper)]);
         offset(&kingpin, &point(wheel), &Heading::of(&wheel.axis))
     })]
 }
@@ -69,8 +69,8 @@ pub(super) fn of_moving(
     value: impl Fn(&Moving) -> Number + 'static,
 ) -> Vec<Reading> {
     let read = moved(names, along, on_ground).map(|rolling| {
-        reading(kind, move |seen| {
-            let moving = seen.moving(along, rolling);
+        reading(kind, move |reader| {
+            let moving = reader.moving(along, rolling);
             moving.map_or(alone(f64::NAN), &value)
         })
     });
@@ -87,8 +87,8 @@ pub(super) fn of_moving_place(
     let Some(rolling) = moved(names, along, false) else {
         return Vec::new();
     };
-    components(None, Kind::Length, axes, move |seen| {
-        let moving = seen.moving(along, rolling);
+    components(None, Kind::Length, axes, move |reader| {
+        let moving = reader.moving(along, rolling);
         moving.map_or_else(|| Vector3::repeat(alone(f64::NAN)), place)
     })
 }

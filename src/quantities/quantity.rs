@@ -7,7 +7,7 @@ use suspension_core::Signal;
 use crate::mechanism::{Names, State, Unit};
 use crate::quantities::kind::Kind;
 use crate::quantities::moving::Number;
-use crate::quantities::seen::Seen;
+use crate::quantities::reader::Reader;
 
 /// What is read off a mechanism: a row of the catalogue.
 pub struct Quantity {
@@ -39,7 +39,7 @@ pub enum Shown {
 }
 
 /// What reads a number of any state.
-pub(super) type Read = dyn Fn(&Seen<'_>) -> Number;
+pub(super) type Read = dyn Fn(&Reader<'_>) -> Number;
 
 /// One number of a quantity.
 pub(super) struct Reading {
@@ -86,7 +86,7 @@ pub struct Column {
     pub kind: Kind,
     /// The component, of a vector.
     pub axis: Option<Axis>,
-    /// Whether [`seen`](Self::seen) has derivatives: whether positions alone determine it.
+    /// Whether [`read`](Self::read) has derivatives: whether positions alone determine it.
     pub has_derivatives: bool,
     value: Box<Read>,
 }
@@ -97,15 +97,15 @@ impl Column {
         self.along(state).value
     }
 
-    /// The same with its derivatives: see [`seen`](Self::seen).
+    /// The same with its derivatives: see [`read`](Self::read).
     pub fn along(&self, state: &State) -> Signal<f64> {
-        self.seen(&Seen::of(state))
+        self.read(&Reader::of(state))
     }
 
     /// The number with its derivatives along the rates of the state's points: with respect to time, or to a drive. They are
     /// NaN of what is not determined by positions.
-    pub fn seen(&self, seen: &Seen<'_>) -> Signal<f64> {
-        (self.value)(seen)
+    pub fn read(&self, reader: &Reader<'_>) -> Signal<f64> {
+        (self.value)(reader)
     }
 
     /// Its name in a CSV file: `p6_x`, `p6_vx`, `omega_x`, `camber_rad`.

@@ -7,7 +7,7 @@ use crate::mechanism::Names;
 use crate::quantities::kind::Kind;
 use crate::quantities::moving::{Number, at, from_to};
 use crate::quantities::quantity::{Axis, Reading};
-use crate::quantities::seen::Seen;
+use crate::quantities::reader::Reader;
 
 /// A number whose derivatives are not known.
 pub(super) fn alone(value: f64) -> Number {
@@ -19,7 +19,7 @@ pub(super) fn alone(value: f64) -> Number {
 }
 
 /// One number of any state, of which no derivatives are known.
-pub(super) fn number(kind: Kind, value: fn(&Seen<'_>) -> f64) -> Vec<Reading> {
+pub(super) fn number(kind: Kind, value: fn(&Reader<'_>) -> f64) -> Vec<Reading> {
     vec![Reading {
         has_derivatives: false,
         ..reading(kind, move |state| alone(value(state)))
@@ -27,7 +27,7 @@ pub(super) fn number(kind: Kind, value: fn(&Seen<'_>) -> f64) -> Vec<Reading> {
 }
 
 /// One number, by a formula of positions.
-pub(super) fn reading(kind: Kind, value: impl Fn(&Seen<'_>) -> Number + 'static) -> Reading {
+pub(super) fn reading(kind: Kind, value: impl Fn(&Reader<'_>) -> Number + 'static) -> Reading {
     Reading {
         name: None,
         kind,
@@ -41,7 +41,7 @@ pub(super) fn reading(kind: Kind, value: impl Fn(&Seen<'_>) -> Number + 'static)
 pub(super) fn each<'a>(
     things: impl Iterator<Item = (&'a str, Kind)>,
     has_derivatives: bool,
-    value: fn(&Seen<'_>, usize) -> Number,
+    value: fn(&Reader<'_>, usize) -> Number,
 ) -> Vec<Reading> {
     let of_one = |(index, (name, kind)): (usize, (&str, Kind))| Reading {
         name: Some(name.to_owned()),
@@ -56,7 +56,7 @@ pub(super) fn vector(
     name: Option<&str>,
     kind: Kind,
     axes: &[Axis],
-    value: impl Fn(&Seen<'_>) -> Vector3<f64> + Clone + 'static,
+    value: impl Fn(&Reader<'_>) -> Vector3<f64> + Clone + 'static,
 ) -> Vec<Reading> {
     let mut readings = components(name, kind, axes, move |state| value(state).map(alone));
     for reading in &mut readings {
@@ -70,7 +70,7 @@ pub(super) fn components(
     name: Option<&str>,
     kind: Kind,
     axes: &[Axis],
-    value: impl Fn(&Seen<'_>) -> Vector3<Number> + Clone + 'static,
+    value: impl Fn(&Reader<'_>) -> Vector3<Number> + Clone + 'static,
 ) -> Vec<Reading> {
     let component = |axis: &Axis| {
         let (axis, value) = (*axis, value.clone());
@@ -86,7 +86,7 @@ pub(super) fn components(
 /// The coordinates of a place, by a formula of positions; in the file's coordinates.
 pub(super) fn place(
     name: Option<&str>,
-    local: impl Fn(&Seen<'_>) -> Vector3<Number> + Clone + 'static,
+    local: impl Fn(&Reader<'_>) -> Vector3<Number> + Clone + 'static,
 ) -> Vec<Reading> {
     components(name, Kind::Length, &Axis::ALL, move |state| {
         local(state) + state.origin.map(Signal::still)

@@ -109,3 +109,26 @@ fn what_does_not_assemble_or_is_wrong_is_said() {
         assert!(output.stdout.is_empty());
     }
 }
+
+#[test]
+fn the_elimination_is_ordered_for_the_points_of_the_file() {
+    // A rocker whose points lie square to its axis, and a marker that is stated off another point.
+    let file = CORNER.replace("double_wishbone_pushrod", "double_wishbone_rocker");
+    let output = check(
+        &format!(
+            "{file}[points]\nrocker_front = [0.005, 0.35, 0.48]\nrocker_rear = [-0.045, 0.35, 0.48]\n\
+             pushrod_upper = [0.005, 0.42, 0.5]\ndamper_outer = [0.005, 0.37, 0.56]\n\
+             damper_inner = [0.005, 0.12, 0.54]\n\
+             axle = {{ from = \"wheel_centre\", offset = [0.0, -0.1, 0.0] }}\n"
+        ),
+        &[],
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let told = line(&output, "elimination");
+    let (_, growth) = told.split_once("rounding grows by ").expect("a growth");
+    let (growth, _) = growth.split_once(',').expect("a number");
+    assert!(
+        growth.parse::<f64>().is_ok_and(|growth| growth < 1000.0),
+        "{told}"
+    );
+}

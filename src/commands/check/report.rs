@@ -139,13 +139,20 @@ impl Report<'_> {
             unknowns,
             ..
         } = self.names;
+        let health = if elimination.growth < elimination.allowed {
+            format!(
+                "rounding grows by {}, up to {} the order is kept",
+                rounded(elimination.growth, DIGITS),
+                rounded(elimination.allowed, DIGITS + 1),
+            )
+        } else {
+            "partial pivoting takes the place of the fixed order at this position; a step takes longer".to_owned()
+        };
         format!(
-            "smallest pivot {} of equation `{}` and unknown `{}`; rounding grows by {}, up to {} the order is kept",
+            "smallest pivot {} of equation `{}` and unknown `{}`; {health}",
             rounded(elimination.pivot, DIGITS),
             equations[elimination.equation],
             unknowns[elimination.unknown],
-            rounded(elimination.growth, DIGITS),
-            rounded(elimination.allowed, DIGITS + 1),
         )
     }
 

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::mechanism::{Mechanism, Names, State};
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
-use crate::quantities::{self, CATALOGUE, Column, DRIVES, Seen, Shown};
+use crate::quantities::{self, CATALOGUE, Column, DRIVES, Reader, Shown};
 
 /// The numbers of a place.
 pub(super) type Row = Vec<f64>;
@@ -32,20 +32,20 @@ pub(super) fn columns(names: &Names, derivatives: u8) -> Columns {
 impl Columns {
     /// The numbers of a state; `per` is the state with derivatives with respect to a drive, `None` where the mechanism locks.
     pub(super) fn row(&self, state: &State, per: impl Fn(usize) -> Option<State>) -> Row {
-        let seen = Seen::of(state);
+        let reader = Reader::of(state);
         let quantities = self.quantities.iter();
-        let mut row: Row = quantities.map(|column| column.seen(&seen).value).collect();
+        let mut row: Row = quantities
+            .map(|column| column.read(&reader).value)
+            .collect();
         if self.derivatives == 0 {
             return row;
         }
         let per: Vec<Option<State>> = (0..self.drives).map(per).collect();
-        let seen: Vec<Option<Seen<'_>>> = per
-            .iter()
-            .map(|state| state.as_ref().map(Seen::of))
-            .collect();
+        let readers = per.iter().map(|state| state.as_ref().map(Reader::of));
+        let readers: Vec<Option<Reader<'_>>> = readers.collect();
         for column in self.with_derivatives() {
-            for seen in &seen {
-                let along = seen.as_ref().map(|seen| column.seen(seen));
+            for reader in &readers {
+                let along = reader.as_ref().map(|reader| column.read(reader));
                 let [first, second] =
                     along.map_or([f64::NAN; 2], |along| [along.rate, along.second_rate]);
                 row.extend([first, second].iter().take(self.derivatives.into()));

@@ -1,4 +1,4 @@
-//! A state as quantities are read of it.
+//! What reads quantities of one state.
 
 use std::cell::OnceCell;
 use std::ops::Deref;
@@ -6,16 +6,16 @@ use std::ops::Deref;
 use crate::mechanism::State;
 use crate::quantities::moving::{Along, Moving, Rolling, Wheel};
 
-/// A state of one mechanism, with what several quantities are read from: computed once.
-pub struct Seen<'a> {
+/// Reads quantities of one state of a mechanism: what several of them need is computed once.
+pub struct Reader<'a> {
     state: &'a State,
     wheel: OnceCell<Wheel>,
     travel: OnceCell<Option<Moving>>,
     steer: OnceCell<Option<Moving>>,
 }
 
-impl<'a> Seen<'a> {
-    /// A state that nothing was read of yet.
+impl<'a> Reader<'a> {
+    /// Of a state.
     pub fn of(state: &'a State) -> Self {
         Self {
             state,
@@ -42,7 +42,7 @@ impl<'a> Seen<'a> {
     }
 }
 
-impl Deref for Seen<'_> {
+impl Deref for Reader<'_> {
     type Target = State;
 
     fn deref(&self) -> &State {
