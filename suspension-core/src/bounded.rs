@@ -31,10 +31,12 @@ use crate::tolerance::Tolerance;
 use crate::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
 
 mod judge;
+mod measures;
 mod predict;
 mod step;
 
-pub use judge::{Measures, Refusal};
+pub use judge::Refusal;
+pub use measures::Measures;
 pub use step::Step;
 
 /// See [`Bounded::tolerance`]: the norm of fifteen residuals that [`Newton`](crate::Newton) would

@@ -4,6 +4,7 @@
 mod clusters;
 mod elimination;
 mod lengths;
+mod places;
 mod readout;
 mod room;
 mod substitution;
@@ -15,7 +16,7 @@ use suspension_listing::system::{SiteMotion, System};
 
 use crate::form::{Along, Body, Distance, InputRates, Linear, Product, Stretch};
 use crate::site::Site;
-use crate::table::{SPARE, index};
+use crate::table::index;
 
 pub(crate) use clusters::Cluster;
 pub(crate) use elimination::{Elimination, Step};
@@ -131,21 +132,4 @@ impl Plan {
     pub(crate) fn carried(&self) -> usize {
         self.bodies.iter().map(|body| body.carried.len()).sum()
     }
-}
-
-/// Where a name is among others. The front end has checked that it is there.
-fn position<'a>(mut names: impl Iterator<Item = &'a Name>, name: &Name) -> u16 {
-    names.position(|other| other == name).map_or(SPARE, index)
-}
-
-/// The place of a point: chassis points, free points, markers.
-fn point(system: &System, name: &Name) -> u16 {
-    position(system.points().into_iter(), name)
-}
-
-/// The place of the distance that an equation keeps.
-fn distance(system: &System, name: &Name) -> u16 {
-    let equations = system.equations.iter();
-    let kept = equations.filter(|equation| equation.form.equations().keeps().is_some());
-    position(kept.map(|equation| &equation.named.name), name)
 }

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use nalgebra::SVector;
 
 use super::Outputs;
-use super::judge::Measures;
+use super::measures::Measures;
 use super::predict::Prediction;
 use crate::entrywise::{difference, plus_multiple, sum};
 use crate::handedness::count_mirrored;

@@ -2,7 +2,8 @@
 
 use suspension_listing::system::{self, System};
 
-use super::{LengthNames, point};
+use super::LengthNames;
+use super::places::point;
 use crate::site::Site;
 
 /// Points that links alone make a rigid body.

@@ -3,7 +3,8 @@
 use suspension_listing::name::Name;
 use suspension_listing::system::{self, System, distance_between, pair_name};
 
-use super::{distance, index, position};
+use super::places::{distance, position};
+use crate::table::index;
 
 /// What keeps a length.
 #[derive(Clone, Copy, Debug)]

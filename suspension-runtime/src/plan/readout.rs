@@ -3,7 +3,8 @@
 use suspension_core::{DriveKind, MeasureKind};
 use suspension_listing::system::{self, Quantity, System};
 
-use super::{distance, index, point};
+use super::places::{distance, point};
+use crate::table::index;
 
 /// How a drive enters.
 #[derive(Clone, Debug)]

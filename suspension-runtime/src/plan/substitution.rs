@@ -6,7 +6,8 @@ use std::collections::BTreeSet;
 use suspension_listing::eliminate::{Order, Step};
 use suspension_listing::system::{Site, SiteMotion, Substituted, System};
 
-use super::{ZERO, position};
+use super::ZERO;
+use super::places::position;
 use crate::table::{SPARE, index};
 
 /// Rows of a triangular factor and their terms, one row after the other.
