@@ -10,4 +10,5 @@ mod start;
 mod task;
 mod vehicle;
 
+pub(crate) use listing::points;
 pub use loaded::{Loaded, load, load_own};

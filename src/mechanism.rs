@@ -21,7 +21,7 @@ mod words;
 pub use around::Order;
 pub use drives::{DriveLaws, Law, follow, given};
 pub use end::{End, Stop};
-pub use grid::{From, Grid};
+pub use grid::{From, Grid, evenly_spaced};
 pub use instants::Instants;
 pub use lead::Lead;
 pub use locking::Lock;

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::{
-    Inputs, Motion, Signal, SolveError, Still, Stopped, Tangent, Tracker, Values,
+    Directions, Inputs, Motion, Signal, SolveError, Still, Stopped, Tracker, Values,
 };
 
 use crate::mechanism::{Names, Suspension};
@@ -115,19 +115,28 @@ impl<'a, L> Driven<'a, L> {
         followed.map(|_| ())
     }
 
-    /// The outputs with their derivatives in the direction in which drives move at `rate`.
-    pub(super) fn derivatives<const N: usize>(
+    /// What gives the outputs' derivatives in any direction of the drives, at a motion's position for values of these.
+    pub(super) fn directions<const N: usize>(
         &self,
         motion: &Motion<f64, N>,
         at: L::Drives,
+    ) -> Result<Directions<'a, L, N>, SolveError<f64>>
+    where
+        L: Suspension<N>,
+    {
+        Directions::new(self.model, at, &motion.position)
+    }
+
+    /// The outputs with their derivatives in the direction in which drives move at `rate`.
+    pub(super) fn derivatives<const N: usize>(
+        &self,
+        directions: &Directions<'a, L, N>,
         rate: L::Drives,
     ) -> Result<Vec<Derivatives>, SolveError<f64>>
     where
         L: Suspension<N>,
     {
-        let inputs = moving(at, rate);
-        let motion = Tangent::new(self.model, &inputs, &motion.position)?.motion()?;
-        let points = motion.points(self.model, &inputs);
+        let points = directions.points(rate)?;
         let by_order = [&points.value, &points.rate, &points.second_rate];
         let by_order = by_order.map(|points| points.values().collect::<Vec<_>>());
         let point = |point: usize| [0, 1, 2].map(|order| by_order[order][point]);

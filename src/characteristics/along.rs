@@ -6,7 +6,9 @@ use std::sync::atomic::AtomicBool;
 use suspension_core::DriveKind;
 
 use crate::failure::Failure;
-use crate::mechanism::{From, Grid, Mechanism, Order, State, Suspension, Unit, Visited};
+use crate::mechanism::{
+    From, Grid, Mechanism, Order, State, Suspension, Unit, Visited, evenly_spaced,
+};
 
 /// From where to where, from the design position, as `-0.06:0.06`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,13 +83,10 @@ pub fn ways<L: Suspension<N>, const N: usize>(
 fn along<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     drive: usize,
-    [from, to]: [f64; 2],
+    span: [f64; 2],
     interrupted: &AtomicBool,
 ) -> Along {
-    let part = |place: usize| place as f64 / (PLACES - 1) as f64;
-    let changes: Vec<f64> = (0..PLACES)
-        .map(|place| from * (1.0 - part(place)) + to * part(place))
-        .collect();
+    let changes = evenly_spaced(span, PLACES);
     let axes = vec![(drive, changes.clone())];
     // So few places are never too many.
     let grid = Grid::new(mechanism, axes, From::Start).unwrap_or_default();

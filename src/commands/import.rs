@@ -151,9 +151,9 @@ Reads, by what is in the file:
   Lotus                 model files (.shk) of one suspension
 
 A table may also have, a line each, toe_angle and camber_angle in degrees (positive: toe-in, top outboard) and
-tire_radius. The motion file says of each point which line it came from, and what was assumed; the same is told on
-standard error. Points that hardpoint files do not have (a second point of the spin axis, say) are placed by
-the others, and the motion file says how.
+tire_radius. Beside each point the motion file has the line that the point came from. The program prints its assumptions on
+standard error and writes them at the top of the motion file. A point that hardpoint files do not have, as a second point
+of the spin axis, is placed by the others, and the motion file says how.
 
 Axes, all right-handed: iso x forward, y left, z up; adams x rearward, y right, z up (of Lotus too); sae x forward,
 y right, z down. The motion file is in iso and in the unit of the file.

@@ -128,12 +128,8 @@ const NOTES: &str = "\
 One HTML page without anything from elsewhere, which any browser shows and prints: drawings at the design
 position, that of the file's points, and faintly at both ends of the travel; all quantities there with their
 derivatives with respect to travel and steering, bump camber, bump steer and motion ratios among them; curves over
-travel and steering; and the definitions. The file's [vehicle] table says what the listing does not:
-
-  [vehicle]
-  wheel_radius = 0.3      # in the unit; without it there is nothing that needs the ground
-  travel = \"bump\"         # the drive that moves the wheel up and down; without a word the one named
-  steer = \"steer\"         # bump, and the one that steers it: the one named steer
+travel and steering; and the definitions. The [vehicle] table of the file (suspension motion --help) names the drives of
+travel and steering and gives the wheel radius, which all quantities at the ground need, and the car's data for anti-dive.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (the page is
 written), 130 interrupted.

@@ -112,18 +112,8 @@ impl Work for Sweep<'_> {
 
 const NOTES: &str = "\
 One row a place of the grid, the last drive given changing fastest, its columns: the drives, all quantities that
-positions determine (suspension motion --help says what they are), and what the [vehicle] table of the
-file makes known:
-
-  [vehicle]
-  wheel_radius = 0.3      # in the unit: contact point, scrub radius, mechanical trail, roll centre
-  travel = \"bump\"         # the drive that moves the wheel up and down; without a word the one named
-  steer = \"steer\"         # bump, and the one that steers it: the one named steer
-  axle = \"front\"          # or rear; with the next four anti-dive, anti-lift, anti-squat
-  wheelbase = 2.6         # in the unit
-  cg_height = 0.5         # of the car's centre of gravity above the ground, in the unit
-  brake_share = 0.6       # the axle's share of the brake force, from 0 to 1
-  drive_share = 1.0       # the same of the drive force, where it is driven
+positions determine, those that the [vehicle] table of the file makes known among them (suspension motion --help explains
+the quantities and the table).
 
 Derivatives follow: camber_rad_per_bump is that of camber with respect to the drive bump, the other drives held,
 camber_rad_per_bump2 the second. They come from the equations, not from differences.

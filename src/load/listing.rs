@@ -191,7 +191,7 @@ fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
 }
 
 /// The points' names, in the order of the listing.
-fn points(listing: &Listing) -> impl Iterator<Item = &str> {
+pub(crate) fn points(listing: &Listing) -> impl Iterator<Item = &str> {
     let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
     let count: usize = kinds.into_iter().map(|kind| listing.count(kind)).sum();
     (0..count).map(|point| listing.name(Part::Point(point)))

@@ -17,6 +17,16 @@ pub struct Grid {
     pub(super) start: Vec<f64>,
 }
 
+/// So many values, evenly spaced from the first to the last: exact at both ends, and at zero in the middle.
+pub fn evenly_spaced([from, to]: [f64; 2], count: usize) -> Vec<f64> {
+    let last = count.saturating_sub(1).max(1) as f64;
+    let value = |index: usize| {
+        let part = index as f64 / last;
+        from * (1.0 - part) + to * part
+    };
+    (0..count).map(value).collect()
+}
+
 /// What the values of a grid are counted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum From {

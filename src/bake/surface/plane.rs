@@ -67,15 +67,15 @@ impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
     /// The mixed derivative is half of what the second derivative along the diagonal has beyond
     /// those along both drives.
     fn mixed(&self, motion: &Motion<f64, N>, at: [f64; 2]) -> Result<Vec<Mixed>, UnmetSurface> {
+        let lost = |cause| UnmetSurface::OutOfReach {
+            drives: at,
+            cause: Some(cause),
+        };
+        let directions = self.driven.directions(motion, self.drives(self.held, at));
+        let directions = directions.map_err(lost)?;
         let along = |direction: [f64; 2]| {
             let rate = self.drives(L::Drives::default(), direction);
-            let read = self
-                .driven
-                .derivatives(motion, self.drives(self.held, at), rate);
-            read.map_err(|cause| UnmetSurface::OutOfReach {
-                drives: at,
-                cause: Some(cause),
-            })
+            self.driven.derivatives(&directions, rate).map_err(lost)
         };
         let [first, second, both] = [along([1.0, 0.0])?, along([0.0, 1.0])?, along([1.0, 1.0])?];
         let each = first.iter().zip(&second).zip(&both);

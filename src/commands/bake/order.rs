@@ -178,7 +178,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         }
         let [low, high] = reached;
         let inside = [low.max(from), high.min(to)];
-        // Of a range that lies beyond a lock the part up to there is told.
+        // The message for a range beyond a lock gives the part up to the lock.
         let inside = if inside[0] < inside[1] {
             inside
         } else {

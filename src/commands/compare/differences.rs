@@ -67,7 +67,6 @@ impl Comparison {
             if a.kind != b.kind {
                 continue;
             }
-
             let lines = pairs(a, b).into_iter();
             let differences = lines.filter_map(|pair| largest(a, pair)).collect();
             parts.push(Part {
@@ -114,17 +113,10 @@ pub(super) fn pairs<'a>(a: &'a Curves, b: &'a Curves) -> Vec<[&'a Line; 2]> {
 /// Where two lines differ most, of the places where both are.
 fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
     let places = curves.changes.iter().zip(a.values.iter().zip(&b.values));
-    let both = places.filter_map(|(at, (a, b))| {
-        Some(Difference {
-            quantity: String::new(),
-            symbol: String::new(),
-            at: Some(*at),
-            values: [(*a)?, (*b)?],
-        })
-    });
-    let size = |difference: &Difference| difference.value().abs();
-    let most = both.reduce(|most, next| {
-        if size(&next) > size(&most) {
+    let both = places.filter_map(|(at, (a, b))| Some((*at, [(*a)?, (*b)?])));
+    let apart = |[a, b]: [f64; 2]| (b - a).abs();
+    let (at, values) = both.reduce(|most, next| {
+        if apart(next.1) > apart(most.1) {
             next
         } else {
             most
@@ -133,6 +125,7 @@ fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
     Some(Difference {
         quantity: a.title.clone(),
         symbol: a.symbol.clone(),
-        ..most
+        at: Some(at),
+        values,
     })
 }

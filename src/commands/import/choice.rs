@@ -1,13 +1,13 @@
 //! Which listing of the catalogue a file is of: the one that takes most of its points, and lacks none.
 
 use suspension_core::linkages::LISTINGS;
-use suspension_core::{Kind, Part, Parts};
 use suspension_runtime::{Listing, Mistakes};
 
 use super::hardpoints::Hardpoint;
 use super::names::Names;
 use super::spare::has_stand_in;
 use crate::catalogue;
+use crate::load;
 
 /// A listing, with the points of the file that are its own.
 #[derive(Debug)]
@@ -40,11 +40,11 @@ impl<'a> Choice<'a> {
             listing,
         };
         let named = |name: &str| points.iter().find(|point| point.key == name).copied();
-        for name in points_of(&choice.listing) {
-            let found = names.of_point(&name).find_map(named);
+        for name in load::points(&choice.listing) {
+            let found = names.of_point(name).find_map(named);
             match found {
-                Some(point) => choice.found.push((name, point)),
-                None => choice.missing.push(name),
+                Some(point) => choice.found.push((name.to_owned(), point)),
+                None => choice.missing.push(name.to_owned()),
             }
         }
         let has = |name: &str| choice.found.iter().any(|(other, _)| other == name);
@@ -71,14 +71,6 @@ impl<'a> Choice<'a> {
         });
         each.collect::<Vec<_>>().join("; ")
     }
-}
-
-/// The points' names, in the order of the listing.
-pub(super) fn points_of(listing: &Listing) -> Vec<String> {
-    let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
-    let count: usize = kinds.into_iter().map(|kind| listing.count(kind)).sum();
-    let names = (0..count).map(|point| listing.name(Part::Point(point)).to_owned());
-    names.collect()
 }
 
 /// The listing that is wanted, or else the one that takes most of the points.
@@ -137,8 +129,8 @@ pub(super) fn known_names(names: &Names) -> Result<String, Mistakes> {
     let mut text = String::new();
     for (linkage, listing) in LISTINGS {
         text += &format!("{linkage}\n");
-        for point in points_of(&Listing::parse_file(listing, linkage)?) {
-            let others: Vec<&str> = names.of_point(&point).skip(1).collect();
+        for point in load::points(&Listing::parse_file(listing, linkage)?) {
+            let others: Vec<&str> = names.of_point(point).skip(1).collect();
             let line = format!("  {point:18}{}", others.join(", "));
             text += &format!("{}\n", line.trim_end());
         }
@@ -156,7 +148,11 @@ mod tests {
         let names = Names::read().expect("a table");
         let listings = LISTINGS.iter().map(|(_, text)| Listing::parse(text));
         let points: Vec<String> = listings
-            .flat_map(|listing| points_of(&listing.unwrap()))
+            .flat_map(|listing| {
+                load::points(&listing.unwrap())
+                    .map(str::to_owned)
+                    .collect::<Vec<_>>()
+            })
             .collect();
         for (point, others) in &names.points {
             assert!(points.contains(point), "no listing has {point}");

@@ -5,13 +5,14 @@ use std::fmt::Write;
 use suspension_core::{DriveKind, Kind, Part, Parts};
 use suspension_runtime::Listing;
 
-use super::choice::{Choice, points_of};
+use super::choice::Choice;
 use super::corner::Corner;
 use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::Names;
 use super::orientation::Orientation;
 use super::spare::{Spin, number, stand_in};
 use crate::catalogue::first_sentence;
+use crate::load;
 use crate::mechanism::Unit;
 use crate::number::rounded;
 
@@ -126,7 +127,7 @@ impl Imported<'_> {
             let place = choice.found.iter().position(|(found, _)| found == name)?;
             Some(self.corner.at[place])
         };
-        let names = points_of(&choice.listing).into_iter();
+        let names = load::points(&choice.listing).map(str::to_owned);
         let each = names.filter_map(|name| {
             let (position, origin) = match (at(&name), choice.point(&name)) {
                 (Some(at), Some(point)) => {

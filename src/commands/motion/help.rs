@@ -36,8 +36,15 @@ const FILE: &str = r#"The file:
   d6_1 = 0.445872
   [design]                           # optional: the drives' values at which the mechanism is
   theta = 1.5707963267948966         # assembled and markers are attached; else as the points are
-  [vehicle]                          # optional: what more quantities need, see suspension sheet --help
-  wheel_radius = 0.3                 # and for anti-dive and the like axle, wheelbase, cg_height
+  [vehicle]                          # optional: what more quantities need
+  wheel_radius = 0.3                 # in the unit: contact point, scrub radius, mechanical trail, roll centre
+  travel = "bump"                    # the drive that moves the wheel up and down; if left out, the one named bump
+  steer = "steer"                    # the drive that steers it; if left out, the one named steer
+  axle = "front"                     # or "rear": with the next four anti-dive, anti-lift, anti-squat
+  wheelbase = 2.6                    # in the unit
+  cg_height = 0.5                    # of the car's centre of gravity above the ground, in the unit
+  brake_share = 0.6                  # the axle's share of the brake force, from 0 to 1
+  drive_share = 1.0                  # the axle's share of the drive force, where the axle is driven
   [time]                             # in seconds; or: instants = [0.0, 0.25, 0.5]
   start = 0.0
   stop = 1.95                        # the last instant is the last multiple of step within stop

@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use crate::mechanism::{From, Grid, Mechanism, Suspension};
+use crate::mechanism::{From, Grid, Mechanism, Suspension, evenly_spaced};
 
 /// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,13 +47,7 @@ impl FromStr for Swept {
 
 impl Swept {
     fn values(&self) -> Vec<f64> {
-        let last = self.count.saturating_sub(1).max(1) as f64;
-        let value = |index: usize| {
-            let part = index as f64 / last;
-            // Exact at both ends, and at zero in the middle.
-            self.from * (1.0 - part) + self.to * part
-        };
-        (0..self.count).map(value).collect()
+        evenly_spaced([self.from, self.to], self.count)
     }
 }
 

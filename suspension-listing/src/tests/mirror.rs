@@ -113,7 +113,7 @@ fn an_axle_of_the_catalogue_has_both_sides() {
     assert_eq!(axle.size(), 32);
 }
 
-/// A mistake on one side is told where it stands, once more for the image.
+/// A mistake on one side is reported at its place, and again there for the mirror image.
 #[test]
 fn mistakes_have_the_places_of_what_is_mirrored() {
     let text = HALF.replace("middle -> left_hub", "middle -> left_hob");
