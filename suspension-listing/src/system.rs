@@ -1,6 +1,7 @@
 //! What a listing is lowered to: named points and named equations, as plain data. Both back ends, the one that
 //! writes Rust and the one that walks it at run time, see nothing else.
 
+mod bodies;
 mod lengths;
 mod places;
 

@@ -6,7 +6,7 @@ use syn::Ident;
 use super::{Listing, Rigid};
 use crate::kind::Kind;
 use crate::name::Name;
-use crate::system::{Body, System, distance_between};
+use crate::system::{System, distance_between};
 
 impl Listing {
     /// The names that it declares, and of what.
@@ -55,11 +55,10 @@ impl Listing {
 
     /// Whether two points stay as far apart as they are: by an equation, in a body or on the chassis.
     pub(crate) fn keeps_apart(&self, system: &System, ends: [&Ident; 2]) -> bool {
-        let [a, b] = ends.map(Name::from);
-        let lists = |body: &Body, name: &Name| body.points().any(|site| site.name == *name);
-        let mut bodies = system.bodies.iter();
-        distance_between(&system.equations, &a, &b).is_some()
-            || bodies.any(|body| lists(body, &a) && lists(body, &b))
+        let names = ends.map(Name::from);
+        let [a, b] = &names;
+        distance_between(&system.equations, a, b).is_some()
+            || system.body_of(&names).is_some()
             || ends.iter().all(|end| self.is_at_rest(end))
     }
 

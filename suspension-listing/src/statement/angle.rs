@@ -66,13 +66,8 @@ impl Statement for Angle {
         if !self.operands().into_iter().all(known) {
             return;
         }
-        let lists = |body: &Body, point: &Ident| {
-            let name = Name::from(point);
-            body.points().any(|site| site.name == name)
-        };
-        let mut bodies = system.bodies.iter();
-        let all = |body: &&Body| self.operands().into_iter().all(|point| lists(body, point));
-        if let Some(body) = bodies.find(all) {
+        let names: Vec<Name> = self.operands().into_iter().map(Name::from).collect();
+        if let Some(body) = system.body_of(&names) {
             errors.push(of_one_body(&self.named.name, body));
         }
         for [from, to] in &self.lines {

@@ -71,10 +71,7 @@ impl Statement for Plane {
 
     /// Checks that the point is not fixed to the plane.
     fn check_lowered(&self, _listing: &Listing, system: &System, errors: &mut Errors) {
-        let names = self.points.each_ref().map(Name::from);
-        let lists = |body: &Body, name: &Name| body.points().any(|site| site.name == *name);
-        let mut bodies = system.bodies.iter();
-        if let Some(body) = bodies.find(|body| names.iter().all(|name| lists(body, name))) {
+        if let Some(body) = system.body_of(&self.points.each_ref().map(Name::from)) {
             let [point, ..] = &self.points;
             errors.push(of_one_body(point, body));
         }

@@ -97,12 +97,7 @@ impl Axis {
         let [from, to] = &self.ends;
         let points = lowering.listing.carrier_of(from, to)?;
         let names: Vec<Name> = points.iter().map(Name::from).collect();
-        let mut bodies = lowering.system.bodies.iter();
-        let body = bodies.find(|body| {
-            let lists = |name: &Name| body.points().any(|site| site.name == *name);
-            names.iter().all(lists)
-        });
-        match (body, names.as_slice()) {
+        match (lowering.system.body_of(&names), names.as_slice()) {
             (Some(body), _) => Some(body.frame.each_ref().map(|site| site.name.clone())),
             (None, [a, b, c, ..]) => Some([a, b, c].map(Name::clone)),
             _ => None,

@@ -73,12 +73,7 @@ impl Statement for Slide {
         if !self.points.iter().all(known) || from == to {
             return;
         }
-        let names = [point, from, to].map(Name::from);
-        let lists = |body: &Body, name: &Name| body.points().any(|site| site.name == *name);
-        let [_, a, b] = &names;
-        let mut carriers = system.bodies.iter();
-        let carrier = carriers.find(|body| lists(body, a) && lists(body, b));
-        if let Some(body) = carrier.filter(|body| lists(body, &names[0])) {
+        if let Some(body) = system.body_of(&self.points.each_ref().map(Name::from)) {
             errors.push(cannot_slide(point, body));
         }
         if !listing.keeps_apart(system, [from, to]) {

@@ -19,11 +19,12 @@ pub(super) fn angle(line: &[Ident; 2], listing: &Listing, system: &System) -> Op
     if from == to || !all_known || !(free || other_free) {
         return None;
     }
-    let [a, b] = [from, to].map(Name::from);
-    if distance_between(&system.equations, &a, &b).is_some() {
+    let names = [from, to].map(Name::from);
+    let [a, b] = &names;
+    if distance_between(&system.equations, a, b).is_some() {
         return None;
     }
-    Some(match carrier(system, [&a, &b]) {
+    Some(match system.body_of(&names) {
         Some(body) => angle_beside_frame([from, to], body),
         None => no_such_link(from, to),
     })
@@ -32,19 +33,11 @@ pub(super) fn angle(line: &[Ident; 2], listing: &Listing, system: &System) -> Op
 /// What is wrong with a driven length: nothing may keep it.
 pub(super) fn length(line: &[Ident; 2], system: &System) -> Option<Error> {
     let [from, to] = line;
-    let [a, b] = [from, to].map(Name::from);
-    let equation = distance_between(&system.equations, &a, &b);
-    let keeper = equation.or_else(|| Some(&carrier(system, [&a, &b])?.name))?;
+    let names = [from, to].map(Name::from);
+    let [a, b] = &names;
+    let equation = distance_between(&system.equations, a, b);
+    let keeper = equation.or_else(|| Some(&system.body_of(&names)?.name))?;
     (from != to).then(|| kept_already(from, to, keeper))
-}
-
-/// The body that carries both points.
-fn carrier<'a>(system: &'a System, points: [&Name; 2]) -> Option<&'a Body> {
-    let lists = |body: &&Body| {
-        let mut points = points.iter();
-        points.all(|point| body.points().any(|site| site.name == **point))
-    };
-    system.bodies.iter().find(lists)
 }
 
 fn kept_already(from: &Ident, to: &Ident, keeper: &Name) -> Error {
