@@ -1,6 +1,6 @@
 //! A mechanism ready to move, whatever its linkage: the file's coordinates outside, local ones inside.
 
-mod around;
+mod derivatives;
 mod drives;
 mod end;
 mod grid;
@@ -18,7 +18,7 @@ mod unit;
 mod visit;
 mod words;
 
-pub use around::Order;
+pub use derivatives::Order;
 pub use drives::{DriveLaws, Law, follow, given};
 pub use end::{End, Stop};
 pub use grid::{From, Grid, evenly_spaced};

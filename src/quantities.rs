@@ -1,13 +1,13 @@
 //! What is read off a mechanism: one catalogue, from which tables, plots, summaries and help are made.
 
+mod brake_and_drive;
 mod catalogue;
 mod kind;
-mod moving;
 mod on_ground;
 mod quantity;
 mod reader;
 mod readings;
-mod support;
+mod wheel;
 mod words;
 
 pub use catalogue::{

@@ -10,7 +10,7 @@ mod names;
 mod orientation;
 mod row;
 mod shark;
-mod spare;
+mod stand_in;
 mod subsystem;
 mod table;
 

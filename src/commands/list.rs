@@ -7,8 +7,8 @@ use suspension_core::linkages::LISTINGS;
 use suspension_core::{Kind, Part, Parts};
 use suspension_runtime::Listing;
 
-use crate::catalogue::{first_sentence, unknown};
 use crate::failure::Failure;
+use crate::layouts::{first_sentence, unknown};
 use crate::output::files::print;
 
 /// What `suspension list` is given.

@@ -5,10 +5,10 @@ use std::borrow::Borrow;
 use suspension_core::parts;
 use toml::Spanned;
 
+use crate::did_you_mean::did_you_mean;
 use crate::failure::Failure;
 use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position, Table, Time};
 use crate::file::source::Source;
-use crate::likely::did_you_mean;
 use crate::mechanism::Instants;
 use crate::number::{exact, rounded};
 

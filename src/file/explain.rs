@@ -1,7 +1,7 @@
 //! What the reader of TOML says of a motion file, with what to do about it.
 
+use crate::did_you_mean::did_you_mean;
 use crate::file::source::Source;
-use crate::likely::did_you_mean;
 
 /// A mistake in words.
 pub(super) fn explained(message: &str, source: &Source) -> String {

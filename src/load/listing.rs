@@ -9,9 +9,9 @@ use suspension_core::{Kind, Part, Parts};
 use suspension_runtime::{Fitted, Listing, Mistake, Mistakes, Model, Room, Size};
 use toml::Spanned;
 
-use crate::catalogue;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source};
+use crate::layouts;
 use crate::load::prepare::{Request, prepare};
 use crate::mechanism::{Mechanism, Unit, Work};
 
@@ -93,7 +93,7 @@ fn of_catalogue(
     let wanted = name.get_ref().as_str();
     let Some((_, text)) = LISTINGS.iter().find(|(known, _)| *known == wanted) else {
         let own = "; `listing` names a file of your own statements";
-        let message = catalogue::unknown(wanted, own);
+        let message = layouts::unknown(wanted, own);
         return Err(source.refuse(&name.span(), message));
     };
     let listing = Listing::parse_file(text, wanted)

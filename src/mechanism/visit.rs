@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use suspension_core::{Inputs, Motion, Signal, Values};
 
 use crate::failure::Failure;
-use crate::mechanism::around::{Around, Order};
+use crate::mechanism::derivatives::{Around, Order};
 use crate::mechanism::grid::Grid;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;

@@ -8,8 +8,8 @@ use suspension_core::wheel::{
 };
 
 use crate::mechanism::{Axle, Names, State, WheelPoints};
+use crate::quantities::brake_and_drive::{Torque, of_support, of_support_angle};
 use crate::quantities::kind::Kind;
-use crate::quantities::moving::{Along, Moving, at};
 use crate::quantities::on_ground::{
     of_contact, of_kingpin_at_centre, of_kingpin_at_ground, of_moving, of_moving_place,
 };
@@ -17,7 +17,7 @@ use crate::quantities::quantity::{Axis, Quantity, Reading, Shown};
 use crate::quantities::readings::{
     alone, each, number, of_kingpin, of_kingpin_and_spin_axis, of_spin_axis, place, point, vector,
 };
-use crate::quantities::support::{Torque, of_support, of_support_angle};
+use crate::quantities::wheel::{Along, Moving, at};
 
 /// Makes a `static` of each row and the list of all.
 macro_rules! catalogue {

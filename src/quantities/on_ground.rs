@@ -5,9 +5,9 @@ use suspension_core::wheel::{Heading, SteeringAxis};
 
 use crate::mechanism::Names;
 use crate::quantities::kind::Kind;
-use crate::quantities::moving::{Along, Moving, Number, Rolling, Wheel, at};
 use crate::quantities::quantity::{Axis, Reading};
 use crate::quantities::readings::{alone, components, place, reading};
+use crate::quantities::wheel::{Along, Moving, Number, Rolling, Wheel, at};
 
 /// The wheel of a linkage.
 fn rolling(names: &Names) -> Option<Rolling> {

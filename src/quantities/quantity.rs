@@ -6,8 +6,8 @@ use suspension_core::Signal;
 
 use crate::mechanism::{Names, State, Unit};
 use crate::quantities::kind::Kind;
-use crate::quantities::moving::Number;
 use crate::quantities::reader::Reader;
+use crate::quantities::wheel::Number;
 
 /// What is read off a mechanism: a row of the catalogue.
 pub struct Quantity {

@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::ops::Deref;
 
 use crate::mechanism::State;
-use crate::quantities::moving::{Along, Moving, Rolling, Wheel};
+use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
 
 /// Reads quantities of one state of a mechanism: what several of them need is computed once.
 pub struct Reader<'a> {

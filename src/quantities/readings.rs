@@ -5,9 +5,9 @@ use suspension_core::Signal;
 
 use crate::mechanism::Names;
 use crate::quantities::kind::Kind;
-use crate::quantities::moving::{Number, at, from_to};
 use crate::quantities::quantity::{Axis, Reading};
 use crate::quantities::reader::Reader;
+use crate::quantities::wheel::{Number, at, from_to};
 
 /// A number whose derivatives are not known.
 pub(super) fn alone(value: f64) -> Number {

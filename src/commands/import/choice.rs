@@ -5,8 +5,8 @@ use suspension_runtime::{Listing, Mistakes};
 
 use super::hardpoints::Hardpoint;
 use super::names::Names;
-use super::spare::has_stand_in;
-use crate::catalogue;
+use super::stand_in::has_stand_in;
+use crate::layouts;
 use crate::load;
 
 /// A listing, with the points of the file that are its own.
@@ -91,7 +91,7 @@ pub(super) fn choose<'a>(
     choices.sort_by_key(|choice| (choice.missing.len(), usize::MAX - choice.found.len()));
     let mut choices = choices.into_iter();
     let Some(best) = choices.next() else {
-        return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));
+        return Err(layouts::unknown(wanted.unwrap_or_default(), ""));
     };
     if best.found.is_empty() {
         let first = points.first().map_or("", |point| point.name.as_str());

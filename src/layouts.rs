@@ -2,7 +2,7 @@
 
 use suspension_core::linkages::LISTINGS;
 
-use crate::likely::did_you_mean;
+use crate::did_you_mean::did_you_mean;
 
 /// That the catalogue has no such linkage, what it has, and what there is besides.
 pub fn unknown(name: &str, besides: &str) -> String {

@@ -4,9 +4,9 @@ use suspension_core::signal::Number as _;
 
 use crate::mechanism::{Axle, Names};
 use crate::quantities::kind::Kind;
-use crate::quantities::moving::{Along, Moving, Number};
 use crate::quantities::on_ground::of_moving;
 use crate::quantities::quantity::Reading;
+use crate::quantities::wheel::{Along, Moving, Number};
 
 /// What the wheel's torque is borne by, which decides where the force acts.
 #[derive(Clone, Copy)]
