@@ -9,7 +9,7 @@ use suspension::commands::bake::order::{Order, Ordered};
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::{Mechanism, State};
-use suspension::quantities::{CATALOGUE, columns};
+use suspension::quantities::{catalogue, columns};
 use suspension::reach::meeting;
 use suspension::reach::range;
 use suspension_core::linkage;
@@ -90,7 +90,7 @@ fn shift(column: &str) -> f64 {
 }
 
 fn assert_shifted(mechanism: &Wishbone, home: &State, away: &State) {
-    for column in columns(CATALOGUE, &mechanism.names) {
+    for column in columns(catalogue(), &mechanism.names) {
         let name = match column.name.as_str() {
             "centre" => continue, // the marker `axle_outer`
             _ => column.csv_name(mechanism.unit),

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::mechanism::{From, Grid, Mechanism, Order, State, Suspension, Unit};
 use crate::quantities::{
-    self, CATALOGUE, Column, DRIVES, Kind, MARKERS, POSITIONS, Quantity, RESIDUAL,
+    self, Column, DRIVES, Kind, MARKERS, POSITIONS, Quantity, RESIDUAL, catalogue,
 };
 
 /// A quantity at the design position, for people.
@@ -32,7 +32,7 @@ pub struct Derivative {
 /// The columns of a sheet.
 pub(super) fn columns<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Vec<Column> {
     const LEFT_OUT: [&Quantity; 4] = [&DRIVES, &POSITIONS, &MARKERS, &RESIDUAL];
-    let all = quantities::columns(CATALOGUE, &mechanism.names).into_iter();
+    let all = quantities::columns(catalogue(), &mechanism.names).into_iter();
     all.filter(|column| {
         column.kind.is_of_positions() && !LEFT_OUT.iter().any(|quantity| column.is(quantity))
     })

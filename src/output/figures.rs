@@ -77,7 +77,7 @@ pub fn height_and_angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Ch
 }
 
 fn height(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
-    let columns = columns(&[&CENTRE], names).into_iter();
+    let columns = columns([&CENTRE], names).into_iter();
     let mut height = columns.filter(|column| column.axis == Some(Axis::Z));
     let centre = names.wheel_centre().unwrap_or_default();
     Chart {
@@ -93,7 +93,7 @@ fn height(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
 }
 
 fn angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
-    let columns = columns(&[&KINGPIN, &CAMBER], names);
+    let columns = columns([&KINGPIN, &CAMBER], names);
     let titles = columns.iter().map(|column| column.quantity.title);
     let curves = columns.iter().map(|column| {
         let name = with_points(column.quantity, names);

@@ -10,7 +10,7 @@ use crate::output::heading::Header;
 use crate::output::progress::Progress;
 use crate::output::rows::Forms;
 use crate::output::table::{Column, Table};
-use crate::quantities::{self, CATALOGUE, Shown};
+use crate::quantities::{self, Shown, catalogue};
 
 /// What a motion came to.
 #[derive(Clone, Debug)]
@@ -76,7 +76,7 @@ pub fn record<L: Suspension<N>, const N: usize>(
 
 /// The catalogue's quantities, a column each number.
 fn columns_of<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Vec<Column<State>> {
-    let all = quantities::columns(CATALOGUE, &mechanism.names).into_iter();
+    let all = quantities::columns(catalogue(), &mechanism.names).into_iter();
     let tabled = all.filter(|column| column.quantity.shown != Shown::InSummaries);
     tabled
         .map(|column| Column::of_state(column, mechanism.unit, |state| state))

@@ -5,12 +5,12 @@ use std::fmt::Write;
 use crate::mechanism::{Names, Unit};
 use crate::number::fixed;
 use crate::output::record::Outcome;
-use crate::quantities::{CATALOGUE, Column, Shown, columns};
+use crate::quantities::{Column, Shown, catalogue, columns};
 
 /// The catalogue's quantities at the kept instants, and the totals.
 pub fn text(linkage: &str, names: &Names, unit: Unit, outcome: &Outcome) -> String {
     let kept = &outcome.kept;
-    let columns = columns(CATALOGUE, names).into_iter();
+    let columns = columns(catalogue(), names).into_iter();
     let columns: Vec<Column> = columns
         .filter(|column| column.quantity.shown != Shown::InTables)
         .collect();

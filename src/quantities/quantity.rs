@@ -146,9 +146,11 @@ impl Column {
 }
 
 /// The columns of quantities that a linkage has, in their order.
-pub fn columns(quantities: &[&'static Quantity], names: &Names) -> Vec<Column> {
-    let of_one = |quantity: &&'static Quantity| {
-        let quantity = *quantity;
+pub fn columns(
+    quantities: impl IntoIterator<Item = &'static Quantity>,
+    names: &Names,
+) -> Vec<Column> {
+    let of_one = |quantity: &'static Quantity| {
         (quantity.read)(names)
             .into_iter()
             .map(move |reading| Column {
@@ -160,5 +162,5 @@ pub fn columns(quantities: &[&'static Quantity], names: &Names) -> Vec<Column> {
                 value: reading.value,
             })
     };
-    quantities.iter().flat_map(of_one).collect()
+    quantities.into_iter().flat_map(of_one).collect()
 }

@@ -7,10 +7,14 @@ use crate::quantities::quantity::{Quantity, columns};
 
 /// What quantities are, each under the names of its first and last column for a linkage; those that it lacks
 /// are left out.
-pub fn in_words(quantities: &[&'static Quantity], names: &Names, unit: Unit) -> String {
+pub fn in_words(
+    quantities: impl IntoIterator<Item = &'static Quantity>,
+    names: &Names,
+    unit: Unit,
+) -> String {
     let mut text = String::new();
     for quantity in quantities {
-        let columns = columns(&[quantity], names);
+        let columns = columns([quantity], names);
         let [first, .., last] = columns.as_slice() else {
             if let [only] = columns.as_slice() {
                 let name = only.csv_name(unit);

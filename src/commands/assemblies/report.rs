@@ -11,7 +11,7 @@ use crate::quantities::{self, CAMBER, CENTRE, DRIVES, Kind, MARKERS, POSITIONS, 
 /// The columns of a table, one row an assembly.
 pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Assembly>> {
     let of_state = |quantities: &[&'static Quantity]| {
-        let columns = quantities::columns(quantities, names).into_iter();
+        let columns = quantities::columns(quantities.iter().copied(), names).into_iter();
         let columns = columns.filter(|column| column.kind.is_of_positions());
         columns.map(|column| Column::of_state(column, unit, |assembly: &Assembly| &assembly.state))
     };
@@ -37,7 +37,7 @@ pub(super) struct Report {
 
 impl Report {
     pub(super) fn new(names: &Names, unit: Unit) -> Self {
-        let wheel = quantities::columns(&[&CENTRE, &CAMBER], names);
+        let wheel = quantities::columns([&CENTRE, &CAMBER], names);
         Self { unit, wheel }
     }
 

@@ -2,25 +2,41 @@
 
 use suspension_core::linkages::attia2003;
 
-use crate::mechanism::{Names, Unit, WheelPoints};
-use crate::quantities::{CATALOGUE, Shown, in_words};
+use crate::mechanism::{Axle, Car, Names, Unit, Vehicle, WheelPoints};
+use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words};
 
 /// The file, the results with the names that they have for the published linkage, the exit codes.
 pub(super) fn text() -> String {
-    // Which points they are is of no account here.
-    let names = Names {
+    let tabled = catalogue().filter(|quantity| quantity.shown != Shown::InSummaries);
+    let [front, rear] = [Axle::Front, Axle::Rear].map(names_on);
+    let of_rear_axles = [&ANTI_LIFT, &ANTI_SQUAT];
+    format!(
+        "{FILE}{}{}{EXIT_CODES}",
+        in_words(tabled, &front, Unit::Metre),
+        in_words(of_rear_axles, &rear, Unit::Metre),
+    )
+}
+
+/// Those of the published linkage, with all that a motion file may say of the vehicle. Which points and drives these
+/// are is of no account here.
+fn names_on(axle: Axle) -> Names {
+    Names {
         wheel: Some(WheelPoints::default()),
         kingpin: Some([0; 2]),
+        vehicle: Vehicle {
+            wheel_radius: Some(0.3),
+            travel: Some(0),
+            steer: Some(0),
+            car: Some(Car {
+                axle,
+                wheelbase: 2.6,
+                cg_height: 0.5,
+                brake_share: Some(0.5),
+                drive_share: Some(0.5),
+            }),
+        },
         ..Names::of(&attia2003::Listing)
-    };
-    let tabled = CATALOGUE.iter().copied();
-    let tabled: Vec<_> = tabled
-        .filter(|quantity| quantity.shown != Shown::InSummaries)
-        .collect();
-    format!(
-        "{FILE}{}{EXIT_CODES}",
-        in_words(&tabled, &names, Unit::Metre)
-    )
+    }
 }
 
 const FILE: &str = r#"The file:
@@ -62,7 +78,8 @@ the file's unit:
 "#;
 
 const EXIT_CODES: &str = r#"
-Axes: x forward, y left, z up. What a linkage lacks, a kingpin say, has no columns.
+Axes: x forward, y left, z up. What a linkage lacks, a kingpin say, has no columns, nor has what the
+[vehicle] table leaves out.
 
 In examples/attia2003.toml the wheel centre, point 11, is an assumption: the paper prints no
 coordinates for it. It is put 0.10 m outboard (+y) of point 8, on a spin axis parallel to y,
@@ -80,3 +97,16 @@ Where the motion stops short or is interrupted, the rows up to there are in the 
 
 Example:
   suspension motion examples/five_link.toml --csv motion.csv --plots plots"#;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_quantity_of_a_table_is_explained() {
+        let text = text();
+        for quantity in catalogue().filter(|quantity| quantity.shown != Shown::InSummaries) {
+            assert!(text.contains(quantity.definition), "{}", quantity.title);
+        }
+    }
+}

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::commands::published::beside::{Compared, Pair};
 use crate::commands::published::paper::Paper;
 use crate::mechanism::{Names, State};
-use crate::quantities::{ALPHA, Axis, CATALOGUE, DRIVES, OMEGA, Quantity, columns};
+use crate::quantities::{ALPHA, Axis, DRIVES, OMEGA, Quantity, catalogue, columns};
 
 /// Columns that are printed next to each other.
 struct Block<'a> {
@@ -19,7 +19,7 @@ struct Block<'a> {
 
 /// Both tables, the misprints and the largest differences. The states are those at the paper's instants.
 pub(super) fn text(paper: &Paper, names: &Names, states: &[State]) -> String {
-    let ours = columns(CATALOGUE, names);
+    let ours = columns(catalogue(), names);
     let [table2, table3] = [&paper.table2, &paper.table3].map(|table| Compared::all(table, &ours));
     let mut out = String::from(
         "Multi-link five-point suspension, Attia 2003: the printed tables and ours, difference = \

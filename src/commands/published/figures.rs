@@ -51,7 +51,7 @@ struct Shown {
 impl Shown {
     fn all(names: &Names) -> Vec<Self> {
         let of_one = |(name, legend, sign, quantity): (_, _, _, &'static Quantity)| {
-            let mut columns = columns(&[quantity], names).into_iter();
+            let mut columns = columns([quantity], names).into_iter();
             let column = columns.find(|column| matches!(column.axis, None | Some(Axis::Z)))?;
             Some(Self {
                 name,

@@ -2,13 +2,13 @@
 
 use crate::mechanism::{Names, Unit};
 use crate::output::table::Column;
-use crate::quantities::{self, CATALOGUE, DRIVES, Shown};
+use crate::quantities::{self, DRIVES, Shown, catalogue};
 use crate::reach::Station;
 
 /// The table's columns: the drives, and all quantities of the catalogue that positions determine.
 pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Station>> {
     let of_state = |column| Column::of_state(column, unit, |station: &Station| &station.state);
-    let of_positions = quantities::columns(CATALOGUE, names)
+    let of_positions = quantities::columns(catalogue(), names)
         .into_iter()
         .filter(|column| {
             column.kind.is_of_positions() && column.quantity.shown != Shown::InSummaries

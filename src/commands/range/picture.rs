@@ -9,7 +9,7 @@ use crate::reach::{DriveRange, Station};
 /// which the drive leads, its ends marked. `None` where there is no wheel.
 pub(super) fn chart(names: &Names, unit: Unit, range: &DriveRange) -> Option<Chart> {
     let (scale, symbol) = Kind::from(range.kind).for_people(unit);
-    let mut centre = columns(&[&CENTRE], names).into_iter();
+    let mut centre = columns([&CENTRE], names).into_iter();
     let height = centre.find(|column| column.axis == Some(Axis::Z))?;
     let line = |stations: &[Station]| -> Vec<(f64, f64)> {
         let points = stations.iter();

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::mechanism::{Mechanism, Names, State};
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
-use crate::quantities::{self, CATALOGUE, Column, DRIVES, Reader, Shown};
+use crate::quantities::{self, Column, DRIVES, Reader, Shown, catalogue};
 
 /// The numbers of a place.
 pub(super) type Row = Vec<f64>;
@@ -18,7 +18,7 @@ pub(super) struct Columns {
 
 /// All quantities that positions determine, with derivatives up to an order.
 pub(super) fn columns(names: &Names, derivatives: u8) -> Columns {
-    let all = quantities::columns(CATALOGUE, names).into_iter();
+    let all = quantities::columns(catalogue(), names).into_iter();
     let of_positions = all.filter(|column| {
         column.kind.is_of_positions() && column.quantity.shown != Shown::InSummaries
     });

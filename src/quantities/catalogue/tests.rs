@@ -1,8 +1,8 @@
 //! What the catalogue has for linkages with and without a wheel.
 
 use super::*;
-use crate::mechanism::{Unit, Vehicle};
-use crate::quantities::quantity::columns;
+use crate::mechanism::{Names, Unit, Vehicle, WheelPoints};
+use crate::quantities::quantity::{Shown, columns};
 
 /// Three points, the last a marker and the wheel centre.
 fn names(wheel: bool, kingpin: bool) -> Names {
@@ -20,7 +20,7 @@ fn names(wheel: bool, kingpin: bool) -> Names {
 }
 
 fn tabled(names: &Names) -> Vec<String> {
-    let all = columns(CATALOGUE, names).into_iter();
+    let all = columns(catalogue(), names).into_iter();
     let tabled = all.filter(|column| column.quantity.shown != Shown::InSummaries);
     tabled
         .map(|column| column.csv_name(Unit::Millimetre))
@@ -89,13 +89,13 @@ fn what_the_vehicle_makes_known_has_columns() {
 
 #[test]
 fn every_row_says_what_it_is_and_where_from() {
-    let mut names: Vec<_> = CATALOGUE.iter().map(|row| row.name).collect();
+    let mut names: Vec<_> = catalogue().map(|row| row.name).collect();
     names.retain(|name| !name.is_empty());
     let count = names.len();
     names.sort_unstable();
     names.dedup();
     assert_eq!(names.len(), count, "no two rows have one name");
-    for row in CATALOGUE {
+    for row in catalogue() {
         assert!(!row.title.is_empty(), "{}", row.name);
         assert!(
             !row.definition.is_empty() && !row.source.is_empty(),

@@ -8,7 +8,7 @@ use suspension::failure::Failure;
 use suspension::file::Source;
 use suspension::load::load;
 use suspension::mechanism::{Mechanism, Suspension, Work};
-use suspension::quantities::{CATALOGUE, columns};
+use suspension::quantities::{catalogue, columns};
 
 /// Instants to ask of a motion that does begin.
 const INSTANTS: usize = 3;
@@ -25,7 +25,7 @@ impl Work for FirstInstants {
         self,
         mechanism: &Mechanism<L, N>,
     ) -> Result<(), Failure> {
-        let (mut done, columns) = (0, columns(CATALOGUE, &mechanism.names));
+        let (mut done, columns) = (0, columns(catalogue(), &mechanism.names));
         let swept = mechanism.move_through(&mechanism.instants, &mut |state| {
             done += 1;
             assert!(

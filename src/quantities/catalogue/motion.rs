@@ -1,0 +1,116 @@
+//! The motion itself: time, drives, points, and how the carrier turns.
+
+use nalgebra::Vector3;
+use suspension_core::body::{angular_acceleration, angular_velocity};
+
+use crate::mechanism::{Names, State, WheelPoints};
+use crate::quantities::kind::Kind;
+use crate::quantities::quantity::{Axis, Quantity, Reading, Shown};
+use crate::quantities::readings::{alone, each, number, point, vector};
+
+catalogue! {
+    TIME: "time" {
+        name: "t",
+        sign: "",
+        definition: "the instant",
+        source: "the motion file",
+        shown: Shown::InBoth,
+        read: |_| number(Kind::Time, |state| state.t),
+    }
+    DRIVES: "drives" {
+        name: "",
+        sign: "",
+        definition: "what each prescribes; one that a measure stands in for as the mechanism has it",
+        source: "`drive` of the listing",
+        shown: Shown::InBoth,
+        read: |names| {
+            let drives = names.drives.iter();
+            let drives = drives.map(|drive| (drive.name.as_str(), drive.kind.into()));
+            each(drives, false, |state, drive| alone(state.drives[drive]))
+        },
+    }
+    POSITIONS: "free points" {
+        name: "",
+        sign: "x forward, y left, z up",
+        definition: "the unknowns of the equations",
+        source: "`free` of the listing",
+        shown: Shown::InTables,
+        read: |names| of_free_points(names, Kind::Length),
+    }
+    VELOCITIES: "velocities of free points" {
+        name: "",
+        sign: "",
+        definition: "J qdot = -dF/du udot",
+        source: "Attia 2003, eq. (3)",
+        shown: Shown::InTables,
+        read: |names| of_free_points(names, Kind::Velocity),
+    }
+    ACCELERATIONS: "accelerations of free points" {
+        name: "",
+        sign: "",
+        definition: "J qddot = -C(qdot, qdot) - dF/du uddot",
+        source: "Attia 2003, eq. (7) and (8)",
+        shown: Shown::InTables,
+        read: |names| of_free_points(names, Kind::Acceleration),
+    }
+    OMEGA: "angular velocity of the wheel's carrier" {
+        name: "omega",
+        sign: "right-handed",
+        definition: "the least-squares fit of v = v0 + omega x r over three points",
+        source: "Attia 2003, eq. (9), without its 0/0",
+        shown: Shown::InTables,
+        read: |names| of_carrier(names, Kind::AngularVelocity, |[omega, _]| omega),
+    }
+    ALPHA: "angular acceleration of the wheel's carrier" {
+        name: "alpha",
+        sign: "right-handed",
+        definition: "the least-squares fit of a = a0 + alpha x r + omega x (omega x r) over three points",
+        source: "Attia 2003, eq. (10), without its 0/0",
+        shown: Shown::InTables,
+        read: |names| of_carrier(names, Kind::AngularAcceleration, |[_, alpha]| alpha),
+    }
+    MARKERS: "markers, with velocities and accelerations" {
+        name: "",
+        sign: "x forward, y left, z up",
+        definition: "points carried by bodies",
+        source: "`point` of the listing",
+        shown: Shown::InTables,
+        read: |names| {
+            let markers = names.chassis + names.free..names.points.len();
+            let of_one = |marker| RATES.map(|kind| point(names, marker, kind)).into_iter();
+            markers.flat_map(of_one).flatten().collect()
+        },
+    }
+}
+
+/// What is read of each marker.
+const RATES: [Kind; 3] = [Kind::Length, Kind::Velocity, Kind::Acceleration];
+
+fn of_free_points(names: &Names, kind: Kind) -> Vec<Reading> {
+    let free = names.chassis..names.chassis + names.free;
+    free.flat_map(|index| point(names, index, kind)).collect()
+}
+
+/// A rate of the body that carries the wheel: one of its angular velocity and acceleration.
+fn of_carrier(
+    names: &Names,
+    kind: Kind,
+    which: fn([Vector3<f64>; 2]) -> Vector3<f64>,
+) -> Vec<Reading> {
+    let Some(WheelPoints { carrier, .. }) = names.wheel else {
+        return Vec::new();
+    };
+    vector(None, kind, &Axis::ALL, move |state| {
+        which(rotation(state, carrier))
+    })
+}
+
+/// Angular velocity and acceleration of the body of three points; not finite where they are in line.
+fn rotation(state: &State, body: [usize; 3]) -> [Vector3<f64>; 2] {
+    let points = &state.points;
+    let [at, rates, seconds] =
+        [&points.value, &points.rate, &points.second_rate].map(|all| body.map(|point| all[point]));
+    let omega = angular_velocity(&at, &rates);
+    let alpha = omega.and_then(|omega| angular_acceleration(&at, &omega, &seconds));
+    [omega, alpha].map(|found| found.unwrap_or_else(|| Vector3::repeat(f64::NAN)))
+}

@@ -1,0 +1,38 @@
+//! What the linkage measures, and what the solver says of its solution.
+
+use crate::quantities::kind::Kind;
+use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::readings::{each, number};
+
+catalogue! {
+    MEASURES: "measures" {
+        name: "",
+        sign: "",
+        definition: "what the linkage measures; its derivative per drive is a motion ratio, negative where a length gets shorter",
+        source: "`measure` of the listing",
+        shown: Shown::InBoth,
+        read: |names| {
+            let measures = names.measures.iter();
+            let measures = measures.map(|measure| (measure.name.as_str(), measure.kind.into()));
+            each(measures, true, |state, measure| {
+                state.measures.map(|measures| measures[measure])
+            })
+        },
+    }
+    ITERATIONS: "iterations of Newton's method" {
+        name: "iterations",
+        sign: "",
+        definition: "from the instant before, steps in between included",
+        source: "the solver",
+        shown: Shown::InTables,
+        read: |_| number(Kind::Count, |state| state.iterations as f64),
+    }
+    RESIDUAL: "largest residual" {
+        name: "residual",
+        sign: "",
+        definition: "of any equation, (|d|^2 - L^2) / (2 L) of a length",
+        source: "the solver",
+        shown: Shown::InTables,
+        read: |_| number(Kind::Length, |state| state.residual),
+    }
+}

@@ -1,0 +1,60 @@
+//! The virtual steering axis: about which the carrier turns in steering.
+
+use suspension_core::wheel::{caster, kingpin_angle};
+
+use crate::quantities::kind::Kind;
+use crate::quantities::on_ground::of_moving;
+use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::wheel::{Along, Moving};
+
+catalogue! {
+    VIRTUAL_KINGPIN: "kingpin angle of the virtual steering axis" {
+        name: "virtual_kingpin",
+        sign: "positive where the top of the axis leans inboard",
+        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        source: "as kingpin",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Steer, Kind::Angle, false, |moving| {
+            kingpin_angle(&moving.screw().direction, &moving.axis)
+        }),
+    }
+    VIRTUAL_CASTER: "caster angle of the virtual steering axis" {
+        name: "virtual_caster",
+        sign: "positive where the top of the axis leans rearwards",
+        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        source: "as caster",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Steer, Kind::Angle, false, |moving| {
+            caster(&moving.screw().direction)
+        }),
+    }
+    VIRTUAL_SCRUB_RADIUS: "scrub radius of the virtual steering axis" {
+        name: "virtual_scrub_radius",
+        sign: "positive where the axis meets the ground inboard of the contact point",
+        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        source: "as scrub_radius",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Steer, Kind::Length, true, |moving| {
+            moving.screw().inboard_of(&moving.contact, &moving.heading())
+        }),
+    }
+    VIRTUAL_TRAIL: "mechanical trail of the virtual steering axis" {
+        name: "virtual_trail",
+        sign: "positive where the axis meets the ground ahead of the contact point",
+        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        source: "as mechanical_trail",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Steer, Kind::Length, true, |moving| {
+            moving.screw().ahead_of(&moving.contact, &moving.heading())
+        }),
+    }
+    VIRTUAL_PITCH: "pitch of the virtual steering axis" {
+        name: "virtual_pitch",
+        sign: "positive where the carrier moves up the axis as it turns left",
+        definition: "how far the carrier moves along the screw axis for a radian about it; zero where steering moves no \
+                     ball joint of the kingpin",
+        source: "omega . v / |omega|^2",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Steer, Kind::LengthPerAngle, false, Moving::pitch),
+    }
+}

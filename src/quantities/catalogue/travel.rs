@@ -1,0 +1,118 @@
+//! How the carrier moves in travel: roll centre, instant centres, support of brakes and drive.
+
+use nalgebra::Vector3;
+use suspension_core::wheel::InstantCentre;
+
+use crate::mechanism::Axle;
+use crate::quantities::brake_and_drive::{Torque, of_support, of_support_angle};
+use crate::quantities::kind::Kind;
+use crate::quantities::on_ground::{of_moving, of_moving_place};
+use crate::quantities::quantity::{Axis, Quantity, Shown};
+use crate::quantities::readings::alone;
+use crate::quantities::wheel::Along;
+
+catalogue! {
+    ROLL_CENTRE: "height of the roll centre above the ground" {
+        name: "roll_centre",
+        sign: "positive above the contact point",
+        definition: "of an axle that is symmetric about y = 0: where the normal to the velocity in travel of the \
+                     contact point, as a point of the carrier, meets that plane in the front view",
+        source: "kinematic roll centre; SAE J670",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Travel, Kind::Length, true, |moving| {
+            moving.carrier.roll_centre(&moving.contact) - moving.contact.z
+        }),
+    }
+    FRONT_CENTRE: "instant centre in the front view" {
+        name: "front_centre",
+        sign: "y left, z up",
+        definition: "of the wheel's carrier in travel, in the plane x = constant through the wheel centre",
+        source: "v + omega x r has no part in the plane",
+        shown: Shown::InTables,
+        read: |names| of_moving_place(names, Along::Travel, &[Axis::Y, Axis::Z], |moving| {
+            let InstantCentre { across, z, .. } = moving.carrier.front_view(&moving.axis);
+            Vector3::new(alone(f64::NAN), across, z)
+        }),
+    }
+    FRONT_ARM: "swing arm in the front view" {
+        name: "front_arm",
+        sign: "positive where the instant centre lies inboard",
+        definition: "from the instant centre in the front view to the wheel centre, along y",
+        source: "front-view swing-arm length",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Travel, Kind::Length, false, |moving| {
+            moving.carrier.front_view(&moving.axis).arm
+        }),
+    }
+    SIDE_CENTRE: "instant centre in the side view" {
+        name: "side_centre",
+        sign: "x forward, z up",
+        definition: "of the wheel's carrier in travel, in the plane y = constant through the wheel centre",
+        source: "v + omega x r has no part in the plane",
+        shown: Shown::InTables,
+        read: |names| of_moving_place(names, Along::Travel, &[Axis::X, Axis::Z], |moving| {
+            let InstantCentre { across, z, .. } = moving.carrier.side_view();
+            Vector3::new(across, alone(f64::NAN), z)
+        }),
+    }
+    SIDE_ARM: "swing arm in the side view" {
+        name: "side_arm",
+        sign: "positive where the instant centre lies behind",
+        definition: "from the instant centre in the side view to the wheel centre, along x",
+        source: "side-view swing-arm length",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Travel, Kind::Length, false, |moving| {
+            moving.carrier.side_view().arm
+        }),
+    }
+    BRAKE_ANGLE: "support angle of outboard brakes" {
+        name: "brake_angle",
+        sign: "positive where the contact point moves forward in bump",
+        definition: "of the path in travel of the contact point, as a point of the carrier, from the vertical in the \
+                     side view, atan2(v_x, |v_z|) with v_z upwards; its tangent is anti-dive or anti-lift without the car's share",
+        source: "side-view support angle, brake torque borne by the carrier",
+        shown: Shown::InTables,
+        read: |names| of_support_angle(names, Torque::OfBrakes),
+    }
+    DRIVE_ANGLE: "support angle of inboard drive" {
+        name: "drive_angle",
+        sign: "positive where the wheel centre moves forward in bump",
+        definition: "of the path in travel of the wheel centre, from the vertical in the side view, atan2(v_x, |v_z|) \
+                     with v_z upwards; its tangent is anti-squat without the car's share",
+        source: "side-view support angle, drive torque borne by the chassis",
+        shown: Shown::InTables,
+        read: |names| of_support_angle(names, Torque::OfShafts),
+    }
+    ANTI_DIVE: "anti-dive" {
+        name: "anti_dive",
+        sign: "positive where braking pushes the front wheels down",
+        definition: "of a front axle with outboard brakes, 100 tan(brake_angle) brake_share wheelbase / cg_height",
+        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_support(names, Axle::Front, Torque::OfBrakes, 1.0),
+    }
+    ANTI_LIFT: "anti-lift" {
+        name: "anti_lift",
+        sign: "positive where braking pulls the rear wheels up",
+        definition: "of a rear axle with outboard brakes, -100 tan(brake_angle) brake_share wheelbase / cg_height",
+        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_support(names, Axle::Rear, Torque::OfBrakes, -1.0),
+    }
+    ANTI_SQUAT: "anti-squat" {
+        name: "anti_squat",
+        sign: "positive where driving pushes the rear wheels down",
+        definition: "of a rear axle driven by shafts, -100 tan(drive_angle) drive_share wheelbase / cg_height",
+        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_support(names, Axle::Rear, Torque::OfShafts, -1.0),
+    }
+    ANTI_LIFT_IN_DRIVE: "anti-lift in drive" {
+        name: "anti_lift_in_drive",
+        sign: "positive where driving pulls the front wheels up",
+        definition: "of a front axle driven by shafts, 100 tan(drive_angle) drive_share wheelbase / cg_height",
+        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_support(names, Axle::Front, Torque::OfShafts, 1.0),
+    }
+}
