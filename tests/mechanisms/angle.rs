@@ -1,7 +1,7 @@
 //! Lines at angles: two cranks on parallel axes that keep theirs turn together, and what is measured of them.
 
 use nalgebra::{Rotation3, Vector3};
-use suspension_core::{Build, Inputs, Linkage, Signal, Values};
+use suspension_core::{Build, Linkage, Signal, Values};
 
 use super::checks;
 
@@ -76,9 +76,7 @@ fn cranks_that_keep_their_angle_turn_together() {
             let drives = Drives {
                 lift: expected.first.z,
             };
-            let found = checks::solve(&model, &design(), drives);
-            let apart = checks::apart(&found, &expected);
-            assert!(apart < 1e-13, "at {angle} rad: {apart:e}");
+            checks::meets(&model, &design(), drives, &expected, 1e-13);
         }
     }
 }
@@ -86,12 +84,7 @@ fn cranks_that_keep_their_angle_turn_together() {
 #[test]
 fn derivatives_and_motion() {
     let model = Model::new(&design()).expect("two cranks");
-    checks::derivatives(&model, &design());
-    let inputs = |t| Inputs {
-        chassis: checks::heaving(model.fixed(), 0.01, t),
-        drives: checks::swinging(model.drives_at(&design()), 0.03, t),
-    };
-    checks::motion(&model, &design(), inputs);
+    checks::derivatives_and_motion(&model, &design(), 0.03);
 }
 
 /// The angle about the axis passes through zero with its rates; that between lines which turn together rests.

@@ -32,6 +32,21 @@ pub(crate) fn apart<P: Values<Vector3<f64>>>(a: &P, b: &P) -> f64 {
     pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
 }
 
+/// Checks that drives lead a mechanism to the points that are expected.
+pub(crate) fn meets<L, const N: usize>(
+    model: &L,
+    guess: &L::Points,
+    drives: L::Drives,
+    expected: &L::Points,
+    tolerance: f64,
+) where
+    L: Build<N, Scalar = f64>,
+{
+    let apart = apart(&solve(model, guess, drives), expected);
+    let at: Vec<f64> = drives.values().collect();
+    assert!(apart < tolerance, "at {at:?}: {apart:e}");
+}
+
 /// Numbers between -1 and 1 without a pattern, the same in every run.
 struct Crooked(u64);
 
@@ -143,6 +158,21 @@ pub(crate) fn swing(about: f64, amplitude: f64, t: f64) -> Signal<f64> {
         rate: amplitude * OMEGA * cosine,
         second_rate: -amplitude * OMEGA * OMEGA * sine,
     }
+}
+
+/// [`derivatives`], and [`motion`] on a chassis that moves, while the drives swing about the design.
+pub(crate) fn derivatives_and_motion<L, const N: usize>(
+    model: &L,
+    design: &L::Points,
+    amplitude: f64,
+) where
+    L: Build<N, Scalar = f64>,
+{
+    derivatives(model, design);
+    motion(model, design, |t| Inputs {
+        chassis: heaving(model.fixed(), 0.01, t),
+        drives: swinging(model.drives_at(design), amplitude, t),
+    });
 }
 
 /// All drives swinging about their values in a configuration.

@@ -1,7 +1,7 @@
 //! Coordinates that move as one, and drives of sums.
 
 use nalgebra::Vector3;
-use suspension_core::{Build, Inputs, Linkage, Signal, Values};
+use suspension_core::{Build, Linkage, Signal, Values};
 
 use super::checks;
 
@@ -72,9 +72,7 @@ mod held {
                 lift: expected.block.z,
             };
             for model in [model, again] {
-                let found = checks::solve(&model, &design, drives);
-                let apart = checks::apart(&found, &expected);
-                assert!(apart < 1e-14, "{block}: {apart:e}");
+                checks::meets(&model, &design, drives, &expected, 1e-14);
             }
         }
     }
@@ -83,12 +81,7 @@ mod held {
     fn derivatives_and_motion() {
         let design = at(0.4, 0.5);
         let model = Model::new(&design).expect("two blocks");
-        checks::derivatives(&model, &design);
-        let inputs = |t| Inputs {
-            chassis: checks::heaving(model.fixed(), 0.01, t),
-            drives: checks::swinging(model.drives_at(&design), 0.03, t),
-        };
-        checks::motion(&model, &design, inputs);
+        checks::derivatives_and_motion(&model, &design, 0.03);
     }
 
     #[test]
@@ -138,11 +131,6 @@ mod driven {
     #[test]
     fn derivatives_and_motion() {
         let model = Model::new(&design()).expect("two arms");
-        checks::derivatives(&model, &design());
-        let inputs = |t| Inputs {
-            chassis: checks::heaving(model.fixed(), 0.01, t),
-            drives: checks::swinging(model.drives_at(&design()), 0.03, t),
-        };
-        checks::motion(&model, &design(), inputs);
+        checks::derivatives_and_motion(&model, &design(), 0.03);
     }
 }

@@ -143,12 +143,7 @@ mod along {
     #[test]
     fn derivatives_and_motion() {
         let model = skewed::Model::new(&design()).expect("a wishbone");
-        checks::derivatives(&model, &design());
-        let inputs = |t| Inputs {
-            chassis: checks::heaving(model.fixed(), 0.01, t),
-            drives: checks::swinging(model.drives_at(&design()), 0.02, t),
-        };
-        checks::motion(&model, &design(), inputs);
+        checks::derivatives_and_motion(&model, &design(), 0.02);
     }
 }
 
@@ -190,9 +185,13 @@ mod length {
                 assert!((model.drives_at(&expected).actuator - actuator).abs() < 1e-15);
                 let q = model.unknowns(&expected);
                 assert!((q[unknown::ACTUATOR] - actuator).abs() < 1e-15);
-                let found = checks::solve(&model, &turned(0.8 * angle), Drives { actuator });
-                let apart = checks::apart(&found, &expected);
-                assert!(apart < 1e-14, "at {angle} rad: {apart:e}");
+                checks::meets(
+                    &model,
+                    &turned(0.8 * angle),
+                    Drives { actuator },
+                    &expected,
+                    1e-14,
+                );
             }
         }
     }
@@ -200,13 +199,11 @@ mod length {
     #[test]
     fn derivatives_and_motion() {
         let model = Model::new(&design()).expect("a rocker");
-        checks::derivatives(&model, &design());
-        let inputs = |t| Inputs {
-            chassis: checks::heaving(model.fixed(), 0.01, t),
-            drives: checks::swinging(model.drives_at(&design()), 0.03, t),
+        checks::derivatives_and_motion(&model, &design(), 0.03);
+        let inputs = Inputs {
+            chassis: checks::heaving(model.fixed(), 0.01, 0.2),
+            drives: checks::swinging(model.drives_at(&design()), 0.03, 0.2),
         };
-        checks::motion(&model, &design(), inputs);
-        let inputs = inputs(0.2);
         let mut motion = Motion::at_rest(model.unknowns(&design()));
         let q = &mut motion.position;
         assemble(&Newton::from_afar(), &model, &inputs, q).expect("a configuration");

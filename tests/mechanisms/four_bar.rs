@@ -1,7 +1,7 @@
 //! A four-bar in the y-z plane, held there by drives: its coupler is where two circles meet.
 
 use nalgebra::Vector3;
-use suspension_core::{Build, Inputs, Linkage};
+use suspension_core::Build;
 
 use super::checks;
 
@@ -81,10 +81,5 @@ fn lengths_are_those_of_the_design() {
 fn derivatives_and_motion() {
     let design = closed_form(1.0);
     let model = Model::new(&design).expect("a four-bar");
-    checks::derivatives(&model, &design);
-    let inputs = |t| Inputs {
-        chassis: checks::heaving(model.fixed(), 0.01, t),
-        drives: checks::swinging(model.drives_at(&design), 0.05, t),
-    };
-    checks::motion(&model, &design, inputs);
+    checks::derivatives_and_motion(&model, &design, 0.05);
 }

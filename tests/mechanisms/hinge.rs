@@ -1,7 +1,7 @@
 //! Two bodies with a common edge: a semi-trailing arm that carries a flap.
 
 use nalgebra::{Rotation3, Unit, Vector3};
-use suspension_core::{Build, Inputs, Linkage};
+use suspension_core::Build;
 
 use super::checks;
 
@@ -79,10 +79,5 @@ fn the_wheel_is_carried_by_the_arm() {
 #[test]
 fn derivatives_and_motion() {
     let model = Model::new(&design()).expect("an arm with a flap");
-    checks::derivatives(&model, &design());
-    let inputs = |t| Inputs {
-        chassis: checks::heaving(model.fixed(), 0.01, t),
-        drives: checks::swinging(model.drives_at(&design()), 0.03, t),
-    };
-    checks::motion(&model, &design(), inputs);
+    checks::derivatives_and_motion(&model, &design(), 0.03);
 }

@@ -1,7 +1,7 @@
 //! Joints between bodies that move: revolute, universal and prismatic, against rotations and shifts.
 
 use nalgebra::{Rotation3, Unit, Vector3};
-use suspension_core::{Build, Inputs, Linkage};
+use suspension_core::Build;
 
 use super::checks;
 
@@ -65,9 +65,7 @@ mod cross {
             let drives = Drives {
                 turn: expected.left.z,
             };
-            let found = checks::solve(&model, &turned(angle - 0.05), drives);
-            let apart = checks::apart(&found, &expected);
-            assert!(apart < 1e-13, "at {angle} rad: {apart:e}");
+            checks::meets(&model, &turned(angle - 0.05), drives, &expected, 1e-13);
         }
     }
 }
@@ -138,20 +136,13 @@ mod guided {
                 lift: expected.low.z,
                 reach: (expected.foot - expected.low).norm(),
             };
-            let found = checks::solve(&model, &design(), drives);
-            let apart = checks::apart(&found, &expected);
-            assert!(apart < 1e-12, "{angle}, {shift}: {apart:e}");
+            checks::meets(&model, &design(), drives, &expected, 1e-12);
         }
     }
 
     #[test]
     fn derivatives_and_motion() {
         let model = Model::new(&design()).expect("an arm");
-        checks::derivatives(&model, &design());
-        let inputs = |t| Inputs {
-            chassis: checks::heaving(model.fixed(), 0.01, t),
-            drives: checks::swinging(model.drives_at(&design()), 0.02, t),
-        };
-        checks::motion(&model, &design(), inputs);
+        checks::derivatives_and_motion(&model, &design(), 0.02);
     }
 }

@@ -1,7 +1,7 @@
 //! Points that stay in planes: of the chassis, and of an arm that turns.
 
 use nalgebra::{Rotation3, Unit, Vector3};
-use suspension_core::{Build, GeometryError, Inputs, Linkage};
+use suspension_core::{Build, GeometryError, Linkage};
 
 use super::checks;
 
@@ -100,9 +100,7 @@ mod of_the_chassis {
             let drives = Drives {
                 lift: expected.tip.z,
             };
-            let found = checks::solve(&model, &design(), drives);
-            let apart = checks::apart(&found, &expected);
-            assert!(apart < 1e-14, "{lift}: {apart:e}");
+            checks::meets(&model, &design(), drives, &expected, 1e-14);
         }
     }
 
@@ -125,12 +123,7 @@ mod of_the_chassis {
     #[test]
     fn derivatives_and_motion() {
         let model = Model::new(&design()).expect("a guide");
-        checks::derivatives(&model, &design());
-        let inputs = |t| Inputs {
-            chassis: checks::heaving(model.fixed(), 0.01, t),
-            drives: checks::swinging(model.drives_at(&design()), 0.03, t),
-        };
-        checks::motion(&model, &design(), inputs);
+        checks::derivatives_and_motion(&model, &design(), 0.03);
     }
 
     #[test]
@@ -192,20 +185,13 @@ mod of_a_body {
             let drives = Drives {
                 lift: expected.knee.z,
             };
-            let found = checks::solve(&model, &design(), drives);
-            let apart = checks::apart(&found, &expected);
-            assert!(apart < 1e-12, "at {angle} rad: {apart:e}");
+            checks::meets(&model, &design(), drives, &expected, 1e-12);
         }
     }
 
     #[test]
     fn derivatives_and_motion() {
         let model = Model::new(&design()).expect("an arm");
-        checks::derivatives(&model, &design());
-        let inputs = |t| Inputs {
-            chassis: checks::heaving(model.fixed(), 0.01, t),
-            drives: checks::swinging(model.drives_at(&design()), 0.03, t),
-        };
-        checks::motion(&model, &design(), inputs);
+        checks::derivatives_and_motion(&model, &design(), 0.03);
     }
 }

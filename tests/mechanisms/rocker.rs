@@ -1,7 +1,7 @@
 //! A rocker on two chassis points: a rotation about the line through them.
 
 use nalgebra::{Rotation3, Unit, Vector3};
-use suspension_core::{Build, Inputs, Linkage};
+use suspension_core::Build;
 
 use super::checks;
 
@@ -58,10 +58,5 @@ fn turns_about_its_axis() {
 #[test]
 fn derivatives_and_motion() {
     let model = Model::new(&design()).expect("a rocker");
-    checks::derivatives(&model, &design());
-    let inputs = |t| Inputs {
-        chassis: checks::heaving(model.fixed(), 0.01, t),
-        drives: checks::swinging(model.drives_at(&design()), 0.03, t),
-    };
-    checks::motion(&model, &design(), inputs);
+    checks::derivatives_and_motion(&model, &design(), 0.03);
 }

@@ -2,7 +2,7 @@
 //! chassis that a knuckle's points slide on.
 
 use nalgebra::{Rotation3, SMatrix, SVector, Unit, Vector3};
-use suspension_core::{Build, GeometryError, Inputs, Linkage};
+use suspension_core::{Build, GeometryError, Linkage};
 
 use super::checks;
 
@@ -128,21 +128,14 @@ mod strut {
                 steer: start.steer + steer,
             };
             let expected = solved(&drives);
-            let found = checks::solve(&model, &design(), drives);
-            let apart = checks::apart(&found, &expected);
-            assert!(apart < 1e-12, "{bump}, {steer}: {apart:e}");
+            checks::meets(&model, &design(), drives, &expected, 1e-12);
         }
     }
 
     #[test]
     fn derivatives_and_motion() {
         let model = Model::new(&design()).expect("a strut");
-        checks::derivatives(&model, &design());
-        let inputs = |t| Inputs {
-            chassis: checks::heaving(model.fixed(), 0.01, t),
-            drives: checks::swinging(model.drives_at(&design()), 0.03, t),
-        };
-        checks::motion(&model, &design(), inputs);
+        checks::derivatives_and_motion(&model, &design(), 0.03);
     }
 
     /// The unknown is the strut's length, with lengths that are given too.
@@ -227,20 +220,13 @@ mod chassis_line {
             let drives = Drives {
                 bump: expected.lower.z,
             };
-            let found = checks::solve(&model, &design(), drives);
-            let apart = checks::apart(&found, &expected);
-            assert!(apart < 1e-12, "{shift}: {apart:e}");
+            checks::meets(&model, &design(), drives, &expected, 1e-12);
         }
     }
 
     #[test]
     fn derivatives_and_motion() {
         let model = Model::new(&design()).expect("a pillar");
-        checks::derivatives(&model, &design());
-        let inputs = |t| Inputs {
-            chassis: checks::heaving(model.fixed(), 0.01, t),
-            drives: checks::swinging(model.drives_at(&design()), 0.03, t),
-        };
-        checks::motion(&model, &design(), inputs);
+        checks::derivatives_and_motion(&model, &design(), 0.03);
     }
 }

@@ -2,7 +2,7 @@
 //! them.
 
 use nalgebra::{Rotation3, Unit, Vector3};
-use suspension_core::{Build, Inputs, Linkage};
+use suspension_core::Build;
 
 use super::checks;
 
@@ -96,10 +96,5 @@ fn the_angle_goes_by_the_length_that_is_set() {
 #[test]
 fn derivatives_and_motion() {
     let model = Model::new(&arm(0.1)).expect("an arm");
-    checks::derivatives(&model, &arm(0.1));
-    let inputs = |t| Inputs {
-        chassis: checks::heaving(model.fixed(), 0.01, t),
-        drives: checks::swinging(model.drives_at(&arm(0.1)), 0.05, t),
-    };
-    checks::motion(&model, &arm(0.1), inputs);
+    checks::derivatives_and_motion(&model, &arm(0.1), 0.05);
 }
