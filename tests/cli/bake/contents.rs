@@ -1,0 +1,89 @@
+//! What baked files say of themselves, and the one that the firmware has.
+
+use std::path::Path;
+
+use super::super::program::{example, folder, run};
+use super::{RANGE, baked};
+
+/// Whatever a file is called, what is in it has a name that compilers take.
+#[test]
+fn names_in_a_file_are_made_of_its_own() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    for (path, name) in [
+        ("wheel_by_theta.toml", "wheel_by_theta"),
+        ("out/rear left.toml", "rear_left_wheel_by_theta"),
+        ("911.toml", "baked_911_wheel_by_theta"),
+        ("\u{fc}ber.toml", "baked__ber_wheel_by_theta"),
+        ("int.toml", "int_wheel_by_theta"),
+    ] {
+        let arguments = ["bake", "a.toml", "--as", "toml", "--output", path];
+        let output = run(folder.path(), &[&arguments[..], &RANGE].concat());
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let text = std::fs::read_to_string(folder.path().join(path)).expect("a file");
+        let table: toml::Table = text.parse().expect("TOML");
+        assert_eq!(table["name"].as_str(), Some(name));
+    }
+}
+
+#[test]
+fn the_header_has_the_range_to_its_last_digit() {
+    let range = ["--from", "0.7500000000000001", "--to", "1.0123456789012344"];
+    let file = baked(folder().path(), &range);
+    let expected = "// Drive: theta from 0.7500000000000001 to 1.0123456789012344 rad.";
+    assert!(file.contains(expected), "{}", &file[..400]);
+}
+
+#[test]
+fn the_header_says_what_was_baked() {
+    let folder = folder();
+    let arguments = [
+        "--tolerance",
+        "1e-5",
+        "--continuity",
+        "2",
+        "--points",
+        "all",
+    ];
+    let file = baked(folder.path(), &[&RANGE[..], &arguments].concat());
+    for line in [
+        "// The 6 points of five_link as a function of drive theta.",
+        "// Baked by `suspension bake` from a.toml.",
+        "// Drive: theta from 0.75 to 2 rad.",
+        "// Lengths in mm; axes x forward, y left, z up.",
+        "// Continuous where segments join: position, first and second derivative.",
+        "// Tolerance asked: 0.01 mm; reached: 0.00",
+    ] {
+        assert!(file.contains(line), "{line}\n{}", &file[..900]);
+    }
+    let segments = file.matches("    [\n").count();
+    let bytes = segments * 6 * 18 * 8;
+    assert!(file.contains(&format!(
+        "// {segments} segments of degree 5, {bytes} bytes."
+    )));
+}
+
+/// What the firmware looks up is written by the program, not by hand.
+#[test]
+fn the_firmwares_wheel_is_as_baked_today() {
+    let folder = folder();
+    std::fs::write(
+        folder.path().join("attia2003.toml"),
+        example("attia2003.toml"),
+    )
+    .expect("written");
+    let arguments = ["bake", "attia2003.toml", "--output", "wheel_by_theta.rs"];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let [baked, kept] = [
+        folder.path().join("wheel_by_theta.rs"),
+        Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("tests/firmware/controller/src/wheel_by_theta.rs"),
+    ]
+    .map(|path| std::fs::read_to_string(path).expect("a source file"));
+    // They differ in the path of the motion file alone.
+    assert_eq!(
+        baked,
+        kept.replace("examples/attia2003.toml", "attia2003.toml")
+    );
+}

@@ -1,0 +1,225 @@
+//! That baked Rust files and C headers compile and give the digits of the library, and that two headers are two tables.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use suspension_core::baked::{Curve, Split};
+
+use super::super::program::{example, folder, run, text};
+use super::{RANGE, baked};
+
+fn numbers(value: &toml::Value) -> Vec<f64> {
+    match value {
+        toml::Value::Array(values) => values.iter().flat_map(numbers).collect(),
+        value => vec![value.as_float().expect("a number")],
+    }
+}
+
+/// The segments of a file in TOML.
+fn table(text: &str) -> (toml::Table, Vec<[[f64; 6]; 6]>) {
+    let table: toml::Table = text.parse().expect("TOML");
+    let flat = numbers(&table["segments"]);
+    let (rows, rest) = flat.as_chunks::<6>();
+    let (segments, more) = rows.as_chunks::<6>();
+    assert!(rest.is_empty() && more.is_empty());
+    let segments = segments.to_vec();
+    (table, segments)
+}
+
+/// Places, with the position, velocity and acceleration that the core reads there.
+fn expected<T: Split>(folder: &Path, arguments: &[&str]) -> Vec<(T, [[T; 6]; 3])> {
+    let (table, segments) = table(&baked(folder, &[arguments, &["--as", "toml"]].concat()));
+    let range: [f64; 2] = numbers(&table["range"]).try_into().expect("two ends");
+    let per_unit = table["segments_per_unit"].as_float().expect("a number");
+    let number = T::constant;
+    let segments: Vec<_> = segments
+        .iter()
+        .map(|terms| terms.map(|row| row.map(number)))
+        .collect();
+    let curve = Curve {
+        range: range.map(number),
+        segments_per_unit: number(per_unit),
+        segments: &segments,
+    };
+    let [from, to] = range;
+    (0..=100)
+        .map(|part| number((from + (to - from) * f64::from(part) / 100.0).min(to)))
+        .map(|at| {
+            let place = curve.at(at).expect("inside");
+            (at, place.acceleration(number(1.5), number(-0.7)))
+        })
+        .collect()
+}
+
+/// Of the bits of a number, as a hexadecimal literal.
+fn bits<T>(numbers: &[[T; 6]; 3], bits: fn(&T) -> u64) -> String {
+    let each = numbers.as_flattened().iter();
+    each.map(|x| format!("{:#x}, ", bits(x))).collect()
+}
+
+#[test]
+fn the_rust_file_compiles_and_reads_the_same_digits() {
+    let folder = folder();
+    let mut asserts = String::new();
+    for (at, values) in expected::<f64>(folder.path(), &RANGE) {
+        let bits = bits(&values, |x| x.to_bits());
+        asserts += &format!("    check({at:?}, [{bits}]);\n");
+    }
+    let file = baked(folder.path(), &RANGE);
+    let program = format!(
+        "mod baked {{\n{file}}}
+fn check(at: f64, expected: [u64; 18]) {{
+    let found = baked::WHEEL_BY_THETA.at(at).unwrap().acceleration(1.5, -0.7);
+    let bits: Vec<u64> = found.as_flattened().iter().map(|x| x.to_bits()).collect();
+    assert_eq!(bits, expected);
+}}
+fn main() {{
+    assert!(baked::WHEEL_BY_THETA.at(2.1).is_err());
+    assert_eq!(baked::WHEEL_BY_THETA_OUTPUTS[5], \"spin_axis_z\");
+{asserts}}}
+"
+    );
+    let ran = run_with_the_core(folder.path(), &program);
+    assert!(ran.status.success(), "{}", text(&ran.stderr));
+}
+
+/// Compiles a program that depends on the core alone, with the versions of this package, and runs
+/// it.
+fn run_with_the_core(folder: &Path, program: &str) -> Output {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifest = format!(
+        r#"[package]
+name = "reader"
+edition = "2024"
+[[bin]]
+name = "reader"
+path = "main.rs"
+[dependencies]
+suspension-core.path = {:?}
+[workspace]
+"#,
+        here.join("suspension-core")
+    );
+    std::fs::write(folder.join("Cargo.toml"), manifest).expect("written");
+    std::fs::write(folder.join("main.rs"), program).expect("written");
+    std::fs::copy(here.join("Cargo.lock"), folder.join("Cargo.lock")).expect("copied");
+    Command::new(env!("CARGO"))
+        .current_dir(folder)
+        .args(["run", "--quiet", "--offline", "--target-dir"])
+        .arg(Path::new(env!("CARGO_TARGET_TMPDIR")).join("reader"))
+        .output()
+        .expect("cargo runs")
+}
+
+#[test]
+fn the_c_header_compiles_without_warnings_and_reads_the_same_digits() {
+    the_c_header_reads::<f64>("double", |x| x.to_bits());
+    the_c_header_reads::<f32>("float", |x| x.to_bits().into());
+}
+
+fn the_c_header_reads<T: Split + std::fmt::LowerExp>(number: &str, to_bits: fn(&T) -> u64) {
+    let folder = folder();
+    let mut rows = String::new();
+    for (at, values) in expected(folder.path(), &RANGE) {
+        rows += &format!("    {{{at:e}, {{{}}}}},\n", bits(&values, to_bits));
+    }
+    let width = 8 * size_of::<T>();
+    let header = baked(folder.path(), &[&RANGE[..], &["--as", "c"]].concat());
+    std::fs::write(folder.path().join("wheel.h"), header).expect("written");
+    let program = format!(
+        r#"#define WHEEL_BY_THETA_NUMBER {number}
+#include "wheel.h"
+#include <stdint.h>
+#include <string.h>
+static const struct {{ {number} at; uint{width}_t bits[18]; }} rows[] = {{
+{rows}}};
+int main(void)
+{{
+    {number} found[18];
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {{
+        if (wheel_by_theta(rows[i].at, 1.5, -0.7, found, found + 6, found + 12) != 0)
+            return 1;
+        if (memcmp(found, rows[i].bits, sizeof found) != 0)
+            return 2;
+    }}
+    if (wheel_by_theta(2.1, 1.5, -0.7, found, found + 6, NULL) != 1)
+        return 3;
+    return wheel_by_theta(1.0, 1.5, -0.7, found, NULL, NULL);
+}}
+"#
+    );
+    std::fs::write(folder.path().join("main.c"), program).expect("written");
+    let flags = [
+        "-std=c99",
+        "-O2",
+        "-Wall",
+        "-Wextra",
+        "-Wdouble-promotion",
+        "-Werror",
+        "main.c",
+        "-o",
+        "main",
+    ];
+    let compiled = Command::new("cc")
+        .current_dir(folder.path())
+        .args(flags)
+        .output()
+        .expect("a C compiler: Rust links with one");
+    assert!(compiled.status.success(), "{}", text(&compiled.stderr));
+    let ran = Command::new(folder.path().join("main")).status();
+    assert_eq!(ran.expect("a program").code(), Some(0), "{number}");
+}
+
+/// Bakes the wheel of two suspensions to C, whose motion files are of these names, and compiles a
+/// program with both headers that gives 0 where they differ.
+fn two_in_one_program(names: [&str; 2]) -> Output {
+    let folder = folder();
+    let mut program = String::new();
+    let other = example("attia2003.toml").replace("[0.0, 0.1, 0.0]", "[0.0, 0.2, 0.0]");
+    for (name, content) in names.into_iter().zip([example("attia2003.toml"), other]) {
+        let file = folder.path().join(name);
+        std::fs::create_dir_all(file.parent().expect("a folder")).expect("made");
+        std::fs::write(&file, content).expect("written");
+        let path = name.replace(".toml", "_wheel_by_theta.h");
+        let arguments = ["bake", name, "--as", "c", "--output", &path];
+        let output = run(folder.path(), &[&arguments[..], &RANGE].concat());
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        program += &format!("#include \"{path}\"\n#include \"{path}\"\n");
+    }
+    program += "
+int main(void)
+{
+    double front[6], rear[6];
+    if (front_wheel_by_theta(1.0, 0.0, 0.0, front, NULL, NULL) != 0)
+        return 1;
+    if (rear_wheel_by_theta(1.0, 0.0, 0.0, rear, NULL, NULL) != 0)
+        return 2;
+    return rear[1] > front[1] + 0.09 ? 0 : 3;
+}
+";
+    std::fs::write(folder.path().join("main.c"), program).expect("written");
+    let compile = Command::new("cc")
+        .current_dir(folder.path())
+        .args(["-std=c99", "-Wall", "-Werror", "main.c", "-o", "main"])
+        .output()
+        .expect("a C compiler: Rust links with one");
+    if !compile.status.success() {
+        return compile;
+    }
+    let program = Command::new(folder.path().join("main")).output();
+    program.expect("a program")
+}
+
+#[test]
+fn two_baked_headers_are_two_tables() {
+    let ran = two_in_one_program(["front.toml", "rear.toml"]);
+    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+}
+
+#[test]
+fn two_baked_headers_of_one_name_do_not_compile() {
+    let refused = two_in_one_program(["old/front.toml", "new/front.toml"]);
+    let message = text(&refused.stderr);
+    let expected = "another baked header has the name front_wheel_by_theta";
+    assert!(message.contains(expected), "{message}");
+}

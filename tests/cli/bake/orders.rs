@@ -1,0 +1,101 @@
+//! Which ranges are baked, and what is said of those that are not.
+
+use super::super::program::{example, folder, run, text};
+
+#[test]
+fn without_options_the_motion_of_the_file_is_baked_under_out() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    let output = run(folder.path(), &["bake", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0));
+    let message = text(&output.stderr);
+    assert!(
+        message.starts_with("wrote out/a_wheel_by_theta.rs: "),
+        "{message}"
+    );
+    let file = std::fs::read_to_string(folder.path().join("out/a_wheel_by_theta.rs"));
+    let file = file.expect("a file");
+    assert!(file.contains("// Drive: theta from 0.7 to 2.1503125 rad."));
+    assert!(file.contains("// Tolerance asked: 1e-6 m; reached: "));
+}
+
+#[test]
+fn a_range_that_is_refused_comes_with_one_that_is_possible() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    for (ends, reason) in [
+        (["0.5", "2.5"], "the drive `theta` locks at"),
+        (
+            ["0.663", "2"],
+            "256 segments do not meet 1e-6 m about theta = 0.66",
+        ),
+        (["2.2", "3"], "the drive `theta` locks at"),
+    ] {
+        let [from, to] = ends;
+        let output = run(
+            folder.path(),
+            &["bake", "a.toml", "--from", from, "--to", to],
+        );
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(3), "{message}");
+        assert_eq!(message.lines().count(), 1, "{message}");
+        let begin = format!("a.toml: theta cannot be baked from {from} to {to}: {reason}");
+        assert!(message.starts_with(&begin), "{message}");
+        let (_, advice) = message.split_once("possible is ").expect("advice");
+        let possible: Vec<&str> = advice.split_whitespace().collect();
+        let output = run(
+            folder.path(),
+            &[&["bake", "a.toml"], &possible[..]].concat(),
+        );
+        assert_eq!(output.status.code(), Some(0), "{advice}");
+    }
+}
+
+#[test]
+fn wrong_orders_are_exit_code_2_and_one_sentence() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    for (arguments, expected) in [
+        (
+            &["--drive", "bump"][..],
+            "a.toml: unknown drive `bump`; known are theta",
+        ),
+        (
+            &["--from", "2", "--to", "1"],
+            "a.toml: theta = 2 rad to theta = 1 rad is no range",
+        ),
+        (
+            &["--from", "nan"],
+            "a.toml: theta = NaN rad to theta = 2.15031 rad is no range",
+        ),
+        (
+            &["--from", "-0.1"],
+            "a.toml: theta = -0.1 rad to theta = 2.15031 rad: the angle of a",
+        ),
+        (
+            &["--tolerance", "0"],
+            "a.toml: a tolerance is a positive number of metres",
+        ),
+        (
+            &["--tolerance=-1"],
+            "a.toml: a tolerance is a positive number of metres",
+        ),
+        (
+            &["--output", "./a.toml"],
+            "./a.toml: this is the file that is read, which --output would",
+        ),
+    ] {
+        let output = run(folder.path(), &[&["bake", "a.toml"], arguments].concat());
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(message.starts_with(expected), "{message}");
+    }
+    let output = run(folder.path(), &["bake", "a.toml", "--tolerance", "1e-30"]);
+    assert_eq!(output.status.code(), Some(3));
+    let message = text(&output.stderr);
+    assert!(
+        message.ends_with("no part of the range can be baked\n"),
+        "{message}"
+    );
+}
