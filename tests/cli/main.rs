@@ -6,6 +6,7 @@ mod bad_input;
 mod bake;
 mod check;
 mod compare;
+mod exact_derivatives;
 mod figures;
 mod files;
 mod hostile_files;

@@ -4,6 +4,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use num_traits::{One, Zero};
 use suspension_core::Scalar;
+use suspension_core::signal::Number;
 use xprec::Df64;
 
 /// The unevaluated sum of two `f64`, the arithmetic that of the crate `xprec`: relative errors
@@ -86,5 +87,19 @@ impl Scalar for DoubleDouble {
 
     fn nearest_integer(self) -> Self {
         Self(self.0.round())
+    }
+}
+
+impl Number for DoubleDouble {
+    fn square_root(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    fn arc_tangent(y: Self, x: Self) -> Self {
+        Self(y.0.atan2(x.0))
+    }
+
+    fn is_below_zero(&self) -> bool {
+        *self < Self::zero()
     }
 }

@@ -1,0 +1,165 @@
+//! A mechanism in 32 digits at places that are steps of its drives apart.
+
+use std::cell::RefCell;
+use std::collections::{BTreeMap, HashMap};
+
+use nalgebra::{SVector, Vector3};
+use suspension_core::linkage::{Factors as _, Listing as _};
+use suspension_core::{DriveKind, Kind, Linkage, Part, Parts, Signal, Values};
+use suspension_double_double::DoubleDouble;
+use suspension_runtime::{Fitted, Model, Room, Size};
+
+/// What drives differ by from place to place, m or rad.
+const STEP: f64 = 2e-5;
+
+/// A correction that leaves 30 digits.
+const LAST_CORRECTION: f64 = 1e-24;
+
+type Points<'m, const N: usize> = <Model<'m, DoubleDouble, N> as Linkage<N>>::Points;
+
+/// Steps of each drive from the place of a row.
+pub(super) type Steps = Vec<i32>;
+
+/// A mechanism about the place of a row.
+pub(super) struct Lattice<'m, const N: usize>
+where
+    Room<N>: Size,
+{
+    rounded: &'m Model<'m, f64, N>,
+    pub(super) exact: Model<'m, DoubleDouble, N>,
+    drives: Vec<f64>,
+    start: SVector<f64, N>,
+    solved: RefCell<HashMap<Steps, Points<'m, N>>>,
+}
+
+impl<'m, const N: usize> Lattice<'m, N>
+where
+    Room<N>: Size,
+{
+    /// The free points and the drives are those of a row.
+    pub(super) fn about(
+        rounded: &'m Model<'m, f64, N>,
+        design: &<Model<'m, f64, N> as Linkage<N>>::Points,
+        row: &BTreeMap<String, f64>,
+    ) -> Self {
+        let free = rounded.count(Kind::ChassisPoint)
+            ..rounded.count(Kind::ChassisPoint) + rounded.count(Kind::FreePoint);
+        let at = |(place, point)| {
+            let name = rounded.name(Part::Point(place));
+            if free.contains(&place) {
+                Vector3::from(["x", "y", "z"].map(|axis| row[&format!("{name}_{axis}")]))
+            } else {
+                point
+            }
+        };
+        let drive = |place| {
+            let unit = match rounded.drive_kind(place) {
+                DriveKind::Coordinate => "m",
+                DriveKind::Angle => "rad",
+            };
+            row[&format!("{}_{unit}", rounded.name(Part::Drive(place)))]
+        };
+        let points = Values::from_values(design.values().enumerate().map(at));
+        Self {
+            rounded,
+            exact: Fitted::converted(rounded, |x: f64| DoubleDouble::from(x)),
+            drives: (0..rounded.count(Kind::Drive)).map(drive).collect(),
+            start: rounded.unknowns(&points),
+            solved: RefCell::default(),
+        }
+    }
+
+    pub(super) fn drive_names(&self) -> Vec<&str> {
+        let drives = 0..self.drives.len();
+        drives
+            .map(|drive| self.exact.name(Part::Drive(drive)))
+            .collect()
+    }
+
+    /// Steps of one drive.
+    pub(super) fn beside(&self, drive: usize, steps: i32) -> Steps {
+        let mut beside = vec![0; self.drives.len()];
+        beside[drive] = steps;
+        beside
+    }
+
+    /// All points at a place.
+    pub(super) fn points(&self, steps: &Steps) -> Points<'m, N> {
+        let known = self.solved.borrow().get(steps).copied();
+        known.unwrap_or_else(|| {
+            let points = self.solve(steps);
+            self.solved.borrow_mut().insert(steps.clone(), points);
+            points
+        })
+    }
+
+    /// The velocities of all points with respect to a drive.
+    pub(super) fn velocities(&self, at: &Steps, drive: usize) -> Points<'m, N> {
+        let beside: Vec<_> = (-3..=3)
+            .map(|steps| {
+                let mut at = at.clone();
+                at[drive] += steps;
+                self.points(&at).values().collect::<Vec<_>>()
+            })
+            .collect();
+        let velocity = |point: usize| {
+            Vector3::from_fn(|axis, _| {
+                first_difference(
+                    &[0, 1, 2, 3, 4, 5, 6].map(|steps: usize| beside[steps][point][axis]),
+                )
+            })
+        };
+        Values::from_values((0..beside[0].len()).map(velocity))
+    }
+
+    fn solve(&self, steps: &Steps) -> Points<'m, N> {
+        let Self { rounded, exact, .. } = self;
+        let drives = self.coordinates(steps);
+        let anchors = exact.drive_anchors(*exact.fixed(), &drives);
+        let nearest = Values::from_values(anchors.values().map(|at| at.map(DoubleDouble::nearest)));
+        let factors = rounded.factor(&self.start, &nearest);
+        let mut root = self.start.map(DoubleDouble::from);
+        for _ in 0..60 {
+            let residual = exact.residual(&root, &anchors, &drives);
+            let correction = factors.solve(&residual.map(DoubleDouble::nearest));
+            root -= correction.map(DoubleDouble::from);
+            if correction.amax() < LAST_CORRECTION {
+                return exact.points(&root, &anchors);
+            }
+        }
+        panic!("no root at {steps:?} of {:?}", self.drives);
+    }
+
+    /// What the drives prescribe, cosines of all digits.
+    fn coordinates(&self, steps: &Steps) -> <Model<'m, DoubleDouble, N> as Linkage<N>>::Drives {
+        // At an angle of zero the coordinate of a link is its length.
+        let lengths = self.exact.coordinates(&Signal::default()).value;
+        let drives = self.drives.iter().zip(steps).zip(lengths.values());
+        let each = drives.enumerate().map(|(place, ((drive, steps), length))| {
+            let drive = DoubleDouble::from(*drive)
+                + DoubleDouble::from(STEP) * DoubleDouble::from(f64::from(*steps));
+            match self.exact.drive_kind(place) {
+                DriveKind::Coordinate => drive,
+                DriveKind::Angle => length * drive.sine_cosine().1,
+            }
+        });
+        Values::from_values(each)
+    }
+}
+
+/// The first derivative at the middle of seven numbers a step apart, of sixth order.
+fn first_difference([a, b, c, _, e, f, g]: &[DoubleDouble; 7]) -> DoubleDouble {
+    let number = DoubleDouble::from;
+    let sum = (*g - *a) - number(9.0) * (*f - *b) + number(45.0) * (*e - *c);
+    sum / (number(60.0) * number(STEP))
+}
+
+/// Both derivatives.
+pub(super) fn differences(numbers: &[DoubleDouble; 7]) -> [f64; 2] {
+    let [a, b, c, d, e, f, g] = numbers;
+    let number = DoubleDouble::from;
+    let sum = number(2.0) * (*a + *g) - number(27.0) * (*b + *f) + number(270.0) * (*c + *e)
+        - number(490.0) * *d;
+    let second = sum / (number(180.0) * number(STEP) * number(STEP));
+    [first_difference(numbers), second].map(DoubleDouble::nearest)
+}

@@ -1,0 +1,251 @@
+//! Quantities of points and velocities in 32 digits, under their names in tables.
+
+use nalgebra::Vector3;
+use suspension_core::signal::Number as _;
+use suspension_core::wheel::{
+    Carrier, Heading, SteeringAxis, camber, camber_to_ground, caster, contact, kingpin_angle, toe,
+};
+use suspension_core::{Kind, Linkage, Part, Parts, Values};
+use suspension_double_double::DoubleDouble as Number;
+use suspension_listing::name::Name;
+use suspension_listing::system::{Quantity, System};
+use suspension_runtime::{Room, Size};
+
+use super::lattice::{Lattice, Steps};
+
+type Vector = Vector3<Number>;
+
+/// Numbers under their names.
+pub(super) type Named = Vec<(String, Number)>;
+
+/// Wheel radius, m.
+const RADIUS: f64 = 0.3;
+/// Wheelbase over height of the centre of gravity, and the axle's shares.
+const LEVER: f64 = 5.0;
+const BRAKE_SHARE: f64 = 0.625;
+const DRIVE_SHARE: f64 = 0.25;
+
+/// Which axle of a car the suspension is.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Car {
+    Front,
+    Rear,
+}
+
+impl Car {
+    /// The line of a motion file that describes the vehicle; `steer` is that of steering without a word.
+    pub(super) fn vehicle(self, travel: &str) -> String {
+        let axle = match self {
+            Self::Front => "front",
+            Self::Rear => "rear",
+        };
+        format!(
+            "vehicle = {{ wheel_radius = {RADIUS}, travel = \"{travel}\", axle = \"{axle}\", \
+             wheelbase = 2.5, cg_height = 0.5, brake_share = {BRAKE_SHARE}, drive_share = {DRIVE_SHARE} }}\n"
+        )
+    }
+}
+
+/// The first drive that does not steer, and the one that does.
+pub(super) fn travel_and_steering(drives: &[&str]) -> (usize, Option<usize>) {
+    let place = |steers: bool| drives.iter().position(|name| (*name == "steer") == steers);
+    (place(false).expect("a drive"), place(true))
+}
+
+/// What quantities rest on beside points and velocities.
+pub(super) struct Reference<'a> {
+    pub(super) system: &'a System,
+    pub(super) car: Car,
+}
+
+impl Reference<'_> {
+    /// All quantities that have derivatives.
+    pub(super) fn all<const N: usize>(&self, lattice: &Lattice<'_, N>, at: &Steps) -> Named
+    where
+        Room<N>: Size,
+    {
+        let model = &lattice.exact;
+        let points = lattice.points(at);
+        let (travel, steer) = travel_and_steering(&lattice.drive_names());
+        let each: Vec<Vector> = points.values().collect();
+        let point = |name: &Name| {
+            let mut places = 0..each.len();
+            let place = places.find(|place| model.name(Part::Point(*place)) == name.to_string());
+            each[place.expect("a point")]
+        };
+        let mut named = Named::new();
+        let chassis = model.count(Kind::ChassisPoint);
+        let moving = model.count(Kind::FreePoint) + model.count(Kind::Marker);
+        for (place, at) in each.iter().enumerate().skip(chassis).take(moving) {
+            coordinates(&mut named, model.name(Part::Point(place)), at);
+        }
+        for measure in &self.system.measures {
+            let name = &measure.named.name;
+            named.push(measured(name, &measure.quantity, point));
+        }
+        let wheel = model.wheel_axis(&points).expect("a wheel");
+        let kingpin = model.kingpin(&points);
+        let carrier = model.wheel_carrier(&points).expect("a carrier");
+        let moved_by = |drive| {
+            let rates = model.wheel_carrier(&lattice.velocities(at, drive));
+            moving_carrier(carrier, rates.expect("a carrier"), wheel[1])
+        };
+        of_wheel(&mut named, wheel, kingpin);
+        if let Some(steer) = steer {
+            of_steering(&mut named, &moved_by(steer), wheel);
+        }
+        self.of_travel(&mut named, &moved_by(travel), wheel);
+        named
+    }
+
+    fn of_travel(&self, named: &mut Named, carrier: &Carrier<Number>, wheel: [Vector; 2]) {
+        let axis = wheel[1] - wheel[0];
+        let ground = contact(&wheel[1], &axis, RADIUS.into());
+        let front = carrier.front_view(&axis);
+        let side = carrier.side_view();
+        let path = |velocity: Vector| {
+            if velocity.z.is_below_zero() {
+                -velocity
+            } else {
+                velocity
+            }
+        };
+        let [braked, driven] = [path(carrier.velocity_of(&ground)), path(carrier.velocity)];
+        let angle = |path: Vector| Number::arc_tangent(path.x, path.z);
+        let support = |path: Vector, share: f64| path.x / path.z * (100.0 * share * LEVER).into();
+        let [brakes, shafts] = [support(braked, BRAKE_SHARE), support(driven, DRIVE_SHARE)];
+        named.extend(
+            [
+                ("roll_centre_m", carrier.roll_centre(&ground) - ground.z),
+                ("front_centre_y", front.across),
+                ("front_centre_z", front.z),
+                ("front_arm_m", front.arm),
+                ("side_centre_x", side.across),
+                ("side_centre_z", side.z),
+                ("side_arm_m", side.arm),
+                ("brake_angle_rad", angle(braked)),
+                ("drive_angle_rad", angle(driven)),
+            ]
+            .map(|(name, value)| (name.to_owned(), value)),
+        );
+        named.extend(
+            match self.car {
+                Car::Front => [
+                    ("anti_dive_percent", brakes),
+                    ("anti_lift_in_drive_percent", shafts),
+                ],
+                Car::Rear => [
+                    ("anti_lift_percent", -brakes),
+                    ("anti_squat_percent", -shafts),
+                ],
+            }
+            .map(|(name, value)| (name.to_owned(), value)),
+        );
+    }
+}
+
+fn coordinates(named: &mut Named, name: &str, at: &Vector) {
+    for (axis, value) in ["x", "y", "z"].into_iter().zip(at.iter()) {
+        named.push((format!("{name}_{axis}"), *value));
+    }
+}
+
+fn length(line: Vector) -> Number {
+    line.dot(&line).square_root()
+}
+
+fn measured(name: &Name, quantity: &Quantity, point: impl Fn(&Name) -> Vector) -> (String, Number) {
+    let line = |[from, to]: &[Name; 2]| point(to) - point(from);
+    match quantity {
+        Quantity::Sum(terms) => {
+            let terms = terms
+                .iter()
+                .map(|term| point(&term.point)[term.axis] * term.factor.into());
+            (
+                format!("{name}_m"),
+                terms.fold(0.0.into(), |sum, term| sum + term),
+            )
+        }
+        Quantity::Length { line: ends } => (format!("{name}_m"), length(line(ends))),
+        Quantity::Angle { axis, line: ends } => {
+            let line = line(ends);
+            let mut across = line;
+            across[*axis] = 0.0.into();
+            (
+                format!("{name}_rad"),
+                Number::arc_tangent(length(across), line[*axis]),
+            )
+        }
+        other => panic!("no measure of the catalogue is as {name}: {other:?}"),
+    }
+}
+
+fn of_wheel(named: &mut Named, [inner, centre]: [Vector; 2], kingpin: Option<[Vector; 2]>) {
+    let axis = centre - inner;
+    let ground = contact(&centre, &axis, RADIUS.into());
+    coordinates(named, "contact", &ground);
+    let mut add = |name: &str, value| named.push((name.to_owned(), value));
+    add("camber_rad", camber(&axis));
+    add("camber_to_ground_rad", camber_to_ground(&axis));
+    add("toe_rad", toe(&axis));
+    let Some([lower, upper]) = kingpin else {
+        return;
+    };
+    let heading = Heading::of(&axis);
+    let line = SteeringAxis::through([lower, upper]);
+    add("kingpin_rad", kingpin_angle(&line.direction, &axis));
+    add("caster_rad", caster(&line.direction));
+    add("scrub_radius_m", line.inboard_of(&ground, &heading));
+    add("mechanical_trail_m", line.ahead_of(&ground, &heading));
+    add("kingpin_offset_m", line.inboard_of(&centre, &heading));
+    add("caster_offset_m", line.ahead_of(&centre, &heading));
+}
+
+fn of_steering(named: &mut Named, carrier: &Carrier<Number>, [inner, centre]: [Vector; 2]) {
+    let Carrier {
+        velocity, omega, ..
+    } = carrier;
+    let axis = centre - inner;
+    let ground = contact(&centre, &axis, RADIUS.into());
+    let heading = Heading::of(&axis);
+    let screw = SteeringAxis::of_screw(&centre, velocity, omega);
+    let pitch = omega.dot(velocity) / omega.dot(omega);
+    named.extend(
+        [
+            (
+                "virtual_kingpin_rad",
+                kingpin_angle(&screw.direction, &axis),
+            ),
+            ("virtual_caster_rad", caster(&screw.direction)),
+            (
+                "virtual_scrub_radius_m",
+                screw.inboard_of(&ground, &heading),
+            ),
+            ("virtual_trail_m", screw.ahead_of(&ground, &heading)),
+            (
+                "virtual_pitch_m_rad",
+                if omega.z.is_below_zero() {
+                    -pitch
+                } else {
+                    pitch
+                },
+            ),
+        ]
+        .map(|(name, value)| (name.to_owned(), value)),
+    );
+}
+
+/// The carrier of a wheel by three of its points: of rigid edges `a` and `b` with rates `a'` and `b'`, and `n = a x b`,
+/// the angular velocity is `(a (b' . n) - b (a' . n) + n (a' . b)) / |n|^2`.
+fn moving_carrier(points: [Vector; 3], rates: [Vector; 3], centre: Vector) -> Carrier<Number> {
+    let [a, b] = [points[1] - points[0], points[2] - points[0]];
+    let [da, db] = [rates[1] - rates[0], rates[2] - rates[0]];
+    let normal = a.cross(&b);
+    let turning = a * db.dot(&normal) - b * da.dot(&normal) + normal * da.dot(&b);
+    let omega = turning / normal.dot(&normal);
+    Carrier {
+        centre,
+        velocity: rates[0] + omega.cross(&(centre - points[0])),
+        omega,
+    }
+}
