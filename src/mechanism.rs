@@ -1,5 +1,6 @@
 //! A mechanism ready to move, whatever its linkage: the file's coordinates outside, local ones inside.
 
+mod axes;
 mod derivatives;
 mod description;
 mod drives;
@@ -19,6 +20,7 @@ mod unit;
 mod visit;
 mod words;
 
+pub use axes::Axes;
 pub use derivatives::Order;
 pub use description::Description;
 pub use drives::{DriveLaws, Law, follow};

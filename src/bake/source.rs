@@ -49,6 +49,8 @@ pub struct Sheet {
     pub drive_unit: &'static str,
     /// The unit of lengths.
     pub unit: &'static str,
+    /// Where the axes point.
+    pub axes: &'static str,
     /// Drives that are held, in words; empty where there is one drive only.
     pub held: String,
 }
@@ -112,6 +114,7 @@ impl Sheet {
             drive,
             drive_unit,
             unit,
+            axes,
             held,
         } = self;
         let [from, to] = baked.wanted.range.map(exact);
@@ -141,7 +144,7 @@ impl Sheet {
             lines.push(format!("Held: {held}."));
         }
         lines.extend([
-            format!("Lengths in {unit}; axes x forward, y left, z up."),
+            format!("Lengths in {unit}; axes {axes}."),
             format!("Continuous where segments join: {joined}."),
             format!("Tolerance asked: {} {unit}; reached: {position} {unit}.", rounded(baked.wanted.tolerance, 3)),
             format!("First derivative within {first} {unit}/{drive_unit}, second within {second} {unit}/{drive_unit}^2."),

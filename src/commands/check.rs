@@ -63,6 +63,7 @@ impl Arguments {
             linkage: &mechanism.linkage,
             names: &mechanism.names,
             unit: mechanism.unit,
+            axes: mechanism.axes,
             design: &mechanism.design,
             condition,
             ranges,

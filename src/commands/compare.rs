@@ -14,6 +14,7 @@ use crate::characteristics::Span;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::{Loaded, load};
+use crate::mechanism::Axes;
 use crate::output::files::{announce, print, refuse_input, write_file};
 use crate::output::target::Target;
 use differences::Comparison;
@@ -59,6 +60,7 @@ impl Arguments {
         }
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
         let (first, second) = (load(&a)?, load(&b)?);
+        check_axes([&a, &b], [first.axes(), second.axes()])?;
         let spans = [self.travel, self.steer];
         let side = |source: &Source, loaded: &Loaded<'_>| {
             let mechanism = loaded.at_design()?;
@@ -88,6 +90,21 @@ impl Arguments {
             .next()
             .map_or(Ok(()), Err)
     }
+}
+
+/// A coordinate, or a derivative per drive, has another sign in other axes.
+fn check_axes([a, b]: [&Source; 2], axes: [Axes; 2]) -> Result<(), Failure> {
+    let [of_a, of_b] = axes;
+    if of_a == of_b {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "{} has axes = \"{}\" and {} has axes = \"{}\"; state both in the same axes",
+        a.name(),
+        of_a.name(),
+        b.name(),
+        of_b.name()
+    )))
 }
 
 const NOTES: &str = "\

@@ -1,6 +1,5 @@
 //! `suspension import`: from an engineer's hardpoints to a motion file.
 
-mod axes;
 mod choice;
 mod corner;
 mod draft;
@@ -21,9 +20,8 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::mechanism::{self, Unit};
+use crate::mechanism::{self, Axes, Unit};
 use crate::output::files::{announce, print, refuse_input, write_file};
-use axes::Axes;
 use choice::choose;
 use corner::Corner;
 use draft::{Draft, Imported};

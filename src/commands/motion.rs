@@ -67,7 +67,6 @@ impl Arguments {
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let Description {
-            linkage,
             names,
             unit,
             instants,
@@ -94,7 +93,7 @@ impl Arguments {
             )?);
         }
         if forms.is_empty() && plots.is_none() {
-            print(&summary::text(linkage, names, *unit, &outcome))?;
+            print(&summary::text(mechanism, &outcome))?;
         }
         announce(&written);
         outcome.failure(source, forms).map_or(Ok(()), Err)

@@ -12,7 +12,7 @@ pub(super) fn explained(message: &str, source: &Source) -> String {
     let message = message.replace("expected f64", "expected a number");
     let mut quoted = message.split('`').skip(1).step_by(2);
     let name = quoted.next().unwrap_or_default();
-    let hint = if message.starts_with("unknown field") {
+    let hint = if message.starts_with("unknown field") || message.starts_with("unknown variant") {
         did_you_mean(name, quoted)
     } else if message.starts_with("missing field") {
         to_write(name).to_owned()

@@ -13,7 +13,7 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::explain::explained;
 use crate::file::source::Source;
-use crate::mechanism::{Axle, Unit};
+use crate::mechanism::{Axes, Axle, Unit};
 
 /// Values by name, each with its place in the file.
 pub type Table<V> = Spanned<BTreeMap<Spanned<String>, Spanned<V>>>;
@@ -30,6 +30,9 @@ pub struct MotionFile {
     pub statements: Option<Spanned<String>>,
     /// The unit of all lengths and coordinates, in the file and in the results.
     pub unit: Unit,
+    /// The axes of all points, offsets and statements, in the file and in the results.
+    #[serde(default)]
+    pub axes: Axes,
     /// Every point of the linkage: chassis points, free points, markers. Those that the listing states may be
     /// left out.
     #[serde(default = "no_points")]

@@ -14,7 +14,7 @@ use crate::file::{MotionFile, Offset, Position, Source};
 use crate::kinematics::Kinematics;
 use crate::layouts;
 use crate::load::prepare::{Request, prepare};
-use crate::mechanism::{Mechanism, Unit};
+use crate::mechanism::{Axes, Mechanism, Unit};
 
 /// The listing of a motion file.
 #[derive(Clone, Debug)]
@@ -192,12 +192,17 @@ pub(crate) fn points(listing: &Listing) -> impl Iterator<Item = &str> {
     (0..count).map(|point| listing.name(Part::Point(point)))
 }
 
-/// Adds to the file the points that the listing alone states, and orders the elimination by the file's where
-/// the listing states none.
+/// Adds to the file the points that the listing alone states, those of the catalogue turned to the file's axes, and
+/// orders the elimination by the file's where the listing states none.
 fn with_points(listing: Listing, file: &mut MotionFile, place: &Range<usize>) -> Listing {
+    let axes = match file.linkage {
+        Some(_) => file.axes,
+        None => Axes::Iso,
+    };
     let stated = file.points.get_mut();
     for (point, at) in listing.stated() {
         let name = listing.name(Part::Point(point));
+        let at = axes.turned(at);
         if !stated.contains_key(name) {
             let key = Spanned::new(place.clone(), name.to_owned());
             stated.insert(key, Spanned::new(place.clone(), Position::At(at.into())));

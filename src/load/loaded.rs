@@ -7,7 +7,7 @@ use crate::file::{MotionFile, Source, check};
 use crate::kinematics::Kinematics;
 use crate::load::listing::Chosen;
 use crate::load::prepare::{Request, Start, prepare};
-use crate::mechanism::{Description, Instants, Mechanism, Suspension, Unit};
+use crate::mechanism::{Axes, Description, Instants, Mechanism, Suspension, Unit};
 
 /// A motion file that was read. Its mechanism is prepared when it is asked for.
 #[derive(Clone, Debug)]
@@ -125,6 +125,11 @@ impl Loaded<'_> {
     /// The unit of its lengths.
     pub fn unit(&self) -> Unit {
         self.file.unit
+    }
+
+    /// The axes of its coordinates.
+    pub fn axes(&self) -> Axes {
+        self.file.axes
     }
 
     /// The listing.

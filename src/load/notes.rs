@@ -76,7 +76,8 @@ fn kingpin(task: &Task<'_>, placed: &[Vector3<f64>]) -> Option<String> {
     let names = task.names;
     let [lower, upper] = names.kingpin?;
     let [from, to] = [lower, upper].map(|point| &names.points[point]);
-    (placed[upper].z < placed[lower].z).then(|| {
+    let upwards = task.file.axes.turned(placed[upper] - placed[lower]);
+    (upwards.z < 0.0).then(|| {
         format!("the kingpin points downwards; write `kingpin: {to} -> {from};` for caster and kingpin angle")
     })
 }

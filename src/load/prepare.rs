@@ -113,6 +113,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let description = Description {
         linkage: linkage.to_owned(),
         unit: file.unit,
+        axes: file.axes,
         origin: origin.position(),
         instants: instants.clone(),
         drives,

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use crate::mechanism::axes::Axes;
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::instants::Instants;
 use crate::mechanism::locking::Lock;
@@ -17,6 +18,8 @@ pub struct Description {
     pub names: Names,
     /// The unit of its lengths.
     pub unit: Unit,
+    /// The axes of its coordinates.
+    pub axes: Axes,
     /// What to add to a local position for the file's coordinates.
     pub origin: Vector3<f64>,
     /// The instants of its motion.

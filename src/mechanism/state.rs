@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::{Signal, Values};
 
+use crate::mechanism::axes::Axes;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
 
@@ -17,6 +18,8 @@ pub struct State {
     pub points: Signal<Vec<Vector3<f64>>>,
     /// What to add to a position for the file's coordinates.
     pub origin: Vector3<f64>,
+    /// The axes of all coordinates.
+    pub axes: Axes,
     /// What the linkage measures, in the file's coordinates, with its rates.
     pub measures: Signal<Vec<f64>>,
     /// Velocities of all points as the drive of travel moves them, the other drives held, with their derivatives
@@ -52,6 +55,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             drives: self.given_of(drives),
             points: self.listed(points),
             origin: self.origin,
+            axes: self.axes,
             measures,
             travel: None,
             steer: None,

@@ -12,17 +12,20 @@ mod view;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
+use crate::mechanism::Axes;
 use disc::rim;
 use labels::{Boxed, Labels, Segment};
 pub use start::drawing_of;
 pub use view::Seen;
 use view::View;
 
-/// What there is to draw. Points in axes of ISO 8855: x forward, y left, z up.
+/// What there is to draw.
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
     /// Names and positions.
     pub points: Vec<(String, [f64; 3])>,
+    /// The axes of all positions.
+    pub axes: Axes,
     /// How many of them, the first ones, are on the chassis.
     pub chassis: usize,
     /// Links: each joins two points, by their indices.
@@ -75,7 +78,7 @@ const FAINT: f64 = 0.25;
 impl Drawing {
     /// The drawing as an SVG document of a width and a height as shown; `None` where there are no points.
     pub fn svg(&self, seen: Seen, shown: (u32, u32)) -> Option<String> {
-        let view = View::around(&self.outline(), seen, shown, MARGIN)?;
+        let view = View::around(&self.outline(), self.axes, seen, shown, MARGIN)?;
         let mut text = String::new();
         let size = (shown.0 * FINE, shown.1 * FINE);
         let area = SVGBackend::with_string(&mut text, size).into_drawing_area();

@@ -20,7 +20,7 @@ pub struct Header {
     length: &'static str,
     angle: &'static str,
     time: &'static str,
-    axes: &'static str,
+    axes: String,
 }
 
 impl Header {
@@ -31,7 +31,7 @@ impl Header {
             length: mechanism.unit.symbol(),
             angle: "rad",
             time: "s",
-            axes: "ISO 8855: x forward, y left, z up",
+            axes: mechanism.axes.in_words(),
         }
     }
 }

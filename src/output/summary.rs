@@ -2,13 +2,21 @@
 
 use std::fmt::Write;
 
-use crate::mechanism::{Names, Unit};
+use crate::mechanism::{Description, Unit};
 use crate::number::fixed;
 use crate::output::record::Outcome;
 use crate::quantities::{Column, Shown, catalogue, columns};
 
 /// The catalogue's quantities at the kept instants, and the totals.
-pub fn text(linkage: &str, names: &Names, unit: Unit, outcome: &Outcome) -> String {
+pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
+    let Description {
+        linkage,
+        names,
+        unit,
+        axes,
+        ..
+    } = mechanism;
+    let unit = *unit;
     let kept = &outcome.kept;
     let columns = columns(catalogue(), names).into_iter();
     let columns: Vec<Column> = columns
@@ -16,7 +24,7 @@ pub fn text(linkage: &str, names: &Names, unit: Unit, outcome: &Outcome) -> Stri
         .collect();
     let headings: Vec<String> = columns.iter().map(|column| column.heading(unit)).collect();
     let width = |heading: &String| heading.len().max(9);
-    let mut out = format!("Linkage {linkage}\n\n");
+    let mut out = format!("Linkage {linkage}, axes of {}\n\n", axes.in_words());
     for heading in &headings {
         let _ = write!(out, "  {heading:>0$}", width(heading));
     }

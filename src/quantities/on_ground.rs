@@ -89,7 +89,8 @@ pub(super) fn of_moving_place(
     };
     components(None, Kind::Length, axes, move |reader| {
         let moving = reader.moving(along, rolling);
-        moving.map_or_else(|| Vector3::repeat(alone(f64::NAN)), place)
+        let place = moving.map_or_else(|| Vector3::repeat(alone(f64::NAN)), place);
+        reader.axes.turned(place)
     })
 }
 

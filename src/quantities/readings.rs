@@ -7,7 +7,7 @@ use crate::mechanism::Names;
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Axis, Reading};
 use crate::quantities::reader::Reader;
-use crate::quantities::wheel::{Number, at, from_to};
+use crate::quantities::wheel::{Number, at, from_to, origin};
 
 /// A number whose derivatives are not known.
 pub(super) fn alone(value: f64) -> Number {
@@ -83,13 +83,14 @@ pub(super) fn components(
     axes.iter().map(component).collect()
 }
 
-/// The coordinates of a place, by a formula of positions; in the file's coordinates.
+/// The coordinates of a place in the file's axes, by a formula of positions in local coordinates and the axes of
+/// ISO 8855.
 pub(super) fn place(
     name: Option<&str>,
     local: impl Fn(&Reader<'_>) -> Vector3<Number> + Clone + 'static,
 ) -> Vec<Reading> {
     components(name, Kind::Length, &Axis::ALL, move |state| {
-        local(state) + state.origin.map(Signal::still)
+        state.axes.turned(local(state) + origin(state))
     })
 }
 

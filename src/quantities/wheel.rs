@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 use suspension_core::Signal;
 use suspension_core::body::angular_velocity_and_rates;
-use suspension_core::signal::Number as _;
 use suspension_core::wheel::{Carrier, Heading, SteeringAxis, contact};
 
 use crate::mechanism::{State, WheelPoints};
@@ -11,16 +10,21 @@ use crate::mechanism::{State, WheelPoints};
 /// A number with its derivatives along the rates of a state.
 pub(super) type Number = Signal<f64>;
 
-/// A point in local coordinates.
+/// A point in local coordinates, in the axes of ISO 8855.
 pub(super) fn at(state: &State, point: usize) -> Vector3<Number> {
-    let of = |points: &Vec<Vector3<f64>>| points[point];
+    let of = |points: &Vec<Vector3<f64>>| state.axes.turned(points[point]);
     state.points.map(of).components()
 }
 
-/// From one point to another.
+/// From one point to another, in those axes.
 pub(super) fn from_to(state: &State, [from, to]: [usize; 2]) -> Vector3<Number> {
-    let between = |points: &Vec<Vector3<f64>>| points[to] - points[from];
+    let between = |points: &Vec<Vector3<f64>>| state.axes.turned(points[to] - points[from]);
     state.points.map(between).components()
+}
+
+/// The origin of local coordinates, in those axes.
+pub(super) fn origin(state: &State) -> Vector3<Number> {
+    state.axes.turned(state.origin).map(Signal::still)
 }
 
 /// The points of a wheel and its radius, NaN where the file has none.
@@ -30,7 +34,7 @@ pub(super) struct Rolling {
     pub(super) radius: f64,
 }
 
-/// A wheel in a state, in local coordinates.
+/// A wheel in a state, in local coordinates and the axes of ISO 8855.
 pub(super) struct Wheel {
     pub(super) centre: Vector3<Number>,
     pub(super) axis: Vector3<Number>,
@@ -57,7 +61,7 @@ pub(super) enum Along {
     Steer,
 }
 
-/// A carrier and its wheel as one drive moves them, in the file's coordinates.
+/// A carrier and its wheel as one drive moves them, in the axes of ISO 8855, from the file's origin.
 pub(super) struct Moving {
     pub(super) carrier: Carrier<Number>,
     pub(super) axis: Vector3<Number>,
@@ -77,13 +81,14 @@ impl Moving {
             Along::Travel => state.travel.as_ref()?,
             Along::Steer => state.steer.as_ref()?,
         };
-        let of_carrier = |all: &Vec<Vector3<f64>>| points.carrier.map(|point| all[point]);
+        let of = |all: &Vec<Vector3<f64>>, point: usize| state.axes.turned(all[point]);
+        let of_carrier = |all: &Vec<Vector3<f64>>| points.carrier.map(|point| of(all, point));
         let (places, rates) = (state.points.map(of_carrier), velocities.map(of_carrier));
         let omega = angular_velocity_and_rates(&places, &rates)?.components();
         let [first, _, _] = points.carrier;
-        let of_first = |all: &Vec<Vector3<f64>>| all[first];
+        let of_first = |all: &Vec<Vector3<f64>>| of(all, first);
         let to_centre = wheel.centre - at(state, first);
-        let origin = state.origin.map(Signal::still);
+        let origin = origin(state);
         Some(Self {
             contact: wheel.contact + origin,
             axis: wheel.axis,
@@ -110,12 +115,7 @@ impl Moving {
         let Carrier {
             velocity, omega, ..
         } = &self.carrier;
-        let pitch = omega.dot(velocity) / omega.dot(omega);
-        if omega.z.is_below_zero() {
-            -pitch
-        } else {
-            pitch
-        }
+        omega.dot(velocity) / omega.dot(omega)
     }
 
     /// Horizontal directions of the wheel.

@@ -91,6 +91,7 @@ impl Ordered<'_> {
             drive: names.drives[drive].name.clone(),
             drive_unit: unit.of_drive(names.drives[drive].kind),
             unit: unit.symbol(),
+            axes: self.mechanism.axes.meaning(),
             held: held.join(", "),
         })
     }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::assemblies::Tally;
 use crate::commands::check::condition::Condition;
-use crate::mechanism::{Names, Unit, from_design};
+use crate::mechanism::{Axes, Names, Unit, from_design};
 use crate::number::rounded;
 use crate::reach::{DriveRange, RangeEnd};
 
@@ -14,6 +14,7 @@ pub(super) struct Report<'a> {
     pub(super) linkage: &'a str,
     pub(super) names: &'a Names,
     pub(super) unit: Unit,
+    pub(super) axes: Axes,
     pub(super) design: &'a [f64],
     pub(super) condition: Condition,
     pub(super) ranges: Vec<DriveRange>,
@@ -57,7 +58,12 @@ impl Report<'_> {
         let notes: Vec<_> = notes.collect();
         lines.extend(if notes.is_empty() { none.into() } else { notes });
         let width = lines.iter().map(|(what, _)| what.len()).max().unwrap_or(0);
-        let mut out = format!("{}: {}, lengths in {symbol}\n\n", self.file, self.linkage);
+        let mut out = format!(
+            "{}: {}, lengths in {symbol}, axes of {}\n\n",
+            self.file,
+            self.linkage,
+            self.axes.in_words()
+        );
         for (what, text) in lines {
             // Writing into a string has no way to fail.
             let _ = writeln!(out, "{what:width$}  {text}");

@@ -1,8 +1,10 @@
 //! The points of a file in our axes, on the side that is wanted.
 
-use super::axes::Axes;
+use nalgebra::Vector3;
+
 use super::choice::Choice;
 use super::hardpoints::Side;
+use crate::mechanism::Axes;
 
 /// The points that the file has, in ISO 8855.
 #[derive(Debug)]
@@ -26,8 +28,13 @@ impl Corner {
         axes: Axes,
         wanted: Option<Side>,
     ) -> Result<Self, String> {
-        let at = choice.found.iter().map(|(_, point)| axes.to_iso(point.at));
-        let at: Vec<_> = at.collect();
+        let iso = |at: [f64; 3]| {
+            let turned = axes.turned(Vector3::from(at));
+            // A zero keeps no sign.
+            turned.map(|x| x + 0.0).into()
+        };
+        let at = choice.found.iter().map(|(_, point)| iso(point.at));
+        let at: Vec<[f64; 3]> = at.collect();
         let Some(centre) = choice.point("wheel_centre") else {
             return match wanted {
                 None => Ok(Self {
@@ -41,18 +48,19 @@ impl Corner {
                 )),
             };
         };
-        let [_, y, _] = axes.to_iso(centre.at);
+        let [_, y, _] = iso(centre.at);
         let is = if y < 0.0 { Side::Right } else { Side::Left };
         let named = centre.side.unwrap_or(is);
         if wanted.is_none() && named != is {
             return Err(format!(
-                "`{}` is on the {} by its name, and on the {} by y = {} in axes {}; say other --axes, or --side to have \
+                "`{}` is on the {} by its name, and on the {} by y = {} in axes {} ({}); say other --axes, or --side to have \
                  the corner mirrored to that side",
                 centre.name,
                 named.name(),
                 is.name(),
                 centre.at[1],
-                axes.in_words()
+                axes.name(),
+                axes.meaning()
             ));
         }
         let side = wanted.unwrap_or(is);

@@ -13,7 +13,7 @@ use super::orientation::Orientation;
 use super::stand_in::{Spin, number, stand_in};
 use crate::layouts::first_sentence;
 use crate::load;
-use crate::mechanism::Unit;
+use crate::mechanism::{Axes, Unit};
 use crate::number::rounded;
 
 /// What was found in a file.
@@ -71,6 +71,7 @@ impl Imported<'_> {
         let Self { choice, corner, .. } = self;
         let (unit, why_unit) = self.unit();
         let Orientation { axes, why, doubts } = self.orientation;
+        let axes = *axes;
         let mut remarks = vec![
             format!(
                 "the layout is {}: {}",
@@ -78,7 +79,12 @@ impl Imported<'_> {
                 first_sentence(choice.text)
             ),
             format!("lengths are in {}, {why_unit}", unit.symbol()),
-            format!("axes are {}, {why}; {}", axes.in_words(), axes.turned()),
+            format!(
+                "axes are {} ({}), {why}; {}",
+                axes.name(),
+                axes.meaning(),
+                changed(axes)
+            ),
         ];
         let doubts = doubts.iter();
         remarks.extend(doubts.map(|doubt| format!("that is doubtful, as {doubt}")));
@@ -241,4 +247,13 @@ impl<'a> Draft<'a> {
 fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
     // Writing into a string has no way to fail.
     let _ = writeln!(text, "{line}");
+}
+
+/// What was done to the coordinates, in words.
+fn changed(axes: Axes) -> &'static str {
+    match axes {
+        Axes::Iso => "coordinates are those of the file",
+        Axes::Adams => "x and y have changed their signs",
+        Axes::Sae => "y and z have changed their signs",
+    }
 }

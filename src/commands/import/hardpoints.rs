@@ -4,11 +4,10 @@ use std::ops::Range;
 
 use clap::ValueEnum;
 
-use super::axes::Axes;
 use super::names::spelled;
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::mechanism::Unit;
+use crate::mechanism::{Axes, Unit};
 
 /// A side of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,9 +1,9 @@
 //! Which axes a file has, by the order of its points.
 
-use super::axes::Axes;
 use super::choice::Choice;
 use super::hardpoints::{Hardpoint, Side};
 use super::names::Order;
+use crate::mechanism::Axes;
 
 /// What points say of an axis.
 struct Clue {

@@ -7,12 +7,11 @@
 
 use std::ops::Range;
 
-use super::axes::Axes;
 use super::hardpoints::{Hardpoints, Sides};
 use super::row::{Row, lines};
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::mechanism::Unit;
+use crate::mechanism::{Axes, Unit};
 
 const TEMPLATE: &str = "TEMP_SETTINGS";
 const SUSPENSIONS: [&str; 2] = ["FRONT SUSPENSION", "REAR SUSPENSION"];

@@ -1,12 +1,12 @@
 //! Subsystem files of Adams/Car: blocks of hardpoints, parameters and units.
 
-use super::axes::Axes;
 use super::hardpoints::Hardpoints;
 use super::names::{Names, spelled};
 use super::row::{Row, lines, unit};
 use super::table::add;
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::mechanism::Axes;
 
 /// Whether a text is such a file.
 pub(super) fn is_subsystem(text: &str) -> bool {

@@ -1,12 +1,11 @@
 //! Tables of points: a name and three numbers a line, headings and remarks among them.
 
-use super::axes::Axes;
 use super::hardpoints::{Hardpoints, key_of};
 use super::names::{Names, spelled};
 use super::row::{Row, lines, unit};
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::mechanism::Unit;
+use crate::mechanism::{Axes, Unit};
 
 /// Reads a table.
 ///

@@ -45,6 +45,7 @@ const FILE: &str = r#"The file:
                                      # listing = "corner.linkage", a file of statements beside this one, or
                                      # statements = '''...''' with the statements themselves
   unit = "m"                         # or "mm" or "in": of all lengths here, and of results; no conversion
+  axes = "ISO 8855"                  # or "Adams" or "SAE"; may be left out: of all coordinates here, and of results
   [points]                           # chassis points, free points and markers, each by name
   p1 = [-1.396, -0.025, -0.082]
   p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, off another point
@@ -78,7 +79,11 @@ the file's unit:
 "#;
 
 const EXIT_CODES: &str = r#"
-Axes: x forward, y left, z up. What a linkage lacks, a kingpin say, has no columns, nor has what the
+Axes, all right-handed: ISO 8855 x forward, y left, z up; Adams x rearward, y right, z up; SAE x forward, y right, z
+down. Points, offsets, coordinates and axes in statements (wheel_centre.z, angle(a -> b, z)), drives and measures among
+them, are in those of the file, and so are coordinates, velocities and derivatives per drive in results; angles and
+offsets of the wheel have the signs above in any. A layout of the catalogue has its points turned to the file's axes.
+The header of JSON, sheet, check and summary name the axes; a CSV file has no place for them. What a linkage lacks, a kingpin say, has no columns, nor has what the
 [vehicle] table leaves out.
 
 In examples/attia2003.toml the wheel centre, point 11, is an assumption: the paper prints no

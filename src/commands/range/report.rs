@@ -13,7 +13,11 @@ const DIGITS: usize = 13;
 
 /// What is known of each drive.
 pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
-    let mut out = format!("Linkage {}\n", mechanism.linkage);
+    let mut out = format!(
+        "Linkage {}, axes of {}\n",
+        mechanism.linkage,
+        mechanism.axes.in_words()
+    );
     let unit = mechanism.unit;
     for range in ranges {
         let in_words = |value| value_in_words(range.kind, unit, value, DIGITS);

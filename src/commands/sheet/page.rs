@@ -23,10 +23,15 @@ pub(super) struct Page<'a> {
 impl Page<'_> {
     /// The page as HTML.
     pub(super) fn html(&self) -> String {
-        let Description { linkage, unit, .. } = self.mechanism;
+        let Description {
+            linkage,
+            unit,
+            axes,
+            ..
+        } = self.mechanism;
         let body = html! {
             p {
-                "Motion file " code { (self.file) } ". Axes of ISO 8855: x forward, y left, z up; lengths in "
+                "Motion file " code { (self.file) } ". Axes of " (axes.in_words()) "; lengths in "
                 (unit.symbol()) ", angles in degrees. Angles and offsets of a wheel have the same sign on both sides of the vehicle."
             }
             div.drawings {

@@ -12,11 +12,14 @@ pub fn drawing_of(
     listing: &Listing,
     wheel_radius: Option<f64>,
 ) -> Drawing {
-    let Description { names, unit, .. } = &**mechanism;
+    let Description {
+        names, unit, axes, ..
+    } = &**mechanism;
     let radius = wheel_radius.or(names.vehicle.wheel_radius);
     let at = mechanism.points().into_iter().map(Into::into);
     Drawing {
         points: names.points.iter().cloned().zip(at).collect(),
+        axes: *axes,
         chassis: names.chassis,
         links: listing.links(),
         slides: listing.slides(),

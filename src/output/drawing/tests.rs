@@ -11,6 +11,7 @@ fn corner() -> Drawing {
     ];
     Drawing {
         points: points.map(|(name, at)| (name.to_owned(), at)).to_vec(),
+        axes: Axes::Iso,
         chassis: 2,
         links: vec![[0, 2], [1, 2]],
         slides: vec![[2, 3, 0]],

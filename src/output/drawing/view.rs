@@ -1,5 +1,9 @@
 //! From space to the sheet.
 
+use nalgebra::Vector3;
+
+use crate::mechanism::Axes;
+
 /// From where a mechanism is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
@@ -27,7 +31,7 @@ impl Seen {
         }
     }
 
-    /// What of space leads to the right of the sheet, and up; outboard is to the left (1) or to the right (-1).
+    /// What of space, in the axes of ISO 8855, leads to the right of the sheet, and up; outboard is to the left (1) or to the right (-1).
     fn directions(self, outboard: f64) -> [[f64; 3]; 2] {
         match self {
             Self::Oblique => {
@@ -59,15 +63,18 @@ const AZIMUTH: f64 = 28.0;
 const ELEVATION: f64 = 20.0;
 
 impl View {
-    /// Holds all points, with a margin; `None` where there are none.
+    /// Holds all points, which have these axes, with a margin; `None` where there are none.
     pub(super) fn around(
         points: &[[f64; 3]],
+        axes: Axes,
         seen: Seen,
         (width, height): (u32, u32),
         margin: f64,
     ) -> Option<Self> {
-        let left = points.iter().map(|at| at[1]).sum::<f64>();
-        let [across, up] = seen.directions(if left < 0.0 { -1.0 } else { 1.0 });
+        let [_, to_the_left, _] = axes.signs();
+        let left = to_the_left * points.iter().map(|at| at[1]).sum::<f64>();
+        let directions = seen.directions(if left < 0.0 { -1.0 } else { 1.0 });
+        let [across, up] = directions.map(|way| axes.turned(Vector3::from(way)).into());
         let view = Self {
             seen,
             across,
@@ -112,7 +119,7 @@ mod tests {
     fn up_is_up_and_outboard_is_on_the_right() {
         let points = [[0.0, 0.3, 0.1], [0.2, 0.7, 0.1], [0.0, 0.7, 0.5]];
         for seen in [Seen::Oblique, Seen::Front] {
-            let view = View::around(&points, seen, (100, 100), 10.0).expect("points");
+            let view = View::around(&points, Axes::Iso, seen, (100, 100), 10.0).expect("points");
             assert!(view.of(points[2])[1] < view.of(points[1])[1]);
             assert!(view.of(points[2])[0] > view.of(points[0])[0]);
             for at in points {

@@ -31,7 +31,7 @@ catalogue! {
     }
     POSITIONS: "free points" {
         name: "",
-        sign: "x forward, y left, z up",
+        sign: "in the axes of the file",
         definition: "the unknowns of the equations",
         source: "`free` of the listing",
         shown: Shown::InTables,
@@ -71,7 +71,7 @@ catalogue! {
     }
     MARKERS: "markers, with velocities and accelerations" {
         name: "",
-        sign: "x forward, y left, z up",
+        sign: "in the axes of the file",
         definition: "points carried by bodies",
         source: "`point` of the listing",
         shown: Shown::InTables,

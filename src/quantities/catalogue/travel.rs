@@ -25,7 +25,7 @@ catalogue! {
     }
     FRONT_CENTRE: "instant centre in the front view" {
         name: "front_centre",
-        sign: "y left, z up",
+        sign: "in the axes of the file",
         definition: "of the wheel's carrier in travel, in the plane x = constant through the wheel centre",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
@@ -46,7 +46,7 @@ catalogue! {
     }
     SIDE_CENTRE: "instant centre in the side view" {
         name: "side_centre",
-        sign: "x forward, z up",
+        sign: "in the axes of the file",
         definition: "of the wheel's carrier in travel, in the plane y = constant through the wheel centre",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,

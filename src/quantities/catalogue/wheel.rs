@@ -11,7 +11,7 @@ use crate::quantities::wheel::at;
 catalogue! {
     CENTRE: "wheel centre" {
         name: "centre",
-        sign: "x forward, y left, z up",
+        sign: "in the axes of the file",
         definition: "the last point of the spin axis",
         source: "`wheel` of the listing",
         shown: Shown::InSummaries,
@@ -21,7 +21,7 @@ catalogue! {
     }
     CONTACT: "contact point" {
         name: "contact",
-        sign: "x forward, y left, z up",
+        sign: "in the axes of the file",
         definition: "the lowest point of the circle of wheel_radius about the wheel centre, normal to the spin axis",
         source: "flat, level ground; `wheel_radius` of the motion file",
         shown: Shown::InTables,

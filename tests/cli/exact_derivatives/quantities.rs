@@ -222,14 +222,7 @@ fn of_steering(named: &mut Named, carrier: &Carrier<Number>, [inner, centre]: [V
                 screw.inboard_of(&ground, &heading),
             ),
             ("virtual_trail_m", screw.ahead_of(&ground, &heading)),
-            (
-                "virtual_pitch_m_rad",
-                if omega.z.is_below_zero() {
-                    -pitch
-                } else {
-                    pitch
-                },
-            ),
+            ("virtual_pitch_m_rad", pitch),
         ]
         .map(|(name, value)| (name.to_owned(), value)),
     );

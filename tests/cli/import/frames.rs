@@ -26,15 +26,15 @@ fn axes_are_told_by_the_order_of_points_and_named() {
     let folder = folder();
     for (axes, signs) in [
         (
-            "adams (x rearward, y right, z up), as x is -140 at `lca_front` and 150 at",
+            "Adams (x rearward, y right, z up), as x is -140 at `lca_front` and 150 at",
             [1.0, 1.0, 1.0],
         ),
         (
-            "iso (x forward, y left, z up), as x is 140 at `lca_front` and -150 at",
+            "ISO 8855 (x forward, y left, z up), as x is 140 at `lca_front` and -150 at",
             [-1.0, -1.0, 1.0],
         ),
         (
-            "sae (x forward, y right, z down), as x is 140 at `lca_front` and -150 at",
+            "SAE (x forward, y right, z down), as x is 140 at `lca_front` and -150 at",
             [-1.0, 1.0, -1.0],
         ),
     ] {

@@ -1,0 +1,68 @@
+//! Which way coordinates point.
+
+use std::ops::Neg;
+
+use clap::ValueEnum;
+use nalgebra::{Scalar, Vector3};
+use serde::Deserialize;
+
+/// Which way x, y and z point. All are right-handed, half a turn about an axis from each other.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, ValueEnum)]
+pub enum Axes {
+    /// ISO 8855: x forward, y left, z up.
+    #[default]
+    #[serde(rename = "ISO 8855")]
+    Iso,
+    /// Adams/Car and Lotus: x rearward, y right, z up.
+    Adams,
+    /// SAE J670: x forward, y right, z down.
+    #[serde(rename = "SAE")]
+    Sae,
+}
+
+impl Axes {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Iso, Self::Adams, Self::Sae];
+
+    /// Their name in motion files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Iso => "ISO 8855",
+            Self::Adams => "Adams",
+            Self::Sae => "SAE",
+        }
+    }
+
+    /// Where they point.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Iso => "x forward, y left, z up",
+            Self::Adams => "x rearward, y right, z up",
+            Self::Sae => "x forward, y right, z down",
+        }
+    }
+
+    /// Name and meaning.
+    pub fn in_words(self) -> String {
+        format!("{}: {}", self.name(), self.meaning())
+    }
+
+    /// By what coordinates are multiplied, from ISO 8855 and to it.
+    pub fn signs(self) -> [f64; 3] {
+        match self {
+            Self::Iso => [1.0, 1.0, 1.0],
+            Self::Adams => [-1.0, -1.0, 1.0],
+            Self::Sae => [1.0, -1.0, -1.0],
+        }
+    }
+
+    /// A vector turned from ISO 8855 to these axes, or from them to ISO 8855: both are the same half turn.
+    pub fn turned<N: Scalar + Neg<Output = N>>(self, vector: Vector3<N>) -> Vector3<N> {
+        let [x, y, z] = vector.into();
+        match self {
+            Self::Iso => Vector3::new(x, y, z),
+            Self::Adams => Vector3::new(-x, -y, z),
+            Self::Sae => Vector3::new(x, -y, -z),
+        }
+    }
+}

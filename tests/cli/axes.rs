@@ -1,0 +1,191 @@
+//! The axes that a motion file may have.
+
+use std::fmt::Write;
+
+use suspension_core::linkages::LISTINGS;
+use suspension_core::{Part, Parts};
+use suspension_runtime::Listing;
+
+use super::program::{Rows, folder, rows, run, text};
+
+/// What is multiplied with x, y and z, by the name of the axes.
+const AXES: [(&str, [f64; 3]); 3] = [
+    ("ISO 8855", [1.0, 1.0, 1.0]),
+    ("Adams", [-1.0, -1.0, 1.0]),
+    ("SAE", [1.0, -1.0, -1.0]),
+];
+
+/// Where the hardpoints are stated.
+#[derive(Clone, Copy, Debug)]
+enum Stated {
+    /// In the catalogue alone.
+    InCatalogue,
+    /// In the motion file, a marker off another point.
+    InFile,
+    /// In a listing of one's own.
+    InListing,
+}
+
+fn corner() -> &'static str {
+    let mut texts = LISTINGS.iter();
+    let found = texts.find(|(name, _)| *name == "double_wishbone_pushrod");
+    found.expect("a text").1
+}
+
+fn vector(at: [f64; 3], signs: [f64; 3]) -> String {
+    format!("{:?}", [0, 1, 2].map(|axis| at[axis] * signs[axis]))
+}
+
+/// Arms that are not parallel in the side view: the instant centre there is not far away.
+const UPPER_REAR: [f64; 3] = [-0.15, 0.42, 0.36];
+
+/// The points under their names in the motion file.
+fn points(signs: [f64; 3]) -> String {
+    let listing = Listing::parse(corner()).expect("a listing");
+    let mut points = String::new();
+    for (point, at) in listing.stated() {
+        let name = listing.name(Part::Point(point));
+        let at = match name {
+            "axle" => format!(
+                "{{ from = \"wheel_centre\", offset = {} }}",
+                vector([0.0, -0.1, 0.0], signs)
+            ),
+            "upper_rear" => continue,
+            _ => vector(at.into(), signs),
+        };
+        writeln!(points, "{name} = {at}").unwrap();
+    }
+    points
+}
+
+/// The listing with its points in other axes.
+fn turned(signs: [f64; 3]) -> String {
+    let mut pieces = corner().split("at [");
+    let mut out = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let (numbers, rest) = piece.split_once(']').expect("a bracket");
+        let numbers: Vec<f64> = numbers
+            .split(',')
+            .map(|x| x.trim().parse().unwrap())
+            .collect();
+        out += &format!("at {}{rest}", vector(numbers.try_into().unwrap(), signs));
+    }
+    out
+}
+
+fn file(axes: &str, signs: [f64; 3], stated: Stated) -> String {
+    let [_, y, z] = signs;
+    let (linkage, points) = match stated {
+        Stated::InCatalogue => ("linkage = \"double_wishbone_pushrod\"", String::new()),
+        Stated::InFile => ("linkage = \"double_wishbone_pushrod\"", points(signs)),
+        Stated::InListing => ("listing = \"a.linkage\"", String::new()),
+    };
+    format!(
+        "{linkage}\nunit = \"m\"\naxes = \"{axes}\"\nvehicle = {{ wheel_radius = 0.3 }}\n\
+         time = {{ instants = [0.0] }}\n[drives]\nbump = {:?}\nsteer = {:?}\n\
+         [points]\nupper_rear = {}\n{points}",
+        0.3 * z,
+        0.34 * y,
+        vector(UPPER_REAR, signs)
+    )
+}
+
+/// A sweep of the same travel and steering in any axes.
+fn swept((axes, signs): (&str, [f64; 3]), stated: Stated) -> Rows {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(path("a.toml"), file(axes, signs, stated)).expect("written");
+    std::fs::write(path("a.linkage"), turned(signs)).expect("written");
+    let [_, y, z] = signs;
+    let bump = format!("bump={:?}:{:?}:5", -0.06 * z, 0.06 * z);
+    let steer = format!("steer={:?}", 0.01 * y);
+    let arguments = [
+        "sweep", "a.toml", "--drive", &bump, "--drive", &steer, "--csv", "-",
+    ];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
+
+#[test]
+fn the_same_corner_is_the_same_in_any_axes() {
+    let expected = swept(AXES[0], Stated::InCatalogue);
+    for (axes, stated) in AXES.iter().flat_map(|axes| {
+        [Stated::InCatalogue, Stated::InFile, Stated::InListing].map(|stated| (*axes, stated))
+    }) {
+        let (_, signs) = axes;
+        let sign = |name: &str| match name.rsplit_once('_') {
+            Some((_, "x")) => signs[0],
+            Some((_, "y")) => signs[1],
+            Some((_, "z")) => signs[2],
+            _ => match name {
+                "bump_m" => signs[2],
+                "steer_m" => signs[1],
+                _ => 1.0,
+            },
+        };
+        for (row, expected) in swept(axes, stated).iter().zip(&expected) {
+            for (column, value) in expected {
+                let per = column.split_once("_per_");
+                let sign = match per {
+                    Some((name, "bump")) => sign(name) * signs[2],
+                    Some((name, _)) => sign(name) * signs[1],
+                    None => sign(column),
+                };
+                let off = (row[column] * sign - value).abs();
+                let bound = if per.is_none() { 1e-14 } else { 1e-12 };
+                assert!(
+                    off <= bound * value.abs().max(1.0),
+                    "{axes:?} {stated:?} {column}: {} {value}",
+                    row[column]
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn results_name_the_axes() {
+    let folder = folder();
+    let (axes, signs) = AXES[2];
+    let text_of = |stated| file(axes, signs, stated);
+    std::fs::write(folder.path().join("a.toml"), text_of(Stated::InCatalogue)).expect("written");
+    let told = "SAE: x forward, y right, z down";
+    for arguments in [
+        &["motion", "a.toml"][..],
+        &["motion", "a.toml", "--json", "-"],
+        &["check", "a.toml"],
+        &["range", "a.toml"],
+    ] {
+        let output = run(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        assert!(text(&output.stdout).contains(told), "{arguments:?}");
+    }
+    run(folder.path(), &["sheet", "a.toml"]);
+    let page = std::fs::read_to_string(folder.path().join("out/a_sheet.html")).expect("a page");
+    assert!(page.contains(told));
+}
+
+#[test]
+fn unknown_axes_are_refused_with_what_was_meant() {
+    let folder = folder();
+    let (_, signs) = AXES[1];
+    let text_of = |axes| file(axes, signs, Stated::InCatalogue);
+    std::fs::write(folder.path().join("a.toml"), text_of("adams")).expect("written");
+    std::fs::write(folder.path().join("b.toml"), text_of("Adams")).expect("written");
+    std::fs::write(folder.path().join("c.toml"), text_of("SAE")).expect("written");
+    for (arguments, expected) in [
+        (
+            &["motion", "a.toml"][..],
+            "a.toml:3:8: unknown variant `adams`, expected one of `ISO 8855`, `Adams`, `SAE`; did you mean `Adams`?",
+        ),
+        (
+            &["compare", "b.toml", "c.toml"],
+            "b.toml has axes = \"Adams\" and c.toml has axes = \"SAE\"; state both in the same axes",
+        ),
+    ] {
+        let output = run(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert_eq!(text(&output.stderr).trim_end(), expected);
+    }
+}
