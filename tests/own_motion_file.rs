@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::order::{Order, Ordered};
+use suspension::commands::bake::order::{Order, Ordered, Wished};
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::{Mechanism, State};
@@ -168,8 +168,10 @@ fn ranges_far_from_the_origin() {
 fn baked_far_from_the_origin() {
     let [here, there] = [[0.0; 3], AWAY].map(|away| {
         let order = Order {
-            drive: Some("bump".to_owned()),
-            range: [None, Some(0.25 + away[2])],
+            drives: vec![Wished {
+                drive: Some("bump".to_owned()),
+                range: [None, Some(0.25 + away[2])],
+            }],
             tolerance: 1e-6,
             continuity: Continuity::Velocity,
             wish: Wish::Wheel,

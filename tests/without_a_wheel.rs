@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::order::{Order, Ordered};
+use suspension::commands::bake::order::{Order, Ordered, Wished};
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::{Description, Mechanism};
@@ -49,8 +49,7 @@ fn mechanism() -> Mechanism<two_links::Model<f64>, 3> {
 
 fn order(wish: Wish) -> Order {
     Order {
-        drive: None,
-        range: [None, None],
+        drives: vec![Wished::default()],
         tolerance: 1e-6,
         continuity: Continuity::Velocity,
         wish,
