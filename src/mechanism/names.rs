@@ -3,7 +3,9 @@
 use nalgebra::Vector3;
 use serde::Deserialize;
 use suspension_core::listing::Kind;
-use suspension_core::{Build, DriveKind, Linkage, Listing, MeasureKind, Part, Parts, Values};
+use suspension_core::{
+    Build, DriveKind, Linkage, Listing, MeasureKind, Part, Parts, Values, WheelPlaces,
+};
 
 /// A linkage that this program can run.
 pub trait Suspension<const N: usize>:
@@ -242,5 +244,15 @@ impl Parts for Names {
 
     fn measure_kind(&self, measure: usize) -> MeasureKind {
         self.measures[measure].kind
+    }
+
+    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+        let only = self.wheel.filter(|_| wheel == 0)?;
+        Some(WheelPlaces {
+            name: "",
+            axis: only.axis,
+            carrier: only.carrier,
+            kingpin: self.kingpin,
+        })
     }
 }
