@@ -8,7 +8,7 @@ use suspension::commands::assemblies::listed::{self, list};
 use suspension::commands::bake::order::{Order, Ordered};
 use suspension::file::Source;
 use suspension::load::load_own;
-use suspension::mechanism::Mechanism;
+use suspension::mechanism::{Description, Mechanism};
 use suspension::output::figures::{draw, height_and_angles};
 use suspension::output::record::record;
 use suspension::output::rows::Forms;
@@ -79,12 +79,12 @@ fn its_motion_has_columns_of_points_alone() {
     );
     assert_eq!(table.lines().count(), 6);
     assert!(!table.contains("NaN"), "{table}");
-    let Mechanism {
+    let Description {
         linkage,
         names,
         unit,
         ..
-    } = &mechanism;
+    } = &*mechanism;
     let text = summary::text(linkage, names, *unit, &outcome);
     assert!(
         text.contains("height (m)") && !text.contains("camber"),

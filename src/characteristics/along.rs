@@ -6,9 +6,8 @@ use std::sync::atomic::AtomicBool;
 use suspension_core::DriveKind;
 
 use crate::failure::Failure;
-use crate::mechanism::{
-    From, Grid, Mechanism, Order, State, Suspension, Unit, Visited, evenly_spaced,
-};
+use crate::kinematics::Kinematics;
+use crate::mechanism::{From, Grid, Order, State, Unit, Visited, evenly_spaced};
 
 /// From where to where, from the design position, as `-0.06:0.06`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,14 +49,14 @@ const USUAL_ANGLE: f64 = 0.2;
 /// # Errors
 ///
 /// [`Failure::Input`] where no drive is known to move the wheel up and down.
-pub fn ways<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
+pub fn ways(
+    mechanism: &dyn Kinematics,
     file: &str,
     spans: [Option<Span>; 2],
     unit: Unit,
     interrupted: &AtomicBool,
 ) -> Result<Vec<Along>, Failure> {
-    let Mechanism { names, .. } = mechanism;
+    let names = &mechanism.names;
     if names.vehicle.travel.is_none() {
         let known = names.of_drives().join(", ");
         return Err(Failure::Input(format!(
@@ -80,8 +79,8 @@ pub fn ways<L: Suspension<N>, const N: usize>(
     Ok(ways.collect())
 }
 
-fn along<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
+fn along(
+    mechanism: &dyn Kinematics,
     drive: usize,
     span: [f64; 2],
     interrupted: &AtomicBool,

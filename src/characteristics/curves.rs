@@ -2,7 +2,7 @@
 
 use crate::characteristics::along::Along;
 use crate::characteristics::parameters::{columns, name, symbol_per};
-use crate::mechanism::{Mechanism, State, Suspension, Unit};
+use crate::mechanism::{Description, State, Unit};
 use crate::quantities::{
     Column, FRONT_ARM, FRONT_CENTRE, Kind, MEASURES, Quantity, SIDE_ARM, SIDE_CENTRE,
 };
@@ -46,11 +46,7 @@ impl Curves {
 }
 
 /// All quantities along a drive, with lengths in `unit`; of measures their derivatives too, which are motion ratios.
-pub fn curves<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
-    along: &Along,
-    unit: Unit,
-) -> Curves {
+pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     let drive = &mechanism.names.drives[along.drive];
     let kind = Kind::from(drive.kind);
     let values = |value: &dyn Fn(&State, &Option<State>) -> Option<f64>| -> Vec<Option<f64>> {

@@ -2,7 +2,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::mechanism::{From, Grid, Mechanism, Order, State, Suspension, Unit};
+use crate::kinematics::Kinematics;
+use crate::mechanism::{Description, From, Grid, Order, State, Unit};
 use crate::quantities::{
     self, Column, DRIVES, Kind, MARKERS, POSITIONS, Quantity, RESIDUAL, catalogue,
 };
@@ -30,7 +31,7 @@ pub struct Derivative {
 }
 
 /// The columns of a sheet.
-pub(super) fn columns<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Vec<Column> {
+pub(super) fn columns(mechanism: &Description) -> Vec<Column> {
     const LEFT_OUT: [&Quantity; 4] = [&DRIVES, &POSITIONS, &MARKERS, &RESIDUAL];
     let all = quantities::columns(catalogue(), &mechanism.names).into_iter();
     all.filter(|column| {
@@ -40,8 +41,8 @@ pub(super) fn columns<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Vec<Col
 }
 
 /// All that the mechanism has where it starts, with lengths in `unit`: a grid without a drive is that place alone.
-pub fn parameters<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
+pub fn parameters(
+    mechanism: &dyn Kinematics,
     unit: Unit,
     interrupted: &AtomicBool,
 ) -> Vec<Parameter> {

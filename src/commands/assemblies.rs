@@ -10,8 +10,9 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Mechanism, Suspension, Work};
+use crate::mechanism::Description;
 use crate::output::files::{announce, print, refuse_input};
 use crate::output::table::Table;
 use crate::output::target::Target;
@@ -49,60 +50,50 @@ impl Arguments {
         if let Some(Target::File(csv)) = &csv {
             refuse_input(csv, &self.file, "--csv")?;
         }
-        load(&source)?.run(Listing {
-            source: source.name(),
-            wish: Wish {
-                drive: self.drive,
-                at: self.at,
-            },
-            csv,
-            interrupted,
-        })
+        let loaded = load(&source)?;
+        let wish = Wish {
+            drive: self.drive,
+            at: self.at,
+        };
+        let mechanism = loaded.at_first_instant()?;
+        enumerate(&*mechanism, source.name(), &wish, csv.as_ref(), interrupted)
     }
 }
 
-struct Listing<'a> {
-    source: &'a str,
-    wish: Wish,
-    csv: Option<Target>,
-    interrupted: &'a AtomicBool,
-}
-
-impl Work for Listing<'_> {
-    type Answer = ();
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<(), Failure> {
-        let Mechanism { names, unit, .. } = mechanism;
-        let columns = || report::columns(names, *unit);
-        let table = self.csv.as_ref().map(|csv| Table::create(csv, columns()));
-        let mut table = table.transpose()?;
-        let report = Report::new(names, *unit);
-        let (source, wish) = (self.source, &self.wish);
-        let done = list(mechanism, source, wish, self.interrupted, &mut |listed| {
-            if self.csv != Some(Target::Stdout) {
-                print(&format!("{}\n", report.text(listed)))?;
-            }
-            let Some(table) = &mut table else {
-                return Ok(());
-            };
-            let mut assemblies = listed.assemblies.iter();
-            assemblies.try_for_each(|assembly| table.add(assembly))
-        });
-        if matches!(
-            done,
-            Ok(()) | Err(Failure::Interrupted(_) | Failure::Solver(_))
-        ) && let Some(table) = table
-        {
-            table.finish()?;
-            if let Some(Target::File(path)) = &self.csv {
-                announce(std::slice::from_ref(path));
-            }
+/// Prints or writes the assemblies as they are found.
+fn enumerate(
+    mechanism: &dyn Kinematics,
+    source: &str,
+    wish: &Wish,
+    csv: Option<&Target>,
+    interrupted: &AtomicBool,
+) -> Result<(), Failure> {
+    let Description { names, unit, .. } = &**mechanism;
+    let columns = || report::columns(names, *unit);
+    let table = csv.map(|csv| Table::create(csv, columns()));
+    let mut table = table.transpose()?;
+    let report = Report::new(names, *unit);
+    let done = list(mechanism, source, wish, interrupted, &mut |listed| {
+        if csv != Some(&Target::Stdout) {
+            print(&format!("{}\n", report.text(listed)))?;
         }
-        done
+        let Some(table) = &mut table else {
+            return Ok(());
+        };
+        let mut assemblies = listed.assemblies.iter();
+        assemblies.try_for_each(|assembly| table.add(assembly))
+    });
+    if matches!(
+        done,
+        Ok(()) | Err(Failure::Interrupted(_) | Failure::Solver(_))
+    ) && let Some(table) = table
+    {
+        table.finish()?;
+        if let Some(Target::File(path)) = csv {
+            announce(std::slice::from_ref(path));
+        }
     }
+    done
 }
 
 const NOTES: &str = "\

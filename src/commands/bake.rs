@@ -8,12 +8,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 
-use crate::bake::source::{Language, Sheet};
+use crate::bake::source::Language;
 use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::mechanism::{Mechanism, Suspension, Work};
 use crate::output::files::{refuse_input, write_file};
 use order::{Order, Ordered};
 
@@ -67,13 +66,13 @@ impl Arguments {
     /// See [`Failure`].
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let sheet = load(&source)?.run_driven(
-            "suspension bake",
-            Baking {
-                source: source.name(),
-                order: &self.order(),
-            },
-        )?;
+        let loaded = load(&source)?;
+        let ordered = Ordered {
+            file: source.name(),
+            mechanism: &*loaded.driven("suspension bake")?,
+            order: &self.order(),
+        };
+        let sheet = ordered.sheet()?;
         if interrupted.load(Ordering::Relaxed) {
             let name = source.name();
             return Err(Failure::Interrupted(format!(
@@ -110,28 +109,6 @@ impl Arguments {
                 Points::Wheel => Wish::Wheel,
             },
         }
-    }
-}
-
-struct Baking<'a> {
-    source: &'a str,
-    order: &'a Order,
-}
-
-impl Work for Baking<'_> {
-    type Answer = Sheet;
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<Sheet, Failure> {
-        let Self { source, order } = self;
-        Ordered {
-            file: source,
-            mechanism,
-            order,
-        }
-        .sheet()
     }
 }
 

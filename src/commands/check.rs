@@ -8,13 +8,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 
-use crate::assemblies::{Assemblies, Tally};
+use crate::assemblies::Tally;
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Mechanism, Suspension, Work};
 use crate::output::files::print;
-use crate::reach::{DriveRange, range};
+use crate::reach::DriveRange;
 use condition::Condition;
 use report::Report;
 
@@ -37,50 +37,40 @@ impl Arguments {
     /// See [`Failure`]. The report of a singular design is printed.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        load(&source)?.run_at_design(Check {
-            source: source.name(),
-            counts_assemblies: self.assemblies,
+        let loaded = load(&source)?;
+        self.check(
+            &*loaded.at_design_without_notes()?,
+            source.name(),
             interrupted,
-        })
+        )
     }
-}
 
-struct Check<'a> {
-    source: &'a str,
-    counts_assemblies: bool,
-    interrupted: &'a AtomicBool,
-}
-
-impl Work for Check<'_> {
-    type Answer = ();
-
-    const TELLS_NOTES: bool = true;
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
+    fn check(
+        &self,
+        mechanism: &dyn Kinematics,
+        name: &str,
+        interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let condition = Condition::of(mechanism);
         let is_singular = condition.is_singular();
         let ranges = if is_singular {
             Vec::new()
         } else {
-            self.ranges(mechanism)?
+            ranges(mechanism, interrupted)?
         };
         let report = Report {
-            file: self.source,
+            file: name,
             linkage: &mechanism.linkage,
             names: &mechanism.names,
             unit: mechanism.unit,
             design: &mechanism.design,
             condition,
             ranges,
-            tally: self.counts_assemblies.then(|| tally(mechanism)),
+            tally: self.assemblies.then(|| tally(mechanism)),
             notes: &mechanism.notes,
         };
         print(&report.text())?;
-        let name = self.source;
-        if self.interrupted.load(Ordering::Relaxed) {
+        if interrupted.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted(format!(
                 "{name}: interrupted; the search for locks is cut short"
             )));
@@ -94,24 +84,18 @@ impl Work for Check<'_> {
     }
 }
 
-impl Check<'_> {
-    fn ranges<L: Suspension<N>, const N: usize>(
-        &self,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<Vec<DriveRange>, Failure> {
-        let drives = 0..mechanism.names.drives.len();
-        let ranges = drives.map(|drive| range(mechanism, drive, self.interrupted));
-        ranges.collect()
-    }
+fn ranges(
+    mechanism: &dyn Kinematics,
+    interrupted: &AtomicBool,
+) -> Result<Vec<DriveRange>, Failure> {
+    let drives = 0..mechanism.names.drives.len();
+    let ranges = drives.map(|drive| mechanism.range(drive, interrupted));
+    ranges.collect()
 }
 
-fn tally<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> Tally {
-    let [first, _] = mechanism.instants.ends();
-    let inputs = mechanism.drives.inputs(first);
-    let position = &mechanism.start.position;
-    Assemblies::new(&mechanism.model, position, &inputs)
-        .at(&inputs)
-        .tally
+fn tally(mechanism: &dyn Kinematics) -> Tally {
+    let (_, tally) = mechanism.assemblies().at(&mechanism.first_drives());
+    tally
 }
 
 const NOTES: &str = "\

@@ -13,11 +13,11 @@ use clap::Args;
 use crate::characteristics::Span;
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::load::load;
+use crate::load::{Loaded, load};
 use crate::output::files::{announce, print, refuse_input, write_file};
 use crate::output::target::Target;
 use differences::Comparison;
-use side::{Side, Sided};
+use side::Side;
 
 /// What `suspension compare` is given.
 #[derive(Args, Clone, Debug)]
@@ -59,14 +59,12 @@ impl Arguments {
         }
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
         let (first, second) = (load(&a)?, load(&b)?);
-        let sided = |source| Sided {
-            source,
-            spans: [self.travel, self.steer],
-            unit: first.unit(),
-            interrupted,
+        let spans = [self.travel, self.steer];
+        let side = |source: &Source, loaded: &Loaded<'_>| {
+            let mechanism = loaded.at_design()?;
+            Side::of(&*mechanism, source, spans, first.unit(), interrupted)
         };
-        let a = first.run_at_design(sided(&a))?;
-        let b = second.run_at_design(sided(&b))?;
+        let (a, b) = (side(&a, &first)?, side(&b, &second)?);
         let comparison = Comparison::of([&a, &b]);
         if csv != Some(Target::Stdout) {
             print(&report::text([&a, &b], &comparison))?;

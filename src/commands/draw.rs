@@ -3,13 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::mechanism::{Mechanism, Suspension, Work};
-use crate::output::drawing::{Drawing, SIZE, Seen, drawing_of};
+use crate::output::drawing::{SIZE, Seen, drawing_of};
 use crate::output::files::{announce, refuse_input, write_file};
 
 /// What `suspension draw` is given.
@@ -46,30 +44,11 @@ impl Arguments {
         refuse_input(&out, &self.file, "--out")?;
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        let listing = loaded.listing();
-        let drawing = loaded.run(Drawn {
-            listing,
-            wheel_radius: self.wheel_radius,
-        })?;
+        let mechanism = loaded.at_first_instant()?;
+        let drawing = drawing_of(&*mechanism, loaded.listing(), self.wheel_radius);
         let nothing = || Failure::Solver(format!("{}: nothing to draw", source.name()));
         write_file(&out, &drawing.svg(Seen::Oblique, SIZE).ok_or_else(nothing)?)?;
         announce(&[out]);
         Ok(())
-    }
-}
-
-struct Drawn<'a> {
-    listing: &'a Listing,
-    wheel_radius: Option<f64>,
-}
-
-impl Work for Drawn<'_> {
-    type Answer = Drawing;
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<Drawing, Failure> {
-        Ok(drawing_of(mechanism, self.listing, self.wheel_radius))
     }
 }

@@ -21,7 +21,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::mechanism::{Mechanism, Suspension, Unit, Work};
+use crate::mechanism::{self, Unit};
 use crate::output::files::{announce, print, refuse_input, write_file};
 use axes::Axes;
 use choice::choose;
@@ -113,32 +113,22 @@ impl Arguments {
         }
         // The drives' values at the design position are those of the mechanism.
         let unmoved = Source::new(out, draft.text(&vec![0.0; draft.drives()]));
-        let drives = load(&unmoved)?.run_at_design(DesignDrives)?;
-        Ok(draft.text(&drives))
+        let loaded = load(&unmoved)?;
+        let mechanism = loaded.at_design()?;
+        note_spin_axis(&mechanism.names);
+        Ok(draft.text(&mechanism.design))
     }
 }
 
-struct DesignDrives;
-
-impl Work for DesignDrives {
-    type Answer = Vec<f64>;
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<Vec<f64>, Failure> {
-        let names = &mechanism.names;
-        if let Some([inner, centre]) = names.wheel.map(|wheel| wheel.axis)
-            && inner < names.chassis + names.free
-        {
-            let [inner, centre] = [inner, centre].map(|point| &names.points[point]);
-            eprintln!(
-                "note: camber and toe are those of the line from {inner} to {centre} in this layout"
-            );
-        }
-        let [first, _] = mechanism.instants.ends();
-        let local = mechanism.drives.inputs::<L::Drives>(first).drives.value;
-        Ok(mechanism.given(&local))
+/// Says which line stands in for the spin axis where that is of two points of the hardpoint file.
+fn note_spin_axis(names: &mechanism::Names) {
+    if let Some([inner, centre]) = names.wheel.map(|wheel| wheel.axis)
+        && inner < names.chassis + names.free
+    {
+        let [inner, centre] = [inner, centre].map(|point| &names.points[point]);
+        eprintln!(
+            "note: camber and toe are those of the line from {inner} to {centre} in this layout"
+        );
     }
 }
 

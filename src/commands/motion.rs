@@ -9,8 +9,9 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Mechanism, Suspension, Work};
+use crate::mechanism::Description;
 use crate::output::figures::{draw, height_and_angles, path};
 use crate::output::files::{announce, print, refuse_plot};
 use crate::output::record::record;
@@ -54,34 +55,27 @@ impl Arguments {
         };
         forms.check(&self.file)?;
         let loaded = load(&source)?;
-        loaded.run(Motion {
-            source: source.name(),
-            arguments: self,
-            forms,
-            interrupted,
-        })
+        let mechanism = loaded.at_first_instant()?;
+        self.solve(&*mechanism, source.name(), &forms, interrupted)
     }
-}
 
-struct Motion<'a> {
-    source: &'a str,
-    arguments: Arguments,
-    forms: Forms,
-    interrupted: &'a AtomicBool,
-}
-
-impl Work for Motion<'_> {
-    type Answer = ();
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
+    fn solve(
+        &self,
+        mechanism: &dyn Kinematics,
+        source: &str,
+        forms: &Forms,
+        interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let Self { forms, .. } = &self;
-        let Arguments { file, plots, .. } = &self.arguments;
+        let Description {
+            linkage,
+            names,
+            unit,
+            instants,
+            ..
+        } = &**mechanism;
+        let Self { file, plots, .. } = self;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         if let Some(folder) = plots {
-            let Mechanism { names, unit, .. } = mechanism;
             let charts = height_and_angles(names, *unit, [&[], &[]]);
             let plots = charts.iter().map(|(name, _)| path(folder, &stem, name));
             let plots: Vec<PathBuf> = plots.collect();
@@ -89,13 +83,7 @@ impl Work for Motion<'_> {
                 refuse_plot(table, option, &plots)?;
             }
         }
-        let outcome = record(
-            mechanism,
-            &mechanism.instants,
-            forms,
-            KEPT,
-            self.interrupted,
-        )?;
+        let outcome = record(mechanism, instants, forms, KEPT, interrupted)?;
         let mut written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
         if let Some(folder) = plots {
             written.extend(draw(
@@ -106,15 +94,9 @@ impl Work for Motion<'_> {
             )?);
         }
         if forms.is_empty() && plots.is_none() {
-            let Mechanism {
-                linkage,
-                names,
-                unit,
-                ..
-            } = mechanism;
             print(&summary::text(linkage, names, *unit, &outcome))?;
         }
         announce(&written);
-        outcome.failure(self.source, forms).map_or(Ok(()), Err)
+        outcome.failure(source, forms).map_or(Ok(()), Err)
     }
 }

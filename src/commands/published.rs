@@ -12,7 +12,6 @@ use std::sync::atomic::AtomicBool;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::mechanism::{Mechanism, Suspension, Work};
 use crate::output::figures::draw;
 use crate::output::files::{announce, print};
 use crate::output::record::record;
@@ -38,48 +37,35 @@ const WRITTEN: (&str, &str) = ("out", "attia2003");
 /// Where a result cannot be written, or the user interrupts.
 pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
     let (name, text) = BUILT_IN;
-    load(&Source::new(name, text))?.run(Published { interrupted })
-}
-
-struct Published<'a> {
-    interrupted: &'a AtomicBool,
-}
-
-impl Work for Published<'_> {
-    type Answer = ();
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<(), Failure> {
-        let (folder, stem) = WRITTEN;
-        let csv = PathBuf::from(format!("{folder}/{stem}.csv"));
-        let forms = Forms {
-            csv: Some(Target::File(csv.clone())),
-            json: None,
-        };
-        let instants = &mechanism.instants;
-        let keep = instants.count();
-        let outcome = record(mechanism, instants, &forms, keep, self.interrupted)?;
-        let (name, _) = BUILT_IN;
-        if let Some(failure) = outcome.failure(name, &forms) {
-            return Err(failure);
-        }
-        let mut written = vec![csv];
-        let files = (Path::new(folder), stem);
-        written.extend(draw(mechanism, &outcome, files, figures::charts)?);
-        let paper = Paper::built_in();
-        let mut report = comparison::text(&paper, &mechanism.names, &outcome.kept);
-        report.push_str(&figures::text(&mechanism.names, &outcome.kept));
-        report.push('\n');
-        report.push_str(&summary::totals(&outcome, mechanism.unit));
-        if let Some(timing) = timing::time_a_step(mechanism) {
-            report.push_str(&in_words(&timing));
-        }
-        print(&report)?;
-        announce(&written);
-        Ok(())
+    let source = Source::new(name, text);
+    let loaded = load(&source)?;
+    let mechanism = &*loaded.at_first_instant()?;
+    let (folder, stem) = WRITTEN;
+    let csv = PathBuf::from(format!("{folder}/{stem}.csv"));
+    let forms = Forms {
+        csv: Some(Target::File(csv.clone())),
+        json: None,
+    };
+    let instants = &mechanism.instants;
+    let keep = instants.count();
+    let outcome = record(mechanism, instants, &forms, keep, interrupted)?;
+    if let Some(failure) = outcome.failure(name, &forms) {
+        return Err(failure);
     }
+    let mut written = vec![csv];
+    let files = (Path::new(folder), stem);
+    written.extend(draw(mechanism, &outcome, files, figures::charts)?);
+    let paper = Paper::built_in();
+    let mut report = comparison::text(&paper, &mechanism.names, &outcome.kept);
+    report.push_str(&figures::text(&mechanism.names, &outcome.kept));
+    report.push('\n');
+    report.push_str(&summary::totals(&outcome, mechanism.unit));
+    if let Some(timing) = timing::time_a_step(mechanism) {
+        report.push_str(&in_words(&timing));
+    }
+    print(&report)?;
+    announce(&written);
+    Ok(())
 }
 
 fn in_words(timing: &Timing) -> String {

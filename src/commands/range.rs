@@ -11,13 +11,14 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Mechanism, Names, Suspension, Unit, Work};
+use crate::mechanism::{Description, Names, Unit};
 use crate::output::figures::path;
 use crate::output::files::{announce, print, refuse_input, refuse_plot, write_file};
 use crate::output::table::Table;
 use crate::output::target::Target;
-use crate::reach::{DriveRange, range};
+use crate::reach::DriveRange;
 
 /// What `suspension range` is given.
 #[derive(Args, Clone, Debug)]
@@ -46,11 +47,8 @@ impl Arguments {
         if let Some(Target::File(csv)) = &csv {
             refuse_input(csv, &self.file, "--csv")?;
         }
-        load(&source)?.run_within_reach(Ranges {
-            arguments: &self,
-            csv,
-            interrupted,
-        })?;
+        let loaded = load(&source)?;
+        self.ranges(&*loaded.within_reach()?, csv.as_ref(), interrupted)?;
         if interrupted.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted(format!(
                 "{}: interrupted; the curves are cut short",
@@ -59,35 +57,27 @@ impl Arguments {
         }
         Ok(())
     }
-}
 
-struct Ranges<'a> {
-    arguments: &'a Arguments,
-    csv: Option<Target>,
-    interrupted: &'a AtomicBool,
-}
-
-impl Work for Ranges<'_> {
-    type Answer = ();
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
+    fn ranges(
+        &self,
+        mechanism: &dyn Kinematics,
+        csv: Option<&Target>,
+        interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let Mechanism { names, unit, .. } = mechanism;
-        let Arguments { file, plots, .. } = self.arguments;
+        let Description { names, unit, .. } = &**mechanism;
+        let Self { file, plots, .. } = self;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         let plot = |folder: &PathBuf, drive: &str| path(folder, &stem, &format!("range_{drive}"));
-        if let (Some(Target::File(csv)), Some(folder)) = (&self.csv, plots) {
+        if let (Some(Target::File(csv)), Some(folder)) = (csv, plots) {
             let drives = names.drives.iter();
             let plots: Vec<_> = drives.map(|drive| plot(folder, &drive.name)).collect();
             refuse_plot(csv, "--csv", &plots)?;
         }
         let drives = 0..names.drives.len();
-        let ranges = drives.map(|index| range(mechanism, index, self.interrupted));
+        let ranges = drives.map(|index| mechanism.range(index, interrupted));
         let ranges = ranges.collect::<Result<Vec<_>, _>>()?;
         let mut written = Vec::new();
-        if let Some(target) = &self.csv {
+        if let Some(target) = csv {
             table(names, *unit, &ranges, target)?;
             if let Target::File(path) = target {
                 written.push(path.clone());
@@ -103,7 +93,7 @@ impl Work for Ranges<'_> {
                 }
             }
         }
-        if self.csv.as_ref() != Some(&Target::Stdout) {
+        if csv != Some(&Target::Stdout) {
             print(&report::text(mechanism, &ranges))?;
         }
         announce(&written);

@@ -11,8 +11,9 @@ use suspension_runtime::Listing;
 use crate::characteristics::{Along, Span, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::load::load;
-use crate::mechanism::{Mechanism, State, Suspension, Work};
+use crate::kinematics::Kinematics;
+use crate::load::{Loaded, load};
+use crate::mechanism::State;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::{announce, refuse_input, write_file};
 use page::Page;
@@ -47,47 +48,35 @@ impl Arguments {
         refuse_input(&out, &self.file, "--out")?;
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        let (page, missing) = loaded.run_at_design(Sheet {
-            source: &source,
-            listing: loaded.listing(),
-            arguments: &self,
-            interrupted,
-        })?;
+        let mechanism = loaded.at_design()?;
+        let (page, missing) = self.page(&*mechanism, &loaded, source.name(), interrupted)?;
         write_file(&out, &page)?;
         announce(&[out]);
         missing.map_or(Ok(()), Err)
     }
-}
 
-struct Sheet<'a> {
-    source: &'a Source,
-    listing: &'a Listing,
-    arguments: &'a Arguments,
-    interrupted: &'a AtomicBool,
-}
-
-impl Work for Sheet<'_> {
     /// The page, and what could not be solved.
-    type Answer = (String, Option<Failure>);
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<Self::Answer, Failure> {
-        let Arguments { travel, steer, .. } = self.arguments;
-        let (name, unit) = (self.source.name(), mechanism.unit);
-        let ways = ways(mechanism, name, [*travel, *steer], unit, self.interrupted)?;
+    fn page(
+        &self,
+        mechanism: &dyn Kinematics,
+        loaded: &Loaded<'_>,
+        name: &str,
+        interrupted: &AtomicBool,
+    ) -> Result<(String, Option<Failure>), Failure> {
+        let unit = mechanism.unit;
+        let spans = [self.travel, self.steer];
+        let ways = ways(mechanism, name, spans, unit, interrupted)?;
         let failures = ways.iter().filter_map(|along| along.visited.failure(name));
         let failures: Vec<Failure> = failures.collect();
         let page = Page {
             file: name,
             mechanism,
-            drawings: self.drawings(mechanism, &ways),
+            drawings: drawings(mechanism, loaded.listing(), &ways),
             drives: mechanism
                 .names
                 .drives_in_words(&mechanism.design, unit, None),
             missing: failures.iter().map(Failure::to_string).collect(),
-            parameters: parameters(mechanism, unit, self.interrupted),
+            parameters: parameters(mechanism, unit, interrupted),
             curves: ways
                 .iter()
                 .map(|along| curves(mechanism, along, unit))
@@ -100,28 +89,22 @@ impl Work for Sheet<'_> {
 /// Width and height of a drawing as shown.
 const DRAWING: (u32, u32) = (620, 480);
 
-impl Sheet<'_> {
-    /// The mechanism from all sides, and faintly where travel ends.
-    fn drawings<L: Suspension<N>, const N: usize>(
-        &self,
-        mechanism: &Mechanism<L, N>,
-        ways: &[Along],
-    ) -> Vec<String> {
-        let travel = ways.iter().take(1);
-        let reached = travel.flat_map(|along| along.visited.places.iter().flatten());
-        let states: Vec<&State> = reached.map(|(state, _)| state).collect();
-        let ends = [states.first(), states.last()].into_iter().flatten();
-        let points = |state: &&State| {
-            let points = 0..state.points.value.len();
-            points.map(|point| state.position(point).into()).collect()
-        };
-        let drawing = Drawing {
-            others: ends.map(points).collect(),
-            ..drawing_of(mechanism, self.listing, None)
-        };
-        let seen = Seen::ALL.into_iter();
-        seen.filter_map(|seen| drawing.svg(seen, DRAWING)).collect()
-    }
+/// The mechanism from all sides, and faintly where travel ends.
+fn drawings(mechanism: &dyn Kinematics, listing: &Listing, ways: &[Along]) -> Vec<String> {
+    let travel = ways.iter().take(1);
+    let reached = travel.flat_map(|along| along.visited.places.iter().flatten());
+    let states: Vec<&State> = reached.map(|(state, _)| state).collect();
+    let ends = [states.first(), states.last()].into_iter().flatten();
+    let points = |state: &&State| {
+        let points = 0..state.points.value.len();
+        points.map(|point| state.position(point).into()).collect()
+    };
+    let drawing = Drawing {
+        others: ends.map(points).collect(),
+        ..drawing_of(mechanism, listing, None)
+    };
+    let seen = Seen::ALL.into_iter();
+    seen.filter_map(|seen| drawing.svg(seen, DRAWING)).collect()
 }
 
 const NOTES: &str = "\

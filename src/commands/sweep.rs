@@ -10,8 +10,9 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Mechanism, Order, Suspension, Work};
+use crate::mechanism::Order;
 use crate::output::files::announce;
 use crate::output::progress::Progress;
 use crate::output::rows::Forms;
@@ -63,50 +64,32 @@ impl Arguments {
             json,
         };
         forms.check(&self.file)?;
-        load(&source)?.run_at_design(Sweep {
-            source: source.name(),
-            arguments: &self,
-            forms,
-            interrupted,
-        })
+        let loaded = load(&source)?;
+        self.sweep(&*loaded.at_design()?, source.name(), &forms, interrupted)
     }
-}
 
-struct Sweep<'a> {
-    source: &'a str,
-    arguments: &'a Arguments,
-    forms: Forms,
-    interrupted: &'a AtomicBool,
-}
-
-impl Work for Sweep<'_> {
-    type Answer = ();
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
+    fn sweep(
+        &self,
+        mechanism: &dyn Kinematics,
+        source: &str,
+        forms: &Forms,
+        interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let Arguments {
-            drives,
-            absolute,
-            derivatives,
-            ..
-        } = self.arguments;
-        let grid = grid(mechanism, drives, *absolute).map_err(Failure::Input)?;
-        let columns = table::columns(&mechanism.names, *derivatives);
+        let grid = grid(mechanism, &self.drives, self.absolute).map_err(Failure::Input)?;
+        let columns = table::columns(&mechanism.names, self.derivatives);
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
-        let order = match derivatives {
+        let order = match self.derivatives {
             2 => Order::Second,
             _ => Order::First,
         };
-        let visited = mechanism.visit(&grid, order, self.interrupted, &mut |state, per| {
+        let visited = mechanism.visit(&grid, order, interrupted, &mut |state, per| {
             progress.step();
             columns.row(state, per)
         });
-        table::write(mechanism, &columns, &visited.places, &self.forms)?;
-        let written: Vec<PathBuf> = self.forms.files().map(|(path, _)| path.clone()).collect();
+        table::write(mechanism, &columns, &visited.places, forms)?;
+        let written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
         announce(&written);
-        visited.failure(self.source).map_or(Ok(()), Err)
+        visited.failure(source).map_or(Ok(()), Err)
     }
 }
 

@@ -1,12 +1,12 @@
 //! The design position: where the mechanism is assembled and its markers are attached.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::{Linkage, LocalOrigin, Newton, Values, assemble};
+use suspension_core::{Kind, Linkage, LocalOrigin, Newton, Values, assemble};
 
 use crate::failure::Failure;
 use crate::file::{Offset, Position};
 use crate::load::task::Task;
-use crate::mechanism::{DriveLaws, Suspension, given};
+use crate::mechanism::{DriveLaws, Suspension};
 
 /// The configuration in which markers are attached.
 pub(super) struct Design<L: Linkage<N>, const N: usize> {
@@ -125,4 +125,16 @@ fn check_spin_axis<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> Resu
         "point `{name}` gives the spin axis no length; put it outboard of the axis' other point"
     );
     Err(task.source.refuse(&place, message))
+}
+
+/// The drives' values in the file's coordinates, from local ones.
+fn given<L: Suspension<N>, const N: usize>(
+    origin: &LocalOrigin<f64>,
+    model: &L,
+    local: &L::Drives,
+) -> Vec<f64> {
+    let offsets = origin.of_drives(model);
+    let each = local.values().zip(offsets.values());
+    let each = each.take(model.count(Kind::Drive));
+    each.map(|(local, offset)| local + offset).collect()
 }

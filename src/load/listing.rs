@@ -11,9 +11,10 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source};
+use crate::kinematics::Kinematics;
 use crate::layouts;
 use crate::load::prepare::{Request, prepare};
-use crate::mechanism::{Mechanism, Unit, Work};
+use crate::mechanism::{Mechanism, Unit};
 
 /// The listing of a motion file.
 #[derive(Clone, Debug)]
@@ -45,42 +46,36 @@ impl Chosen {
         Ok(Self { name, listing })
     }
 
-    /// Does the work on the mechanism.
-    pub(super) fn run<W: Work>(&self, request: Request<'_>, work: W) -> Result<W::Answer, Failure> {
+    /// The mechanism.
+    pub(super) fn kinematics(
+        &self,
+        request: Request<'_>,
+    ) -> Result<Box<dyn Kinematics + '_>, Failure> {
         self.listing.in_its_size(Walked {
             request,
-            name: &self.name,
-            work,
+            chosen: self,
         })
     }
 }
 
-/// Work on the mechanism of a listing that is walked.
-struct Walked<'a, W> {
+/// Prepares a listing that is walked.
+struct Walked<'a, 'c> {
     request: Request<'a>,
-    name: &'a str,
-    work: W,
+    chosen: &'c Chosen,
 }
 
-impl<W: Work> suspension_runtime::Work for Walked<'_, W> {
-    type Answer = Result<W::Answer, Failure>;
+impl<'c> suspension_runtime::Work for Walked<'_, 'c> {
+    type Answer = Result<Box<dyn Kinematics + 'c>, Failure>;
 
-    fn on<const N: usize>(self, listing: Fitted<'_, N>) -> Self::Answer
+    fn on<const N: usize>(self, _: Fitted<'_, N>) -> Self::Answer
     where
         Room<N>: Size,
     {
-        let Self {
-            request,
-            name,
-            work,
-        } = self;
-        let mechanism: Mechanism<Model<'_, f64, N>, N> = prepare(request, name, listing)?;
-        if !W::TELLS_NOTES {
-            for note in &mechanism.notes {
-                eprintln!("note: {note}");
-            }
-        }
-        work.on(&mechanism)
+        let Chosen { name, listing } = self.chosen;
+        let too_large = || Failure::Input(format!("`{name}` is too large"));
+        let listing = listing.fitted::<N>().ok_or_else(too_large)?;
+        let mechanism: Mechanism<Model<'c, f64, N>, N> = prepare(self.request, name, listing)?;
+        Ok(Box::new(mechanism))
     }
 }
 

@@ -1,14 +1,15 @@
-//! A motion file that was read, and work on the mechanism that it describes.
+//! A motion file that was read, and the mechanism that it describes.
 
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, check};
+use crate::kinematics::Kinematics;
 use crate::load::listing::Chosen;
 use crate::load::prepare::{Request, Start, prepare};
-use crate::mechanism::{Instants, Mechanism, Suspension, Unit, Work};
+use crate::mechanism::{Description, Instants, Mechanism, Suspension, Unit};
 
-/// A motion file that was read. Its mechanism is brought to the first instant when there is work on it.
+/// A motion file that was read. Its mechanism is prepared when it is asked for.
 #[derive(Clone, Debug)]
 pub struct Loaded<'a> {
     source: &'a Source,
@@ -146,65 +147,59 @@ impl Loaded<'_> {
     where
         L: Suspension<N, Listing: Default>,
     {
-        prepare(self.request(), self.linkage(), L::Listing::default())
+        prepare(
+            self.request(Start::FirstInstant),
+            self.linkage(),
+            L::Listing::default(),
+        )
     }
 
-    /// Brings the mechanism to the first instant and does the work on it.
+    /// The mechanism at the first instant. Notes on the file go to standard error.
     ///
     /// # Errors
     ///
-    /// Those of [`mechanism`](Self::mechanism) and of the work.
-    pub fn run<W: Work>(&self, work: W) -> Result<W::Answer, Failure> {
-        self.listing.run(self.request(), work)
+    /// Those of [`mechanism`](Self::mechanism).
+    pub fn at_first_instant(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        self.noted(Start::FirstInstant)
     }
 
     /// The same for a command that has an answer where the first instant is out of reach too: the mechanism then
-    /// stays at its design position, and a note on standard error says so.
+    /// stays at its design position, and a note says so.
     ///
     /// # Errors
     ///
-    /// Those of [`run`](Self::run).
-    pub fn run_within_reach<W: Work>(&self, work: W) -> Result<W::Answer, Failure> {
-        let request = Request {
-            to: Start::WithinReach,
-            ..self.request()
-        };
-        self.listing.run(request, work)
+    /// Those of [`at_first_instant`](Self::at_first_instant), but for the way there.
+    pub fn within_reach(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        self.noted(Start::WithinReach)
     }
 
     /// The same for a command that works from the design position, whatever the file's motion.
     ///
     /// # Errors
     ///
-    /// Those of [`run`](Self::run), but for the first instant.
-    pub fn run_at_design<W: Work>(&self, work: W) -> Result<W::Answer, Failure> {
-        let request = Request {
-            to: Start::Design,
-            ..self.request()
-        };
-        self.listing.run(request, work)
+    /// Those of [`within_reach`](Self::within_reach).
+    pub fn at_design(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        self.noted(Start::Design)
     }
 
-    fn request(&self) -> Request<'_> {
-        Request {
-            source: self.source,
-            file: &self.file,
-            instants: &self.instants,
-            to: Start::FirstInstant,
-        }
-    }
-
-    /// The same for a command whose motion drives must lead.
+    /// The same for a command that tells the mechanism's notes itself.
     ///
     /// # Errors
     ///
-    /// Those of [`run`](Self::run), and [`Failure::Input`] where a measure stands in for a drive.
-    pub fn run_driven<W: Work>(&self, command: &str, work: W) -> Result<W::Answer, Failure> {
-        self.run(Driven {
-            loaded: self,
-            command,
-            work,
-        })
+    /// Those of [`at_design`](Self::at_design).
+    pub fn at_design_without_notes(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        self.listing.kinematics(self.request(Start::Design))
+    }
+
+    /// The mechanism at the first instant, for a command whose motion drives must lead.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`at_first_instant`](Self::at_first_instant), and [`Failure::Input`] where a measure stands in for a drive.
+    pub fn driven(&self, command: &str) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        let mechanism = self.at_first_instant()?;
+        self.check_driven(command, &mechanism)?;
+        Ok(mechanism)
     }
 
     /// Whether drives lead the motion, as a command needs it.
@@ -212,39 +207,33 @@ impl Loaded<'_> {
     /// # Errors
     ///
     /// [`Failure::Input`] where a measure stands in for a drive.
-    pub fn check_driven<L, const N: usize>(
-        &self,
-        command: &str,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<(), Failure> {
-        let Some(lead) = &mechanism.lead else {
+    pub fn check_driven(&self, command: &str, mechanism: &Description) -> Result<(), Failure> {
+        let Some(measure) = mechanism.led_by else {
             return Ok(());
         };
         let table = &self.file.drives;
-        let measure = &mechanism.names.measures[lead.measure].name;
+        let measure = &mechanism.names.measures[measure].name;
         let stated = table.get_ref().get_key_value(measure.as_str());
         let place = stated.map_or_else(|| table.span(), |(key, _)| key.span());
         let message =
             format!("`{measure}` is a measure; {command} needs a motion that drives lead");
         Err(self.source.refuse(&place, message))
     }
-}
 
-/// Work on a mechanism that its drives lead.
-struct Driven<'a, W> {
-    loaded: &'a Loaded<'a>,
-    command: &'a str,
-    work: W,
-}
+    fn noted(&self, to: Start) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        let mechanism = self.listing.kinematics(self.request(to))?;
+        for note in &mechanism.notes {
+            eprintln!("note: {note}");
+        }
+        Ok(mechanism)
+    }
 
-impl<W: Work> Work for Driven<'_, W> {
-    type Answer = W::Answer;
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<W::Answer, Failure> {
-        self.loaded.check_driven(self.command, mechanism)?;
-        self.work.on(mechanism)
+    fn request(&self, to: Start) -> Request<'_> {
+        Request {
+            source: self.source,
+            file: &self.file,
+            instants: &self.instants,
+            to,
+        }
     }
 }

@@ -10,7 +10,7 @@ use crate::load::notes::notes;
 use crate::load::task::Task;
 use crate::load::vehicle::vehicle;
 use crate::load::{led, start};
-use crate::mechanism::{DriveLaws, Instants, Mechanism, Names, Suspension};
+use crate::mechanism::{Description, DriveLaws, Instants, Mechanism, Names, Suspension};
 
 /// What is to be prepared.
 #[derive(Clone, Copy)]
@@ -108,18 +108,29 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
             (lead.start.motion(), drives, Some(lead))
         }
     };
-    Ok(Mechanism {
+    let drive_offsets = offsets.values().take(names.drives.len());
+    let measure_offsets = origin.of_measures(&design.model);
+    let description = Description {
         linkage: linkage.to_owned(),
         unit: file.unit,
-        origin,
-        design: design.given(&design.drives),
-        model: design.model,
+        origin: origin.position(),
         instants: instants.clone(),
-        start,
         drives,
-        lead,
+        drive_offsets: drive_offsets.collect(),
+        measure_offsets: measure_offsets
+            .values()
+            .take(names.measures.len())
+            .collect(),
+        design: design.given(&design.drives),
+        led_by: lead.as_ref().map(|lead| lead.measure),
         names,
         notes,
+    };
+    Ok(Mechanism {
+        description,
+        model: design.model,
+        start,
+        lead,
     })
 }
 

@@ -1,9 +1,6 @@
 //! From polynomials of time to what the solver is given.
 
-use suspension_core::listing::Kind;
-use suspension_core::{
-    Build, Inputs, Linkage, LocalOrigin, Motion, Report, Signal, Still, Stopped, Tracker, Values,
-};
+use suspension_core::{Inputs, Linkage, Motion, Report, Signal, Still, Stopped, Tracker, Values};
 
 use crate::mechanism::polynomial::Polynomial;
 
@@ -47,6 +44,11 @@ impl DriveLaws {
     /// Drives that stay as they are.
     pub fn held(values: impl Iterator<Item = f64>) -> Self {
         Self::new(values.map(|value| Polynomial::new(vec![value])))
+    }
+
+    /// Each drive at time `t`.
+    pub fn at(&self, t: f64) -> impl Iterator<Item = Signal<f64>> {
+        self.laws.iter().map(move |law| law.at(t))
     }
 
     /// Taylor coefficients of the drives at time `t`, order 1 first.
@@ -95,16 +97,4 @@ pub fn follow<L: Linkage<N, Scalar = f64>, const N: usize>(
         ..Tracker::default()
     };
     tracker.advance(model, |t| drives.inputs(t), from, to, motion)
-}
-
-/// The drives' values in the coordinates in which `origin` is stated, from local ones.
-pub fn given<L: Build<N, Scalar = f64>, const N: usize>(
-    origin: &LocalOrigin<f64>,
-    model: &L,
-    local: &L::Drives,
-) -> Vec<f64> {
-    let offsets = origin.of_drives(model);
-    let each = local.values().zip(offsets.values());
-    let each = each.take(model.count(Kind::Drive));
-    each.map(|(local, offset)| local + offset).collect()
 }

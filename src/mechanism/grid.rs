@@ -1,9 +1,6 @@
 //! The places of a grid of drives.
 
-use suspension_core::Values;
-
-use crate::mechanism::names::Suspension;
-use crate::mechanism::ready::Mechanism;
+use crate::mechanism::description::Description;
 
 /// The most places that a grid may have.
 const MOST_PLACES: usize = 1_000_000;
@@ -42,18 +39,16 @@ impl Grid {
     /// # Errors
     ///
     /// In words, where the places are too many.
-    pub fn new<L: Suspension<N>, const N: usize>(
-        mechanism: &Mechanism<L, N>,
+    pub fn new(
+        mechanism: &Description,
         axes: Vec<(usize, Vec<f64>)>,
         from: From,
     ) -> Result<Self, String> {
-        let [first, _] = mechanism.instants.ends();
-        let inputs = mechanism.drives.inputs::<L::Drives>(first);
-        let start: Vec<f64> = inputs.drives.value.values().collect();
+        let start = mechanism.first_drives();
         let local = |(drive, values): (usize, Vec<f64>)| {
             let from = match from {
                 From::Start => start[drive],
-                From::Zero => -mechanism.drive_offset(drive),
+                From::Zero => -mechanism.drive_offsets[drive],
             };
             (
                 drive,

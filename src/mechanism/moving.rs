@@ -61,7 +61,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// Where and why the motion stopped on the way to the instant `asked`.
     pub(crate) fn stop(&self, asked: f64, stopped: &Stopped<f64>, moving: &Moving<'_, N>) -> Stop {
         let (names, unit) = (&self.names, self.unit);
-        let at = |t: f64| self.given(&self.drives.inputs::<L::Drives>(t).drives.value);
+        let at = |t: f64| self.given(&self.drives_at(t));
         let (drives_asked, cause) = match moving {
             Moving::Driven(last) => {
                 let lock = self.lock(&self.drives, stopped, asked, last);
@@ -98,13 +98,8 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         asked: f64,
         last: &Motion<f64, N>,
     ) -> Lock {
-        let given = |drives: &L::Drives| self.given(drives);
+        let given = |drives: &L::Drives| self.given_of(drives);
         Lock::of(&self.model, laws, stopped, asked, &last.position, given)
-    }
-
-    /// Where that is, in words.
-    pub(crate) fn lock_in_words(&self, lock: &Lock) -> String {
-        lock.in_words(&self.names, self.unit, &self.design)
     }
 
     /// Drives the mechanism, the drives being at `drives`, to a value of one of them, in local coordinates: the way takes a second.
@@ -125,5 +120,13 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         }));
         let followed = follow(&self.model, &laws, [0.0, 1.0], motion);
         followed.map_err(|stopped| (laws, stopped))
+    }
+    /// Where the mechanism locks on the way of one drive from the first instant to a value, in local coordinates,
+    /// the others held; `None` where it gets there.
+    pub(crate) fn lock_before(&self, drive: usize, value: f64) -> Option<Lock> {
+        let mut motion = self.start;
+        let driven = self.drive_to(&self.first_drives(), drive, value, &mut motion);
+        let (laws, stopped) = driven.err()?;
+        Some(self.lock(&laws, &stopped, 1.0, &motion))
     }
 }

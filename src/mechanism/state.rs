@@ -41,19 +41,17 @@ impl State {
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// The state of points with their rates, at local values of the drives.
     pub fn state(&self, t: f64, drives: &L::Drives, points: &Signal<L::Points>) -> State {
-        let Self { model, names, .. } = self;
-        let offsets = self.origin.of_measures(model);
-        let count = names.measures.len();
+        let count = self.names.measures.len();
         let listed = |all: &L::Measures| all.values().take(count).collect::<Vec<f64>>();
-        let mut measures = model.measures(points).map(listed);
-        for (measure, offset) in measures.value.iter_mut().zip(offsets.values()) {
+        let mut measures = self.model.measures(points).map(listed);
+        for (measure, offset) in measures.value.iter_mut().zip(&self.measure_offsets) {
             *measure += offset;
         }
         State {
             t,
-            drives: self.given(drives),
+            drives: self.given_of(drives),
             points: self.listed(points),
-            origin: self.origin.position(),
+            origin: self.origin,
             measures,
             travel: None,
             steer: None,

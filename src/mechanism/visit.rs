@@ -17,14 +17,20 @@ use crate::mechanism::words::advice;
 pub struct Visited<R> {
     /// In the order of the grid; `None` where the mechanism has no configuration.
     pub places: Vec<Option<R>>,
+    pub(crate) end: VisitEnd,
+}
+
+/// What kept a visit from some places.
+#[derive(Clone, Debug, Default)]
+pub struct VisitEnd {
     /// Where a way ended first, in words.
     stopped: Option<String>,
     interrupted: bool,
 }
 
-/// Reads a state, given what gives the state with derivatives with respect to a drive; that is `None` where the
-/// mechanism locks.
-pub type Read<'a, R> = dyn FnMut(&State, &dyn Fn(usize) -> Option<State>) -> R + 'a;
+/// Takes the state at a place, by number, and what gives the state with derivatives with respect to a drive; that is
+/// `None` where the mechanism locks.
+pub type OnPlace<'a> = dyn FnMut(usize, &State, &dyn Fn(usize) -> Option<State>) + 'a;
 
 impl<R> Visited<R> {
     /// What remains to be said where places are missing.
@@ -35,12 +41,12 @@ impl<R> Visited<R> {
             0 => "none was written".to_owned(),
             others => format!("the {others} others were written"),
         };
-        if self.interrupted {
+        if self.end.interrupted {
             return Some(Failure::Interrupted(format!(
                 "{source}: interrupted; {missing} of {all} places are missing, {written}"
             )));
         }
-        let stopped = self.stopped.as_ref()?;
+        let stopped = self.end.stopped.as_ref()?;
         Some(Failure::Solver(format!(
             "{source}: {missing} of {all} places are out of reach from the design position: {stopped}; {}; {written}",
             advice(source)
@@ -49,27 +55,21 @@ impl<R> Visited<R> {
 }
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// Solves the mechanism at each place of a grid; derivatives of quantities have the wanted order.
-    pub fn visit<R>(
+    /// Solves the mechanism at each place of a grid that it reaches; derivatives of quantities have the wanted order.
+    pub(crate) fn visit_each(
         &self,
         grid: &Grid,
         order: Order,
         interrupted: &AtomicBool,
-        read: &mut Read<'_, R>,
-    ) -> Visited<R> {
-        let mut places = Vec::new();
-        places.resize_with(grid.places().unwrap_or_default(), || None);
+        on_place: &mut OnPlace<'_>,
+    ) -> VisitEnd {
         let mut visitor = Visitor {
             mechanism: self,
             grid,
             order,
             interrupted,
-            read,
-            visited: Visited {
-                places,
-                stopped: None,
-                interrupted: false,
-            },
+            on_place,
+            end: VisitEnd::default(),
         };
         let start = Place {
             index: 0,
@@ -78,7 +78,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             residual: 0.0,
         };
         visitor.along_axes(0, &start);
-        visitor.visited
+        visitor.end
     }
 }
 
@@ -92,16 +92,16 @@ struct Place<const N: usize> {
     residual: f64,
 }
 
-struct Visitor<'a, 'r, L: suspension_core::Linkage<N>, R, const N: usize> {
+struct Visitor<'a, 'r, L: suspension_core::Linkage<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     grid: &'a Grid,
     order: Order,
     interrupted: &'a AtomicBool,
-    read: &'a mut Read<'r, R>,
-    visited: Visited<R>,
+    on_place: &'a mut OnPlace<'r>,
+    end: VisitEnd,
 }
 
-impl<L: Suspension<N>, R, const N: usize> Visitor<'_, '_, L, R, N> {
+impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
     /// Visits the places along the axes from `level` on, both ways from `here`.
     fn along_axes(&mut self, level: usize, here: &Place<N>) {
         let grid = self.grid;
@@ -122,14 +122,14 @@ impl<L: Suspension<N>, R, const N: usize> Visitor<'_, '_, L, R, N> {
             };
             for index in way {
                 if self.interrupted.load(Ordering::Relaxed) {
-                    self.visited.interrupted = true;
+                    self.end.interrupted = true;
                     return;
                 }
                 let (mechanism, value) = (self.mechanism, values[index]);
                 match mechanism.drive_to(&place.drives, *drive, value, &mut place.motion) {
                     Ok(report) => place.residual = report.residual(),
                     Err((laws, stopped)) => {
-                        self.visited.stopped.get_or_insert_with(|| {
+                        self.end.stopped.get_or_insert_with(|| {
                             let lock = mechanism.lock(&laws, &stopped, 1.0, &place.motion);
                             mechanism.lock_in_words(&lock)
                         });
@@ -155,7 +155,6 @@ impl<L: Suspension<N>, R, const N: usize> Visitor<'_, '_, L, R, N> {
         };
         let around = Around::new(mechanism, drives, position, self.order);
         let state = around.with_velocities(state);
-        let read = (self.read)(&state, &|drive| around.per(drive));
-        self.visited.places[place.index] = Some(read);
+        (self.on_place)(place.index, &state, &|drive| around.per(drive));
     }
 }

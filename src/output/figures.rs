@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use crate::failure::Failure;
-use crate::mechanism::{End, Instants, Mechanism, Names, State, Suspension, Unit};
+use crate::kinematics::Kinematics;
+use crate::mechanism::{Description, End, Instants, Names, State, Unit};
 use crate::output::files::write_file;
 use crate::output::plot::{Chart, Curve};
 use crate::output::record::{Outcome, record};
@@ -26,8 +27,8 @@ pub type Charts = Vec<(&'static str, Chart)>;
 /// # Errors
 ///
 /// [`Failure::Output`] where a file cannot be written.
-pub fn draw<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
+pub fn draw(
+    mechanism: &dyn Kinematics,
     outcome: &Outcome,
     (folder, stem): (&Path, &str),
     charts: impl Fn(&Names, Unit, [&[State]; 2]) -> Charts,
@@ -51,7 +52,7 @@ pub fn draw<L: Suspension<N>, const N: usize>(
     } else {
         &[]
     };
-    let Mechanism { names, unit, .. } = mechanism;
+    let Description { names, unit, .. } = &**mechanism;
     let mut written = Vec::new();
     for (name, chart) in charts(names, *unit, [&line, marks]) {
         if let Some(svg) = chart.svg() {

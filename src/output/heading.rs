@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::mechanism::Mechanism;
+use crate::mechanism::Description;
 
 /// A column: what stands above it, and how its numbers are written.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub struct Header {
 
 impl Header {
     /// Of a mechanism's results.
-    pub fn of<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Self {
+    pub fn of(mechanism: &Description) -> Self {
         Self {
             linkage: mechanism.linkage.clone(),
             length: mechanism.unit.symbol(),

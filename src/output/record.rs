@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::failure::Failure;
-use crate::mechanism::{End, Instants, Mechanism, State, Suspension};
+use crate::kinematics::Kinematics;
+use crate::mechanism::{Description, End, Instants, State};
 use crate::number::number;
 use crate::output::heading::Header;
 use crate::output::progress::Progress;
@@ -38,8 +39,8 @@ pub struct Outcome {
 /// # Errors
 ///
 /// Where a row cannot be written.
-pub fn record<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
+pub fn record(
+    mechanism: &dyn Kinematics,
     instants: &Instants,
     forms: &Forms,
     keep: usize,
@@ -75,7 +76,7 @@ pub fn record<L: Suspension<N>, const N: usize>(
 }
 
 /// The catalogue's quantities, a column each number.
-fn columns_of<L, const N: usize>(mechanism: &Mechanism<L, N>) -> Vec<Column<State>> {
+fn columns_of(mechanism: &Description) -> Vec<Column<State>> {
     let all = quantities::columns(catalogue(), &mechanism.names).into_iter();
     let tabled = all.filter(|column| column.quantity.shown != Shown::InSummaries);
     tabled

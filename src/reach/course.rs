@@ -74,14 +74,12 @@ pub fn range<L: Suspension<N>, const N: usize>(
         let back = down.stations.into_iter().skip(1).rev();
         back.chain(up.stations).collect()
     };
-    let [first, _] = mechanism.instants.ends();
-    let inputs = mechanism.drives.inputs::<L::Drives>(first);
     let drive = &mechanism.names.drives[index];
     Ok(DriveRange {
         name: drive.name.clone(),
         index,
         kind: drive.kind,
-        start: mechanism.given(&inputs.drives.value)[index],
+        start: mechanism.given(&mechanism.first_drives())[index],
         ends,
         usable,
         curve,

@@ -1,7 +1,5 @@
 //! What limits a drive.
 
-use suspension_core::Values;
-
 use crate::mechanism::{Mechanism, Suspension, Unit};
 use crate::number::rounded;
 
@@ -65,15 +63,8 @@ pub(super) fn link_beyond<L: Suspension<N>, const N: usize>(
 ) -> Option<String> {
     /// How far beyond, as a part of the way there.
     const BEYOND: f64 = 0.01;
-    let [first, _] = mechanism.instants.ends();
-    let drives = mechanism.drives.inputs::<L::Drives>(first).drives.value;
-    let drives: Vec<f64> = drives.values().collect();
-    let end = value - mechanism.drive_offset(drive);
-    let beyond = end + BEYOND * (end - drives[drive]);
-    let mut motion = mechanism.start;
-    let (laws, stopped) = mechanism
-        .drive_to(&drives, drive, beyond, &mut motion)
-        .err()?;
-    let lock = mechanism.lock(&laws, &stopped, 1.0, &motion);
+    let start = mechanism.first_drives()[drive];
+    let end = value - mechanism.drive_offsets[drive];
+    let lock = mechanism.lock_before(drive, end + BEYOND * (end - start))?;
     lock.link().map(str::to_owned)
 }

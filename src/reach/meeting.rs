@@ -1,8 +1,6 @@
 //! When a motion meets an end of a drive's range.
 
-use suspension_core::Values;
-
-use crate::mechanism::{Mechanism, Suspension};
+use crate::mechanism::Description;
 
 /// The motion is carried on beyond its last instant, to this many times its duration.
 pub const CARRIED_ON: f64 = 10.0;
@@ -10,27 +8,21 @@ pub const CARRIED_ON: f64 = 10.0;
 /// The first time at which the drive with this index is at one of `ends`, in the file's coordinates, and
 /// which; `None` where it is not, or where another drive moves too or a measure leads: then the ends are
 /// not those of the motion.
-pub fn meeting<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
-    index: usize,
-    ends: [f64; 2],
-) -> Option<(f64, usize)> {
+pub fn meeting(mechanism: &Description, index: usize, ends: [f64; 2]) -> Option<(f64, usize)> {
     const LOOKS: usize = 20_000;
-    if mechanism.lead.is_some() {
+    if mechanism.led_by.is_some() {
         return None;
     }
-    let ends = ends.map(|end| end - mechanism.drive_offset(index));
+    let ends = ends.map(|end| end - mechanism.drive_offsets[index]);
     let [first, last] = mechanism.instants.ends();
-    let at = |t: f64| mechanism.drives.inputs::<L::Drives>(t).drives;
-    let value = |t: f64| at(t).value.values().nth(index);
+    let value = |t: f64| mechanism.drives_at(t).get(index).copied();
     let span = (last - first) * CARRIED_ON;
     let excess = |t: f64| Some([ends[0] - value(t)?, value(t)? - ends[1]]);
     let mut before = first;
     for look in 1..=LOOKS {
         let after = first + span * look as f64 / LOOKS as f64;
-        let rates = at(after).rate;
-        let mut others = rates.values().enumerate();
-        if others.any(|(other, rate)| other != index && rate != 0.0) {
+        let mut drives = mechanism.drives.at(after).enumerate();
+        if drives.any(|(other, drive)| other != index && drive.rate != 0.0) {
             return None;
         }
         let beyond = excess(after)?;

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::commands::assemblies::listed::{Assembly, Listed};
+use crate::commands::assemblies::listed::Listed;
+use crate::kinematics::Assembly;
 use crate::mechanism::{Names, Unit};
 use crate::number::{fixed, number};
 use crate::output::table::Column;

@@ -2,14 +2,15 @@
 
 use std::f64::consts::PI;
 
-use suspension_core::{DriveKind, Values};
+use suspension_core::DriveKind;
 
 use crate::bake::fit::{MOST_SEGMENTS, Unmet};
 use crate::bake::source::Sheet;
 use crate::bake::widest::widest;
-use crate::bake::{Baked, Continuity, OutOfReach, Path, Wanted, Wish, bake};
+use crate::bake::{Baked, Continuity, Exact, OutOfReach, Wanted, Wish, bake};
 use crate::failure::Failure;
-use crate::mechanism::{Mechanism, Suspension, advice};
+use crate::kinematics::Kinematics;
+use crate::mechanism::{Description, advice};
 use crate::number::{exact, number, rounded};
 
 /// An order: what to bake of the mechanism of a file.
@@ -31,16 +32,16 @@ pub struct Order {
 const DIGITS: usize = 12;
 
 /// A mechanism and its file.
-pub struct Ordered<'a, L, const N: usize> {
+pub struct Ordered<'a> {
     /// The file's name.
     pub file: &'a str,
     /// The mechanism.
-    pub mechanism: &'a Mechanism<L, N>,
+    pub mechanism: &'a dyn Kinematics,
     /// What to bake.
     pub order: &'a Order,
 }
 
-impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
+impl Ordered<'_> {
     /// Bakes.
     ///
     /// # Errors
@@ -48,17 +49,17 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
     /// [`Failure::Input`] where drive, range or tolerance make no sense, [`Failure::Solver`] where
     /// the mechanism does not go through the range or the tolerance is not met.
     pub fn sheet(&self) -> Result<Sheet, Failure> {
-        let Mechanism {
+        let Description {
             linkage,
             names,
             unit,
             ..
-        } = self.mechanism;
+        } = &**self.mechanism;
         let drive = names.chosen_drive(self.order.drive.as_deref());
         let drive = drive.map_err(|message| self.refuse(&message))?;
         let metre = unit.metre();
         let range = self.range(drive)?;
-        let offset = self.mechanism.drive_offset(drive);
+        let offset = self.mechanism.drive_offsets[drive];
         let wanted = Wanted {
             range: range.map(|end| end - offset),
             tolerance: self.order.tolerance * metre,
@@ -84,7 +85,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         Ok(Sheet {
             baked: self
                 .bake(drive, &wanted)?
-                .moved(self.mechanism.origin.position().into(), range),
+                .moved(self.mechanism.origin.into(), range),
             file: self.file.to_owned(),
             linkage: linkage.clone(),
             drive: names.drives[drive].name.clone(),
@@ -119,7 +120,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
 
     fn bake(&self, drive: usize, wanted: &Wanted) -> Result<Baked, Failure> {
         let path = self.path(drive, wanted.range).map_err(Unmet::from);
-        let unmet = match path.and_then(|path| bake(wanted, &path)) {
+        let unmet = match path.and_then(|path| bake(wanted, &*path)) {
             Ok(baked) => return Ok(baked),
             Err(unmet) => unmet,
         };
@@ -157,10 +158,8 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
 
     /// The part of a range through which the drive leads the mechanism, and in words where it locks.
     fn reach(&self, drive: usize, range: [f64; 2]) -> ([f64; 2], Vec<String>) {
-        let drives = 0..self.mechanism.names.drives.len();
-        let first: Vec<f64> = drives.map(|drive| self.first(drive)).collect();
         let mut locks = Vec::new();
-        let now = first[drive];
+        let now = self.first(drive);
         let [from, to] = range;
         let mut reached = [from.min(now), to.max(now)];
         for (end, wanted) in reached.iter_mut().zip(range) {
@@ -168,12 +167,9 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
             if *end != wanted {
                 continue;
             }
-            let mut motion = self.mechanism.start;
-            let driven = self.mechanism.drive_to(&first, drive, *end, &mut motion);
-            if let Err((laws, stopped)) = driven {
-                let lock = self.mechanism.lock(&laws, &stopped, 1.0, &motion);
+            if let Some(lock) = self.mechanism.lock_before(drive, *end) {
                 locks.push(self.mechanism.lock_in_words(&lock));
-                *end = lock.drives[drive] - self.mechanism.drive_offset(drive);
+                *end = lock.drives[drive] - self.mechanism.drive_offsets[drive];
             }
         }
         let [low, high] = reached;
@@ -194,17 +190,15 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
         let [from, to] = wanted.range;
         let range = [from + CLOSE * (to - from), to - CLOSE * (to - from)];
         let path = self.path(drive, range).ok()?;
-        let widest = widest(&Wanted { range, ..*wanted }, &path)?;
+        let widest = widest(&Wanted { range, ..*wanted }, &*path)?;
         let [from, to] = widest.map(|end| self.given(drive, end));
         let steps_a_unit = 10_f64.powf(3.0 - (to - from).log10().floor());
         let (from, to) = (from * steps_a_unit, to * steps_a_unit);
         Some([from.ceil(), to.floor()].map(|end| end / steps_a_unit))
     }
 
-    fn path(&self, drive: usize, range: [f64; 2]) -> Result<Path<'_, L, N>, OutOfReach> {
-        let Mechanism { model, start, .. } = self.mechanism;
-        let held = L::Drives::from_values((0..).map(|drive| self.first(drive)));
-        Path::new(model, start, held, drive, range, self.order.wish)
+    fn path(&self, drive: usize, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {
+        self.mechanism.path(drive, range, self.order.wish)
     }
 
     /// Where the motion is lost within what the drive reaches, in words.
@@ -222,7 +216,7 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
 
     /// A drive's value in the file's coordinates, from a local one.
     fn given(&self, drive: usize, local: f64) -> f64 {
-        local + self.mechanism.drive_offset(drive)
+        local + self.mechanism.drive_offsets[drive]
     }
 
     /// A drive's local value at the first instant.
@@ -231,12 +225,11 @@ impl<L: Suspension<N>, const N: usize> Ordered<'_, L, N> {
     }
 
     fn value(&self, drive: usize, t: f64) -> f64 {
-        let inputs = self.mechanism.drives.inputs::<L::Drives>(t);
-        inputs.drives.value.values().nth(drive).unwrap_or_default()
+        self.mechanism.drives_at(t)[drive]
     }
 
     fn in_words(&self, drive: usize, value: f64) -> String {
-        let Mechanism { names, unit, .. } = self.mechanism;
+        let Description { names, unit, .. } = &**self.mechanism;
         names.drive_in_words(drive, value, *unit)
     }
 

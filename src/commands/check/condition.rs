@@ -4,7 +4,8 @@ use nalgebra::{DMatrix, DVectorView};
 use suspension_core::pivots::Elimination;
 use suspension_core::{Part, Parts};
 
-use crate::mechanism::{Mechanism, Names, Suspension};
+use crate::kinematics::{Equations, Kinematics};
+use crate::mechanism::Names;
 
 /// A singular value that is smaller counts as zero: no digit of a velocity is known there.
 const ZERO: f64 = 1e-7;
@@ -30,17 +31,14 @@ pub(super) struct Condition {
 
 impl Condition {
     /// Of the mechanism where it starts.
-    pub(super) fn of<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> Self {
-        let Mechanism { model, names, .. } = mechanism;
-        let q = &mechanism.start.position;
-        let [first, _] = mechanism.instants.ends();
-        let drives = mechanism.drives.inputs::<L::Drives>(first).drives;
-        let coordinates = model.coordinates(&drives).value;
-        let fixed = model.drive_anchors(*model.fixed(), &coordinates);
-        let jacobian = model.jacobian(q, &fixed);
-        // A model has room for more unknowns than the listing has.
-        let size = names.unknowns.len();
-        let jacobian = DMatrix::from_fn(size, size, |row, column| jacobian[(row, column)]);
+    pub(super) fn of(mechanism: &dyn Kinematics) -> Self {
+        let names = &mechanism.names;
+        let Equations {
+            jacobian,
+            elimination,
+            residual,
+        } = mechanism.equations();
+        let size = jacobian.nrows();
         let svd = jacobian.svd(true, true);
         let values = svd.singular_values.as_slice();
         let null = (0..size).filter(|index| values[*index] < ZERO);
@@ -59,8 +57,8 @@ impl Condition {
                 values.iter().copied().fold(f64::INFINITY, f64::min),
                 values.iter().copied().fold(0.0, f64::max),
             ],
-            elimination: Elimination::at(model, q, &fixed),
-            residual: model.residual(q, &fixed, &coordinates).amax(),
+            elimination,
+            residual,
         }
     }
 

@@ -5,7 +5,8 @@ use std::sync::atomic::AtomicBool;
 use crate::characteristics::{Curves, Parameter, Span, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::mechanism::{Mechanism, Suspension, Unit, Work};
+use crate::kinematics::Kinematics;
+use crate::mechanism::Unit;
 
 /// What is compared of a suspension, with lengths in the unit of the first.
 pub(super) struct Side {
@@ -22,38 +23,27 @@ pub(super) struct Side {
     pub(super) missing: Vec<Failure>,
 }
 
-/// Reads a side off a mechanism.
-pub(super) struct Sided<'a> {
-    pub(super) source: &'a Source,
-    pub(super) spans: [Option<Span>; 2],
-    pub(super) unit: Unit,
-    pub(super) interrupted: &'a AtomicBool,
-}
-
-impl Work for Sided<'_> {
-    type Answer = Side;
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<Side, Failure> {
-        let Self {
-            unit, interrupted, ..
-        } = self;
-        let file = self.source.name();
-        let ways = ways(mechanism, file, self.spans, unit, interrupted)?;
+impl Side {
+    /// Of a file's mechanism, with lengths in `unit`.
+    pub(super) fn of(
+        mechanism: &dyn Kinematics,
+        source: &Source,
+        spans: [Option<Span>; 2],
+        unit: Unit,
+        interrupted: &AtomicBool,
+    ) -> Result<Self, Failure> {
+        let file = source.name();
+        let ways = ways(mechanism, file, spans, unit, interrupted)?;
         let missing = ways.iter().filter_map(|along| along.visited.failure(file));
-        Ok(Side {
+        let curves = ways.iter().map(|along| curves(mechanism, along, unit));
+        Ok(Self {
             file: file.to_owned(),
             linkage: mechanism.linkage.clone(),
             own_unit: mechanism.unit,
             unit,
             missing: missing.collect(),
             parameters: parameters(mechanism, unit, interrupted),
-            curves: ways
-                .iter()
-                .map(|along| curves(mechanism, along, unit))
-                .collect(),
+            curves: curves.collect(),
         })
     }
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use suspension_core::DriveKind;
 
-use crate::mechanism::{Mechanism, Suspension, Unit};
+use crate::mechanism::{Description, Unit};
 use crate::number::rounded;
 use crate::reach::{CARRIED_ON, DriveRange, POOR, meeting};
 
@@ -12,10 +12,7 @@ use crate::reach::{CARRIED_ON, DriveRange, POOR, meeting};
 const DIGITS: usize = 13;
 
 /// What is known of each drive.
-pub(super) fn text<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
-    ranges: &[DriveRange],
-) -> String {
+pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
     let mut out = format!("Linkage {}\n", mechanism.linkage);
     let unit = mechanism.unit;
     for range in ranges {
@@ -51,10 +48,7 @@ fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> Str
 }
 
 /// When the file's motion is at an end.
-fn motion<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
-    range: &DriveRange,
-) -> String {
+fn motion(mechanism: &Description, range: &DriveRange) -> String {
     let ends = [range.ends[0].value, range.ends[1].value];
     let [first, last] = mechanism.instants.ends();
     match meeting(mechanism, range.index, ends) {
@@ -70,7 +64,7 @@ fn motion<L: Suspension<N>, const N: usize>(
                 rounded(t, DIGITS)
             )
         }
-        None if mechanism.lead.is_some() => "led by a measure, not by this drive".to_owned(),
+        None if mechanism.led_by.is_some() => "led by a measure, not by this drive".to_owned(),
         None => format!(
             "the file's motion, carried on to {CARRIED_ON} times its duration, is at neither end \
              by this drive alone"

@@ -3,14 +3,14 @@
 use maud::{Markup, PreEscaped, html};
 
 use crate::characteristics::{Curves, Derivative, Line, Parameter};
-use crate::mechanism::Mechanism;
+use crate::mechanism::Description;
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
 
 /// All that the page shows.
-pub(super) struct Page<'a, L, const N: usize> {
+pub(super) struct Page<'a> {
     pub(super) file: &'a str,
-    pub(super) mechanism: &'a Mechanism<L, N>,
+    pub(super) mechanism: &'a Description,
     pub(super) drawings: Vec<String>,
     /// The drives at the design position, in words.
     pub(super) drives: String,
@@ -20,10 +20,10 @@ pub(super) struct Page<'a, L, const N: usize> {
     pub(super) curves: Vec<Curves>,
 }
 
-impl<L, const N: usize> Page<'_, L, N> {
+impl Page<'_> {
     /// The page as HTML.
     pub(super) fn html(&self) -> String {
-        let Mechanism { linkage, unit, .. } = self.mechanism;
+        let Description { linkage, unit, .. } = self.mechanism;
         let body = html! {
             p {
                 "Motion file " code { (self.file) } ". Axes of ISO 8855: x forward, y left, z up; lengths in "

@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use crate::mechanism::{From, Grid, Mechanism, Suspension, evenly_spaced};
+use crate::mechanism::{Description, From, Grid, evenly_spaced};
 
 /// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,8 +52,8 @@ impl Swept {
 }
 
 /// The grid of drives that options name.
-pub(super) fn grid<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
+pub(super) fn grid(
+    mechanism: &Description,
     swept: &[Swept],
     absolute: bool,
 ) -> Result<Grid, String> {

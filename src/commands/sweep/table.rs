@@ -1,7 +1,7 @@
 //! The table of a sweep: quantities, then their derivatives with respect to each drive.
 
 use crate::failure::Failure;
-use crate::mechanism::{Mechanism, Names, State};
+use crate::mechanism::{Description, Names, State};
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
 use crate::quantities::{self, Column, DRIVES, Reader, Shown, catalogue};
@@ -61,13 +61,13 @@ impl Columns {
 }
 
 /// Writes the rows of all places that have a configuration.
-pub(super) fn write<L, const N: usize>(
-    mechanism: &Mechanism<L, N>,
+pub(super) fn write(
+    mechanism: &Description,
     columns: &Columns,
     rows: &[Option<Row>],
     forms: &Forms,
 ) -> Result<(), Failure> {
-    let Mechanism { names, unit, .. } = mechanism;
+    let Description { names, unit, .. } = mechanism;
     let values = columns
         .quantities
         .iter()

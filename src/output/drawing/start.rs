@@ -1,23 +1,20 @@
 //! The drawing of a mechanism at its first instant.
 
-use suspension_core::Values;
 use suspension_runtime::Listing;
 
 use super::{Drawing, Wheel};
-use crate::mechanism::{Mechanism, Suspension};
+use crate::kinematics::Kinematics;
+use crate::mechanism::Description;
 
 /// A mechanism of a listing at its first instant; without a wheel radius with that of the file, or else 0.3 m.
-pub fn drawing_of<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
+pub fn drawing_of(
+    mechanism: &dyn Kinematics,
     listing: &Listing,
     wheel_radius: Option<f64>,
 ) -> Drawing {
-    let Mechanism { names, unit, .. } = mechanism;
-    let inputs = mechanism.drives.inputs(mechanism.instants.ends()[0]);
-    let points = mechanism.start.points(&mechanism.model, &inputs).value;
+    let Description { names, unit, .. } = &**mechanism;
     let radius = wheel_radius.or(names.vehicle.wheel_radius);
-    let origin = mechanism.origin.position();
-    let at = points.values().map(|point| (point + origin).into());
+    let at = mechanism.points().into_iter().map(Into::into);
     Drawing {
         points: names.points.iter().cloned().zip(at).collect(),
         chassis: names.chassis,

@@ -4,10 +4,9 @@
 use std::ops::ControlFlow;
 
 use libfuzzer_sys::fuzz_target;
-use suspension::failure::Failure;
 use suspension::file::Source;
+use suspension::kinematics::Kinematics;
 use suspension::load::load;
-use suspension::mechanism::{Mechanism, Suspension, Work};
 use suspension::quantities::{catalogue, columns};
 
 /// Instants to ask of a motion that does begin.
@@ -16,37 +15,30 @@ const INSTANTS: usize = 3;
 /// The longest message, in characters.
 const LONGEST: usize = 1000;
 
-struct FirstInstants;
-
-impl Work for FirstInstants {
-    type Answer = ();
-
-    fn on<L: Suspension<N>, const N: usize>(
-        self,
-        mechanism: &Mechanism<L, N>,
-    ) -> Result<(), Failure> {
-        let (mut done, columns) = (0, columns(catalogue(), &mechanism.names));
-        let swept = mechanism.move_through(&mechanism.instants, &mut |state| {
-            done += 1;
-            assert!(
-                columns
-                    .iter()
-                    .all(|column| column.value(&state).is_finite())
-            );
-            Ok(if done < INSTANTS {
-                ControlFlow::Continue(())
-            } else {
-                ControlFlow::Break(())
-            })
-        });
-        swept.expect("states are taken");
-        Ok(())
-    }
+fn first_instants(mechanism: &dyn Kinematics) {
+    let (mut done, columns) = (0, columns(catalogue(), &mechanism.names));
+    let swept = mechanism.move_through(&mechanism.instants, &mut |state| {
+        done += 1;
+        assert!(
+            columns
+                .iter()
+                .all(|column| column.value(&state).is_finite())
+        );
+        Ok(if done < INSTANTS {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        })
+    });
+    swept.expect("states are taken");
 }
 
 fuzz_target!(|text: &str| {
     let source = Source::new("fuzz.toml", text);
-    let done = load(&source).and_then(|loaded| loaded.run(FirstInstants));
+    let done = load(&source).and_then(|loaded| {
+        first_instants(&*loaded.at_first_instant()?);
+        Ok(())
+    });
     if let Err(failure) = done {
         let message = failure.to_string();
         assert!(message.starts_with("fuzz.toml:"), "{message:?}");

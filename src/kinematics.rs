@@ -1,0 +1,172 @@
+//! A mechanism of any linkage, without type parameters: what commands work on.
+
+mod assembled;
+mod equations;
+
+use std::ops::Deref;
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+
+use nalgebra::Vector3;
+use suspension_core::{Inputs, Still, Tracker, Values};
+
+use crate::bake::{Exact, OutOfReach, Path, Wish};
+use crate::failure::Failure;
+use crate::mechanism::{
+    Description, End, Grid, Instants, Lock, Mechanism, OnPlace, OnState, Order, State, Suspension,
+    VisitEnd, Visited,
+};
+use crate::reach::{self, DriveRange};
+use assembled::Enumerated;
+
+pub use assembled::{Assembled, Assembly};
+pub use equations::Equations;
+
+/// A mechanism of any linkage at the first instant of its motion. It can be read as its [`Description`].
+pub trait Kinematics: Deref<Target = Description> {
+    /// All points at the first instant, in the file's coordinates.
+    fn points(&self) -> Vec<Vector3<f64>>;
+
+    /// See [`Mechanism::move_through`].
+    ///
+    /// # Errors
+    ///
+    /// What `on_state` fails with.
+    fn move_through(&self, instants: &Instants, on_state: &mut OnState<'_>)
+    -> Result<End, Failure>;
+
+    /// Solves each place of a grid that the mechanism reaches; [`visit`](#method.visit) collects what is read there.
+    fn visit_each(
+        &self,
+        grid: &Grid,
+        order: Order,
+        interrupted: &AtomicBool,
+        on_place: &mut OnPlace<'_>,
+    ) -> VisitEnd;
+
+    /// See [`reach::range`].
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] where the curve has no start.
+    fn range(&self, drive: usize, interrupted: &AtomicBool) -> Result<DriveRange, Failure>;
+
+    /// Where the mechanism locks on the way of one drive from the first instant to a value, in local coordinates,
+    /// the others held; `None` where it gets there.
+    fn lock_before(&self, drive: usize, value: f64) -> Option<Lock>;
+
+    /// The equations at the first instant.
+    fn equations(&self) -> Equations;
+
+    /// The search for assemblies.
+    fn assemblies(&self) -> Box<dyn Assembled + '_>;
+
+    /// The motion along one drive over a range, in local coordinates, the others held as at the first instant.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfReach`] where the mechanism cannot be driven through the range.
+    fn path(
+        &self,
+        drive: usize,
+        range: [f64; 2],
+        wish: Wish,
+    ) -> Result<Box<dyn Exact + '_>, OutOfReach>;
+
+    /// What the motion takes in steps of `dt`, without the first, and how many they are; `None` where it has none, or stops.
+    fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
+}
+
+impl dyn Kinematics + '_ {
+    /// Solves the mechanism at each place of a grid; derivatives of quantities have the wanted order. `read` is given
+    /// the state, and what gives the state with derivatives with respect to a drive; that is `None` where the
+    /// mechanism locks.
+    pub fn visit<R>(
+        &self,
+        grid: &Grid,
+        order: Order,
+        interrupted: &AtomicBool,
+        read: &mut dyn FnMut(&State, &dyn Fn(usize) -> Option<State>) -> R,
+    ) -> Visited<R> {
+        let mut places = Vec::new();
+        places.resize_with(grid.places().unwrap_or_default(), || None);
+        let end = self.visit_each(grid, order, interrupted, &mut |place, state, per| {
+            places[place] = Some(read(state, per));
+        });
+        Visited { places, end }
+    }
+}
+
+impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
+    fn points(&self) -> Vec<Vector3<f64>> {
+        let inputs = self.drives.inputs(self.instants.ends()[0]);
+        let points = self.start.points(&self.model, &inputs).value;
+        let count = self.names.points.len();
+        let points = points.values().take(count);
+        points.map(|point| point + self.origin).collect()
+    }
+
+    fn move_through(
+        &self,
+        instants: &Instants,
+        on_state: &mut OnState<'_>,
+    ) -> Result<End, Failure> {
+        self.move_through(instants, on_state)
+    }
+
+    fn visit_each(
+        &self,
+        grid: &Grid,
+        order: Order,
+        interrupted: &AtomicBool,
+        on_place: &mut OnPlace<'_>,
+    ) -> VisitEnd {
+        self.visit_each(grid, order, interrupted, on_place)
+    }
+
+    fn range(&self, drive: usize, interrupted: &AtomicBool) -> Result<DriveRange, Failure> {
+        reach::range(self, drive, interrupted)
+    }
+
+    fn lock_before(&self, drive: usize, value: f64) -> Option<Lock> {
+        self.lock_before(drive, value)
+    }
+
+    fn equations(&self) -> Equations {
+        Equations::of(self)
+    }
+
+    fn assemblies(&self) -> Box<dyn Assembled + '_> {
+        Box::new(Enumerated::new(self))
+    }
+
+    fn path(
+        &self,
+        drive: usize,
+        range: [f64; 2],
+        wish: Wish,
+    ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
+        let held = L::Drives::from_values(self.first_drives());
+        let path = Path::new(&self.model, &self.start, held, drive, range, wish)?;
+        Ok(Box::new(path))
+    }
+
+    fn time_steps(&self, dt: f64) -> Option<(Duration, u32)> {
+        let [from, to] = self.instants.ends();
+        let instants = Instants::stepped(from, to, dt);
+        let inputs = instants.iter().map(|t| self.drives.inputs(t));
+        let inputs: Vec<Inputs<Still, L::Drives>> = inputs.collect();
+        let (first, steps) = inputs.split_first()?;
+        let count = u32::try_from(steps.len()).ok().filter(|count| *count > 0)?;
+        let tracker = Tracker::default();
+        let mut motion = self.start;
+        tracker.step(&self.model, first, 0.0, &mut motion).ok()?;
+        let began = Instant::now();
+        for inputs in steps {
+            tracker.step(&self.model, inputs, dt, &mut motion).ok()?;
+        }
+        let took = began.elapsed();
+        std::hint::black_box(motion);
+        Some((took, count))
+    }
+}

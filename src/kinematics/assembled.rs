@@ -1,0 +1,96 @@
+//! The ways to put a mechanism together.
+
+use nalgebra::SVector;
+use suspension_core::lu::Lu;
+use suspension_core::{Inputs, Motion, Signal, Still, Values};
+
+use crate::assemblies::{Assemblies, Tally};
+use crate::mechanism::{Mechanism, State, Suspension};
+
+/// A real assembly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assembly {
+    /// From the configuration of the file's first instant: the norm over all coordinates, in the
+    /// file's unit.
+    pub distance: f64,
+    /// How far the point moved that moved farthest.
+    pub farthest: f64,
+    /// Its number in the list, from 1.
+    pub number: usize,
+    /// The smallest pivot of the Jacobian with partial pivoting; zero where it is singular.
+    pub smallest_pivot: f64,
+    /// The points that stand on the wrong side of those that links join them to: a mirror image that
+    /// has all lengths and cannot be built.
+    pub mirrored: Vec<String>,
+    /// The mechanism at rest.
+    pub state: State,
+}
+
+/// The search for all assemblies of a mechanism.
+pub trait Assembled {
+    /// The assemblies at values of the drives, in local coordinates: the real ones, nearest to the configuration of
+    /// the first instant first, and what became of all.
+    fn at(&mut self, drives: &[f64]) -> (Vec<Assembly>, Tally);
+}
+
+/// The search over the equations of a mechanism.
+pub(super) struct Enumerated<'a, L: Suspension<N>, const N: usize> {
+    mechanism: &'a Mechanism<L, N>,
+    search: Assemblies<'a, L, N>,
+}
+
+impl<'a, L: Suspension<N>, const N: usize> Enumerated<'a, L, N> {
+    pub(super) fn new(mechanism: &'a Mechanism<L, N>) -> Self {
+        let inputs = still::<L, N>(&mechanism.first_drives());
+        let search = Assemblies::new(&mechanism.model, &mechanism.start.position, &inputs);
+        Self { mechanism, search }
+    }
+}
+
+impl<L: Suspension<N>, const N: usize> Assembled for Enumerated<'_, L, N> {
+    fn at(&mut self, drives: &[f64]) -> (Vec<Assembly>, Tally) {
+        let inputs = still::<L, N>(drives);
+        let census = self.search.at(&inputs);
+        let each = census.real.iter();
+        let mut assemblies: Vec<_> = each.map(|q| assembly(self.mechanism, &inputs, q)).collect();
+        assemblies.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        for (number, assembly) in (1..).zip(&mut assemblies) {
+            assembly.number = number;
+        }
+        (assemblies, census.tally)
+    }
+}
+
+fn still<L: Suspension<N>, const N: usize>(drives: &[f64]) -> Inputs<Still, L::Drives> {
+    let value = L::Drives::from_values(drives.iter().copied());
+    Inputs::still(Signal::still(value))
+}
+
+fn assembly<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    inputs: &Inputs<Still, L::Drives>,
+    q: &SVector<f64, N>,
+) -> Assembly {
+    let Mechanism { model, start, .. } = mechanism;
+    let moved = q - start.position;
+    let shifts = moved.as_slice().chunks(3);
+    let farthest = shifts
+        .map(|shift| shift.iter().map(|x| x * x).sum::<f64>().sqrt())
+        .fold(0.0, f64::max);
+    let points = Motion::at_rest(*q).points(model, inputs).value;
+    let fixed = model.drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
+    let factored = Lu::factor(&model.jacobian(q, &fixed));
+    let sides = model.linked().zip(model.mirrored(q, &fixed));
+    let mirrored = sides.filter(|(_, mirrored)| *mirrored > 0.5);
+    let [first, _] = mechanism.instants.ends();
+    Assembly {
+        distance: moved.norm(),
+        farthest,
+        number: 0,
+        smallest_pivot: factored.map_or(0.0, |lu| lu.smallest_pivot().1),
+        mirrored: mirrored
+            .map(|(point, _)| mechanism.names.points[point].clone())
+            .collect(),
+        state: mechanism.at_rest(first, &inputs.drives.value, points),
+    }
+}

@@ -1,0 +1,37 @@
+//! The equations of a mechanism at a place, as numbers.
+
+use nalgebra::DMatrix;
+use suspension_core::pivots::Elimination;
+
+use crate::mechanism::{Mechanism, Suspension};
+
+/// The equations of a mechanism at a place, as numbers.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    /// Their derivatives, one row an equation, one column an unknown: lengths, in the unit, without a unit.
+    pub jacobian: DMatrix<f64>,
+    /// The fixed order of elimination.
+    pub elimination: Elimination<f64>,
+    /// The largest residual, in the unit of lengths.
+    pub residual: f64,
+}
+
+impl Equations {
+    /// Those of a mechanism at its first instant.
+    pub(super) fn of<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> Self {
+        let Mechanism { model, start, .. } = mechanism;
+        let q = &start.position;
+        let [first, _] = mechanism.instants.ends();
+        let drives = mechanism.drives.inputs::<L::Drives>(first).drives;
+        let coordinates = model.coordinates(&drives).value;
+        let fixed = model.drive_anchors(*model.fixed(), &coordinates);
+        let jacobian = model.jacobian(q, &fixed);
+        // A model has room for more unknowns than the listing has.
+        let size = mechanism.names.unknowns.len();
+        Self {
+            jacobian: DMatrix::from_fn(size, size, |row, column| jacobian[(row, column)]),
+            elimination: Elimination::at(model, q, &fixed),
+            residual: model.residual(q, &fixed, &coordinates).amax(),
+        }
+    }
+}

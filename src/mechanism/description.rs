@@ -1,0 +1,60 @@
+//! What is known of a mechanism without its equations.
+
+use nalgebra::Vector3;
+
+use crate::mechanism::drives::DriveLaws;
+use crate::mechanism::instants::Instants;
+use crate::mechanism::locking::Lock;
+use crate::mechanism::names::Names;
+use crate::mechanism::unit::Unit;
+
+/// What is known of a mechanism without its equations: names, unit, and what leads it.
+#[derive(Clone, Debug)]
+pub struct Description {
+    /// The linkage's name in motion files.
+    pub linkage: String,
+    /// The names of its parts.
+    pub names: Names,
+    /// The unit of its lengths.
+    pub unit: Unit,
+    /// What to add to a local position for the file's coordinates.
+    pub origin: Vector3<f64>,
+    /// The instants of its motion.
+    pub instants: Instants,
+    /// The drives; one for which a measure leads stays as it is at the first instant.
+    pub drives: DriveLaws,
+    /// What each drive has more in the file's coordinates than in local ones.
+    pub drive_offsets: Vec<f64>,
+    /// The same of each measure.
+    pub measure_offsets: Vec<f64>,
+    /// The drives at the design position, in the file's coordinates.
+    pub design: Vec<f64>,
+    /// The number of the measure that leads in place of a drive.
+    pub led_by: Option<usize>,
+    /// What the file says that its author may not have meant, a sentence each.
+    pub notes: Vec<String>,
+}
+
+impl Description {
+    /// The drives' values in the file's coordinates, from local ones.
+    pub fn given(&self, local: &[f64]) -> Vec<f64> {
+        let each = local.iter().zip(&self.drive_offsets);
+        each.map(|(local, offset)| local + offset).collect()
+    }
+
+    /// The drives at time `t`, in local coordinates.
+    pub fn drives_at(&self, t: f64) -> Vec<f64> {
+        self.drives.at(t).map(|drive| drive.value).collect()
+    }
+
+    /// The drives at the first instant, in local coordinates.
+    pub fn first_drives(&self) -> Vec<f64> {
+        let [first, _] = self.instants.ends();
+        self.drives_at(first)
+    }
+
+    /// Where the mechanism locks, in words.
+    pub(crate) fn lock_in_words(&self, lock: &Lock) -> String {
+        lock.in_words(&self.names, self.unit, &self.design)
+    }
+}
