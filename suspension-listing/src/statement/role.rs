@@ -184,20 +184,16 @@ impl Axis {
     }
 
     fn kingpin_without_wheel(&self) -> Error {
-        match &self.wheel {
-            Some(name) => errors::at(
-                name,
-                format!(
-                    "there is no `wheel {name}` that the kingpin could steer; state it, or give the \
-                     kingpin the name of its wheel"
-                ),
+        let (token, wheel) = match &self.wheel {
+            Some(name) => (name, format!("wheel {name}")),
+            None => (&self.word, "wheel".to_owned()),
+        };
+        errors::at(
+            token,
+            format!(
+                "there is no `{wheel}` for the kingpin; state it, or give the kingpin the name of its wheel"
             ),
-            None => errors::at(
-                &self.word,
-                "there is no `wheel` without a name that the kingpin could steer; state it, or give \
-                 the kingpin the name of its wheel",
-            ),
-        }
+        )
     }
 }
 
