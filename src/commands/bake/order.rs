@@ -69,7 +69,7 @@ impl Ordered<'_> {
         if !(wanted.tolerance > 0.0 && wanted.tolerance.is_finite()) {
             return Err(self.refuse("a tolerance is a positive number of metres"));
         }
-        if self.order.wish == Wish::Wheel && names.wheel.is_none() {
+        if self.order.wish == Wish::Wheel && names.wheels.is_empty() {
             return Err(
                 self.refuse("the linkage has no wheel to bake; --points all bakes its points")
             );
