@@ -81,12 +81,11 @@ pub(super) fn of_steered_wheels(
     })
 }
 
-/// A number of an axle that steers a vehicle whose wheelbase is known: of the turn, the wheelbase and the track.
-/// `in_turns` where there is none straight ahead.
+/// A number of an axle that steers a vehicle whose wheelbase is known: of the turn, the wheelbase and the track. Straight
+/// ahead there is none.
 pub(super) fn of_turn(
     names: &Names,
     kind: Kind,
-    in_turns: bool,
     value: fn(&Turn<Number>, Number, Number) -> Number,
 ) -> Vec<Reading> {
     let vehicle = &names.vehicle;
@@ -99,7 +98,7 @@ pub(super) fn of_turn(
     }
     of_both(names, kind, true, move |wheels| {
         let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
-        if in_turns && turn.inner.value + turn.outer.value < 2.0 * STRAIGHT {
+        if turn.inner.value + turn.outer.value < 2.0 * STRAIGHT {
             return alone(f64::NAN);
         }
         value(&turn, Signal::still(wheelbase), track(wheels))

@@ -44,17 +44,18 @@ catalogue! {
                      wheelbase; none where they are less than a degree on average",
         source: "given the outer wheel, as in the reports of Simscape Multibody; wheelbase of [vehicle]",
         shown: Shown::InTables,
-        read: |names| of_turn(names, Kind::Percent, true, |turn, wheelbase, track| {
+        read: |names| of_turn(names, Kind::Percent, |turn, wheelbase, track| {
             turn.ackermann(wheelbase, track) * Signal::still(100.0)
         }),
     }
     ACKERMANN_ERROR: "Ackermann error" {
         name: "ackermann_error",
         sign: "positive where the inner wheel is steered further than ideally",
-        definition: "inner - ideal of the steer angles, with cot(ideal) = cot(outer) - track / wheelbase",
+        definition: "inner - ideal of the steer angles, with cot(ideal) = cot(outer) - track / wheelbase; none where they are \
+                     less than a degree on average",
         source: "as ackermann",
         shown: Shown::InTables,
-        read: |names| of_turn(names, Kind::Angle, false, |turn, wheelbase, track| {
+        read: |names| of_turn(names, Kind::Angle, |turn, wheelbase, track| {
             turn.inner - turn.ideal_inner(wheelbase, track)
         }),
     }
@@ -65,7 +66,7 @@ catalogue! {
                      sin(outer); none where the steer angles are less than a degree on average",
         source: "half the turning circle; wheelbase of [vehicle]",
         shown: Shown::InTables,
-        read: |names| of_turn(names, Kind::Length, true, |turn, wheelbase, _| turn.radius(wheelbase)),
+        read: |names| of_turn(names, Kind::Length, |turn, wheelbase, _| turn.radius(wheelbase)),
     }
     AXLE_ROLL_CENTRE: "roll centre of the axle" {
         name: "axle_roll_centre",
