@@ -375,5 +375,10 @@ fn sheets_and_comparisons_have_both_wheels() {
         assert!(compared.contains(part), "{part}");
     }
     let output = run(folder.path(), &["compare", "axle.toml", "corner.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let compared = text(&output.stdout);
+    for line in ["  left camber angle", "  right camber angle"] {
+        let line = compared.lines().find(|found| found.starts_with(line));
+        let cells: Vec<&str> = line.expect("compared").split_whitespace().collect();
+        assert_eq!(cells[3..], ["0", "0", "0", "deg"]);
+    }
 }

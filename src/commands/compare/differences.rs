@@ -77,6 +77,20 @@ impl Comparison {
 }
 
 /// The numbers that parameters of the same name and unit have.
+/// Whether two quantities, each with its wheel, are the same. What is of a wheel without a name is compared with that of
+/// every wheel.
+fn is_same((a, of_a): (&str, Option<&str>), (b, of_b): (&str, Option<&str>)) -> bool {
+    a == b && (of_a == of_b || of_a.is_none() || of_b.is_none())
+}
+
+fn of_parameter(parameter: &Parameter) -> (&str, Option<&str>) {
+    (&parameter.of_wheel, parameter.wheel.as_deref())
+}
+
+fn of_line(line: &Line) -> (&str, Option<&str>) {
+    (&line.of_wheel, line.wheel.as_deref())
+}
+
 fn of_parameters(
     [a, b]: [&Side; 2],
     [of_a, of_b]: [&dyn Fn(&Parameter) -> Option<(f64, String)>; 2],
@@ -85,7 +99,7 @@ fn of_parameters(
         let other = b
             .parameters
             .iter()
-            .find(|other| other.name == parameter.name)?;
+            .find(|other| is_same(of_parameter(parameter), of_parameter(other)))?;
         let ((a, symbol), (b, of_other)) = (of_a(parameter)?, of_b(other)?);
         (symbol == of_other && a.is_finite() && b.is_finite()).then(|| Difference {
             quantity: parameter.name.clone(),
@@ -109,7 +123,8 @@ pub(super) fn same_ways<'a>([a, b]: [&'a Side; 2]) -> Vec<[&'a Curves; 2]> {
 /// The lines of the same name and unit.
 pub(super) fn pairs<'a>(a: &'a Curves, b: &'a Curves) -> Vec<[&'a Line; 2]> {
     let pair = |line: &'a Line| {
-        let same = |other: &&Line| (&other.title, &other.symbol) == (&line.title, &line.symbol);
+        let same =
+            |other: &&Line| is_same(of_line(line), of_line(other)) && other.symbol == line.symbol;
         Some([line, b.lines.iter().find(same)?])
     };
     a.lines.iter().filter_map(pair).collect()
