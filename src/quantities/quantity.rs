@@ -154,25 +154,24 @@ pub fn columns(
     quantities: impl IntoIterator<Item = &'static Quantity>,
     names: &Names,
 ) -> Vec<Column> {
+    let of_reading = |quantity: &'static Quantity, reading: Reading| {
+        let name = reading.name.unwrap_or_else(|| quantity.name.to_owned());
+        Column {
+            quantity,
+            name: match &reading.wheel {
+                Some(wheel) => format!("{wheel}_{name}"),
+                None => name,
+            },
+            wheel: reading.wheel,
+            kind: reading.kind,
+            axis: reading.axis,
+            has_derivatives: reading.has_derivatives,
+            value: reading.value,
+        }
+    };
     let of_one = |quantity: &'static Quantity| {
-        (quantity.read)(names)
-            .into_iter()
-            .map(move |reading| Column {
-                quantity,
-                name: [
-                    reading.wheel.as_deref(),
-                    Some(reading.name.as_deref().unwrap_or(quantity.name)),
-                ]
-                .into_iter()
-                .flatten()
-                .collect::<Vec<_>>()
-                .join("_"),
-                wheel: reading.wheel,
-                kind: reading.kind,
-                axis: reading.axis,
-                has_derivatives: reading.has_derivatives,
-                value: reading.value,
-            })
+        let readings = (quantity.read)(names).into_iter();
+        readings.map(move |reading| of_reading(quantity, reading))
     };
     quantities.into_iter().flat_map(of_one).collect()
 }

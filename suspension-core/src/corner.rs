@@ -232,7 +232,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         Some(Kingpin::of(self.model.kingpin(&points)?, axis))
     }
 
-    /// The wheel of a name, and its kingpin if the listing states one; `None` where there is no such wheel.
+    /// The wheel of a name, and its kingpin if the listing states one; `None` where there is no such wheel. One that
+    /// is stated without a name has the empty one.
     pub fn wheel_named(&self, name: &str) -> Option<(Wheel<T>, Option<Kingpin<T>>)> {
         let mut wheels = (0..).map_while(|wheel| self.model.wheel(wheel));
         let wheel = wheels.find(|wheel| wheel.name == name)?;

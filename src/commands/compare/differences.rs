@@ -91,10 +91,10 @@ fn of_line(line: &Line) -> (&str, Option<&str>) {
     (&line.of_wheel, line.wheel.as_deref())
 }
 
-fn of_parameters(
-    [a, b]: [&Side; 2],
-    [of_a, of_b]: [&dyn Fn(&Parameter) -> Option<(f64, String)>; 2],
-) -> Vec<Difference> {
+/// Reads a number of a parameter, with its unit.
+type Read<'a> = dyn Fn(&Parameter) -> Option<(f64, String)> + 'a;
+
+fn of_parameters([a, b]: [&Side; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Difference> {
     let of_one = |parameter: &Parameter| {
         let other = b
             .parameters
