@@ -10,7 +10,9 @@ use std::time::{Duration, Instant};
 use nalgebra::Vector3;
 use suspension_core::{Inputs, Still, Tracker, Values};
 
-use crate::bake::{Exact, OutOfReach, Path, Wish};
+use crate::bake::{
+    BakedSurface, Exact, OutOfReach, Path, UnmetSurface, WantedSurface, Wish, bake_surface,
+};
 use crate::failure::Failure;
 use crate::mechanism::{
     Description, End, Grid, Instants, Lock, Mechanism, OnPlace, OnState, Order, State, Suspension,
@@ -72,6 +74,13 @@ pub trait Kinematics: Deref<Target = Description> {
         range: [f64; 2],
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach>;
+
+    /// The motion over two drives as polynomials, the others held as at the first instant; in local coordinates.
+    ///
+    /// # Errors
+    ///
+    /// See [`UnmetSurface`].
+    fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface>;
 
     /// What the motion takes in steps of `dt`, without the first, and how many they are; `None` where it has none, or stops.
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
@@ -149,6 +158,11 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         let held = L::Drives::from_values(self.first_drives());
         let path = Path::new(&self.model, &self.start, held, drive, range, wish)?;
         Ok(Box::new(path))
+    }
+
+    fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface> {
+        let held = L::Drives::from_values(self.first_drives());
+        bake_surface(&self.model, &self.start, held, wanted)
     }
 
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)> {

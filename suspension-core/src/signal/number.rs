@@ -23,15 +23,12 @@ pub trait Number:
     + ClosedDivAssign
 {
     /// The square root; not finite with its derivatives at zero.
-    #[inline]
     fn square_root(self) -> Self;
 
     /// The angle of the direction `(x, y)` from the x axis: `atan2`.
-    #[inline]
     fn arc_tangent(y: Self, x: Self) -> Self;
 
     /// Whether it is less than zero.
-    #[inline]
     fn is_below_zero(&self) -> bool;
 
     /// Its magnitude; at zero the derivatives are those of a number above zero.
