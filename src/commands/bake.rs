@@ -56,7 +56,7 @@ pub struct Arguments {
 enum Points {
     /// Every free point and marker: three outputs each.
     All,
-    /// The wheel: centre and spin axis, six outputs.
+    /// The wheel, of several the first: centre and spin axis, six outputs.
     Wheel,
 }
 

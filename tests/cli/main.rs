@@ -2,6 +2,7 @@
 //! fraction of the time that the others take.
 
 mod assemblies;
+mod axle;
 mod bad_input;
 mod bake;
 mod check;

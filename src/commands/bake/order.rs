@@ -72,7 +72,7 @@ impl Ordered<'_> {
         if !(self.order.tolerance > 0.0 && self.order.tolerance.is_finite()) {
             return Err(self.refuse("a tolerance is a positive number of metres"));
         }
-        if self.order.wish == Wish::Wheel && names.wheel.is_none() {
+        if self.order.wish == Wish::Wheel && names.wheels.is_empty() {
             return Err(
                 self.refuse("the linkage has no wheel to bake; --points all bakes its points")
             );
