@@ -86,16 +86,18 @@ pub trait Kinematics: Deref<Target = Description> {
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
 }
 
+/// Reads a state, given what gives the state with derivatives with respect to a drive; that is `None` where the
+/// mechanism locks.
+pub type Read<'a, R> = dyn FnMut(&State, &dyn Fn(usize) -> Option<State>) -> R + 'a;
+
 impl dyn Kinematics + '_ {
-    /// Solves the mechanism at each place of a grid; derivatives of quantities have the wanted order. `read` is given
-    /// the state, and what gives the state with derivatives with respect to a drive; that is `None` where the
-    /// mechanism locks.
+    /// Solves the mechanism at each place of a grid; derivatives of quantities have the wanted order.
     pub fn visit<R>(
         &self,
         grid: &Grid,
         order: Order,
         interrupted: &AtomicBool,
-        read: &mut dyn FnMut(&State, &dyn Fn(usize) -> Option<State>) -> R,
+        read: &mut Read<'_, R>,
     ) -> Visited<R> {
         let mut places = Vec::new();
         places.resize_with(grid.places().unwrap_or_default(), || None);
