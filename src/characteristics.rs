@@ -5,6 +5,6 @@ mod along;
 mod curves;
 mod parameters;
 
-pub use along::{Along, Span, ways};
+pub use along::{Along, Span, Way, ways};
 pub use curves::{Curves, Line, curves};
 pub use parameters::{Derivative, Parameter, parameters};

@@ -10,7 +10,9 @@ use std::time::{Duration, Instant};
 use nalgebra::Vector3;
 use suspension_core::{Inputs, Still, Tracker, Values};
 
-use crate::bake::{Exact, OutOfReach, Path, Wish};
+use crate::bake::{
+    BakedSurface, Exact, OutOfReach, Path, UnmetSurface, WantedSurface, Wish, bake_surface,
+};
 use crate::failure::Failure;
 use crate::mechanism::{
     Description, End, Grid, Instants, Lock, Mechanism, OnPlace, OnState, Order, State, Suspension,
@@ -73,20 +75,29 @@ pub trait Kinematics: Deref<Target = Description> {
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach>;
 
+    /// The motion over two drives as polynomials, the others held as at the first instant; in local coordinates.
+    ///
+    /// # Errors
+    ///
+    /// See [`UnmetSurface`].
+    fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface>;
+
     /// What the motion takes in steps of `dt`, without the first, and how many they are; `None` where it has none, or stops.
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
 }
 
+/// Reads a state, given what gives the state with derivatives with respect to a drive; that is `None` where the
+/// mechanism locks.
+pub type Read<'a, R> = dyn FnMut(&State, &dyn Fn(usize) -> Option<State>) -> R + 'a;
+
 impl dyn Kinematics + '_ {
-    /// Solves the mechanism at each place of a grid; derivatives of quantities have the wanted order. `read` is given
-    /// the state, and what gives the state with derivatives with respect to a drive; that is `None` where the
-    /// mechanism locks.
+    /// Solves the mechanism at each place of a grid; derivatives of quantities have the wanted order.
     pub fn visit<R>(
         &self,
         grid: &Grid,
         order: Order,
         interrupted: &AtomicBool,
-        read: &mut dyn FnMut(&State, &dyn Fn(usize) -> Option<State>) -> R,
+        read: &mut Read<'_, R>,
     ) -> Visited<R> {
         let mut places = Vec::new();
         places.resize_with(grid.places().unwrap_or_default(), || None);
@@ -149,6 +160,11 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         let held = L::Drives::from_values(self.first_drives());
         let path = Path::new(&self.model, &self.start, held, drive, range, wish)?;
         Ok(Box::new(path))
+    }
+
+    fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface> {
+        let held = L::Drives::from_values(self.first_drives());
+        bake_surface(&self.model, &self.start, held, wanted)
     }
 
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)> {

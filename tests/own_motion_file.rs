@@ -3,9 +3,10 @@
 
 use std::ops::ControlFlow;
 
+use suspension::bake::source::Table;
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::order::{Order, Ordered};
+use suspension::commands::bake::order::{Order, Ordered, Wished};
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::{Mechanism, State};
@@ -168,8 +169,10 @@ fn ranges_far_from_the_origin() {
 fn baked_far_from_the_origin() {
     let [here, there] = [[0.0; 3], AWAY].map(|away| {
         let order = Order {
-            drive: Some("bump".to_owned()),
-            range: [None, Some(0.25 + away[2])],
+            drives: vec![Wished {
+                drive: Some("bump".to_owned()),
+                range: [None, Some(0.25 + away[2])],
+            }],
             tolerance: 1e-6,
             continuity: Continuity::Velocity,
             wish: Wish::Wheel,
@@ -179,15 +182,17 @@ fn baked_far_from_the_origin() {
             mechanism: &mechanism(away),
             order: &order,
         };
-        ordered.sheet().expect("a curve")
+        let sheet = ordered.sheet().expect("a curve");
+        match sheet.baked {
+            Table::Curve(baked) => (sheet.about, baked),
+            Table::Surface(_) => panic!("of one drive a curve"),
+        }
     });
-    assert_eq!(here.baked.wanted.range, [0.18, 0.25]);
-    assert_eq!(
-        there.baked.wanted.range,
-        [0.18, 0.25].map(|end| end + AWAY[2])
-    );
-    assert_eq!(there.held, "steer = -2047.66 m");
-    let constants = [here, there].map(|sheet| sheet.baked.segments[0][0][0]);
+    let [(_, here), (about, there)] = [here, there];
+    assert_eq!(here.wanted.range, [0.18, 0.25]);
+    assert_eq!(there.wanted.range, [0.18, 0.25].map(|end| end + AWAY[2]));
+    assert_eq!(about.held, "steer = -2047.66 m");
+    let constants = [here, there].map(|baked| baked.segments[0][0][0]);
     for (axis, away) in AWAY.iter().enumerate() {
         assert!((constants[1][axis] - away - constants[0][axis]).abs() < TOLERANCE);
     }

@@ -5,31 +5,25 @@ use std::sync::atomic::AtomicBool;
 
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::order::{Order, Ordered};
+use suspension::commands::bake::order::{Order, Ordered, Wished};
 use suspension::file::Source;
-use suspension::load::load_own;
-use suspension::mechanism::{Description, Mechanism};
+use suspension::kinematics::Kinematics;
+use suspension::load::load;
 use suspension::output::figures::{draw, height_and_angles};
 use suspension::output::record::record;
 use suspension::output::rows::Forms;
 use suspension::output::summary;
 use suspension::output::target::Target;
-use suspension::reach::range;
-use suspension_core::linkage;
 
-linkage! {
-    /// A point on two links, its height driven.
-    mod two_links {
-        fixed: left, right;
-        free:  top;
-        link one: left -> top;
-        link two: right -> top;
-        drive height: top.z;
-    }
-}
-
+/// A point on two links, its height driven.
 const FILE: &str = "\
-linkage = \"two_links\"
+statements = '''
+fixed: left, right;
+free:  top;
+link one: left -> top;
+link two: right -> top;
+drive height: top.z;
+'''
 unit = \"m\"
 [points]
 left = [-3.0, 0.0, 0.0]
@@ -43,14 +37,15 @@ step = 0.25
 height = [0.0, 2.0]
 ";
 
-fn mechanism() -> Mechanism<two_links::Model<f64>, 3> {
-    load_own("two_links", &Source::new("a.toml", FILE)).expect("a mechanism")
+fn on_it<R>(work: impl FnOnce(&dyn Kinematics) -> R) -> R {
+    let source = Source::new("a.toml", FILE);
+    let loaded = load(&source).expect("a listing");
+    work(&*loaded.at_first_instant().expect("a mechanism"))
 }
 
 fn order(wish: Wish) -> Order {
     Order {
-        drive: None,
-        range: [None, None],
+        drives: vec![Wished::default()],
         tolerance: 1e-6,
         continuity: Continuity::Velocity,
         wish,
@@ -59,15 +54,18 @@ fn order(wish: Wish) -> Order {
 
 #[test]
 fn its_motion_has_columns_of_points_alone() {
+    on_it(has_columns_of_points_alone);
+}
+
+fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
     let folder = tempfile::tempdir().expect("a folder");
-    let mechanism = mechanism();
     let path = folder.path().join("a.csv");
     let forms = Forms {
         csv: Some(Target::File(path.clone())),
         json: None,
     };
     let never = AtomicBool::new(false);
-    let outcome = record(&mechanism, &mechanism.instants, &forms, 12, &never);
+    let outcome = record(mechanism, &mechanism.instants, &forms, 12, &never);
     let outcome = outcome.expect("a table");
     let table = std::fs::read_to_string(path).expect("a table");
     assert_eq!(
@@ -79,32 +77,29 @@ fn its_motion_has_columns_of_points_alone() {
     );
     assert_eq!(table.lines().count(), 6);
     assert!(!table.contains("NaN"), "{table}");
-    let Description {
-        linkage,
-        names,
-        unit,
-        ..
-    } = &*mechanism;
-    let text = summary::text(linkage, names, *unit, &outcome);
+    let text = summary::text(mechanism, &outcome);
     assert!(
         text.contains("height (m)") && !text.contains("camber"),
         "{text}"
     );
     let files = (folder.path(), "a");
-    let written = draw(&mechanism, &outcome, files, height_and_angles).expect("no plots");
+    let written = draw(mechanism, &outcome, files, height_and_angles).expect("no plots");
     assert_eq!(written, [] as [&Path; 0], "there is nothing to draw");
 }
 
 #[test]
 fn other_work_is_done_on_it_too() {
-    let mechanism = mechanism();
-    let found = range(&mechanism, 0, &false.into()).expect("a curve");
+    on_it(has_ends_and_assemblies);
+}
+
+fn has_ends_and_assemblies(mechanism: &dyn Kinematics) {
+    let found = mechanism.range(0, &false.into()).expect("a curve");
     for (end, expected) in found.ends.iter().zip([-4.0, 4.0]) {
         assert!((end.value - expected).abs() < 1e-9, "{end:?}");
     }
     let mut assemblies = 0;
     let listed = list(
-        &mechanism,
+        mechanism,
         "a.toml",
         &listed::Wish::default(),
         &false.into(),
@@ -119,11 +114,14 @@ fn other_work_is_done_on_it_too() {
 
 #[test]
 fn its_points_are_baked_and_its_wheel_is_refused() {
-    let mechanism = mechanism();
+    on_it(bakes_points_alone);
+}
+
+fn bakes_points_alone(mechanism: &dyn Kinematics) {
     let baked = |wish| {
         Ordered {
             file: "a.toml",
-            mechanism: &mechanism,
+            mechanism,
             order: &order(wish),
         }
         .sheet()

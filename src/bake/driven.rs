@@ -68,11 +68,11 @@ enum Reading {
 
 impl Reading {
     fn new(names: &Names, wish: Wish) -> Self {
-        match (wish, names.wheel) {
+        match (wish, names.wheels.first()) {
             (Wish::AllPoints, _) => {
                 Self::From(names.chassis, names.points[names.chassis..].to_vec())
             }
-            (Wish::Wheel, Some(wheel)) => Self::Axis(wheel.axis),
+            (Wish::Wheel, Some(wheel)) => Self::Axis(wheel.points.axis),
             (Wish::Wheel, None) => Self::From(names.points.len(), Vec::new()),
         }
     }
@@ -84,7 +84,7 @@ impl<'a, L> Driven<'a, L> {
     where
         L: Suspension<N>,
     {
-        let reading = Reading::new(&Names::of_model(model), wish);
+        let reading = Reading::new(&Names::of(model), wish);
         Self { model, reading }
     }
 

@@ -49,6 +49,23 @@ impl BakedSurface {
         self.patches.iter().map(fixed).collect()
     }
 
+    /// The same with positions in coordinates that have the origin of these at `origin`, and with
+    /// the drives' `ranges` in them.
+    pub fn moved(mut self, origin: [f64; 3], ranges: [[f64; 2]; 2]) -> Self {
+        self.wanted.ranges = ranges;
+        for patch in &mut self.patches {
+            for (output, coefficients) in self.outputs.iter().zip(patch) {
+                if *output != Output::SpinAxis {
+                    let constants = coefficients[0][0].iter_mut();
+                    constants
+                        .zip(origin)
+                        .for_each(|(constant, origin)| *constant += origin);
+                }
+            }
+        }
+        self
+    }
+
     /// The numbers of patches in each direction, divided by the lengths of the ranges.
     pub fn patches_per_unit(&self) -> [f64; 2] {
         [0, 1].map(|way| {

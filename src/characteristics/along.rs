@@ -7,7 +7,7 @@ use suspension_core::DriveKind;
 
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{From, Grid, Order, State, Unit, Visited, evenly_spaced};
+use crate::mechanism::{From, Grid, Names, Order, State, Unit, Visited, evenly_spaced};
 
 /// From where to where, from the design position, as `-0.06:0.06`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,10 +27,40 @@ impl FromStr for Span {
     }
 }
 
-/// The states along one drive.
-pub struct Along {
+/// A drive of travel or of steering.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Way {
     /// The drive's number.
     pub drive: usize,
+    /// `travel` or `steer`; with several such drives the second is `travel 2`.
+    pub name: String,
+    is_travel: bool,
+}
+
+impl Way {
+    /// Those of a mechanism, travel first.
+    pub fn all(names: &Names) -> Vec<Self> {
+        let vehicle = &names.vehicle;
+        let kinds = [("travel", &vehicle.travel), ("steer", &vehicle.steer)];
+        let each = kinds.into_iter().flat_map(|(kind, drives)| {
+            let numbered = (1..).zip(drives);
+            numbered.map(move |(number, drive)| Self {
+                drive: *drive,
+                name: match number {
+                    1 => kind.to_owned(),
+                    number => format!("{kind} {number}"),
+                },
+                is_travel: kind == "travel",
+            })
+        });
+        each.collect()
+    }
+}
+
+/// The states along one drive.
+pub struct Along {
+    /// The drive.
+    pub way: Way,
     /// The drive's changes from the design position.
     pub changes: Vec<f64>,
     /// Each state, and the same with derivatives with respect to the drive.
@@ -44,7 +74,7 @@ const PLACES: usize = 61;
 const USUAL: [f64; 2] = [0.06, 0.03];
 const USUAL_ANGLE: f64 = 0.2;
 
-/// The states along travel, and along steering where a drive steers; spans are in `unit`.
+/// The states along travel, of several wheels along each drive, and along steering where a drive steers; spans are in `unit`.
 ///
 /// # Errors
 ///
@@ -57,43 +87,38 @@ pub fn ways(
     interrupted: &AtomicBool,
 ) -> Result<Vec<Along>, Failure> {
     let names = &mechanism.names;
-    if names.vehicle.travel.is_none() {
+    if names.vehicle.travel.is_empty() {
         let known = names.of_drives().join(", ");
         return Err(Failure::Input(format!(
             "{file}: which drive moves the wheel up and down? Write [vehicle] with travel = \"NAME\"; the drives are {known}"
         )));
     }
-    let drives = [names.vehicle.travel, names.vehicle.steer];
-    let each = drives.into_iter().zip(spans).zip(USUAL);
-    let ways = each.filter_map(|((drive, span), metres)| {
-        let drive = drive?;
+    let along = |way: Way| {
+        let of = usize::from(!way.is_travel);
+        let (span, metres) = (spans[of], USUAL[of]);
         let metre = mechanism.unit.metre();
-        let span = match (span, names.drives[drive].kind) {
+        let span = match (span, names.drives[way.drive].kind) {
             (Some(Span(ends)), DriveKind::Coordinate) => ends.map(|end| end / unit.metre() * metre),
             (Some(Span(ends)), DriveKind::Angle) => ends,
             (None, DriveKind::Coordinate) => [-metres, metres].map(|end| end * metre),
             (None, DriveKind::Angle) => [-USUAL_ANGLE, USUAL_ANGLE],
         };
-        Some(along(mechanism, drive, span, interrupted))
-    });
-    Ok(ways.collect())
+        along(mechanism, way, span, interrupted)
+    };
+    Ok(Way::all(names).into_iter().map(along).collect())
 }
 
-fn along(
-    mechanism: &dyn Kinematics,
-    drive: usize,
-    span: [f64; 2],
-    interrupted: &AtomicBool,
-) -> Along {
+fn along(mechanism: &dyn Kinematics, way: Way, span: [f64; 2], interrupted: &AtomicBool) -> Along {
     let changes = evenly_spaced(span, PLACES);
-    let axes = vec![(drive, changes.clone())];
+    let axes = vec![(way.drive, changes.clone())];
     // So few places are never too many.
     let grid = Grid::new(mechanism, axes, From::Start).unwrap_or_default();
     let mut read =
-        |state: &State, per: &dyn Fn(usize) -> Option<State>| (state.clone(), per(drive));
+        |state: &State, per: &dyn Fn(usize) -> Option<State>| (state.clone(), per(way.drive));
+    let visited = mechanism.visit(&grid, Order::First, interrupted, &mut read);
     Along {
-        drive,
+        way,
         changes,
-        visited: mechanism.visit(&grid, Order::First, interrupted, &mut read),
+        visited,
     }
 }

@@ -1,7 +1,7 @@
 //! Curves over travel or steering.
 
 use crate::characteristics::along::Along;
-use crate::characteristics::parameters::{columns, name, symbol_per};
+use crate::characteristics::parameters::{columns, name, symbol_per, title_of};
 use crate::mechanism::{Description, State, Unit};
 use crate::quantities::{
     Column, FRONT_ARM, FRONT_CENTRE, Kind, MEASURES, Quantity, SIDE_ARM, SIDE_CENTRE,
@@ -11,6 +11,8 @@ use crate::quantities::{
 pub struct Curves {
     /// The drive's name.
     pub drive: String,
+    /// What it does: see [`Way`](crate::characteristics::Way).
+    pub way: String,
     /// What it is.
     pub kind: Kind,
     /// Its changes from the design position, for people.
@@ -21,8 +23,12 @@ pub struct Curves {
 
 /// A quantity along a drive, for people.
 pub struct Line {
-    /// What it is.
+    /// What it is, and of which wheel.
     pub title: String,
+    /// What it is of that wheel, the same of each.
+    pub of_wheel: String,
+    /// The wheel's name, where it has one.
+    pub wheel: Option<String>,
     /// Its unit.
     pub symbol: String,
     /// At each of the drive's changes; `None` where the mechanism is out of reach, or there is no such number.
@@ -47,7 +53,7 @@ impl Curves {
 
 /// All quantities along a drive, with lengths in `unit`; of measures their derivatives too, which are motion ratios.
 pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
-    let drive = &mechanism.names.drives[along.drive];
+    let drive = &mechanism.names.drives[along.way.drive];
     let kind = Kind::from(drive.kind);
     let values = |value: &dyn Fn(&State, &Option<State>) -> Option<f64>| -> Vec<Option<f64>> {
         let places = along.visited.places.iter();
@@ -68,14 +74,19 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
         let title = name(&column);
         if column.is(&MEASURES) {
             let scale = scale / kind.conversion(mechanism.unit, unit);
+            let title = format!("motion ratio: {title} per {}", drive.name);
             lines.push(Line {
-                title: format!("motion ratio: {title} per {}", drive.name),
+                of_wheel: title.clone(),
+                wheel: None,
+                title,
                 symbol: symbol_per(&symbol, kind, unit),
                 values: values(&|_, per| Some(column.along(per.as_ref()?).rate * scale)),
             });
         }
         lines.push(Line {
             title,
+            of_wheel: title_of(&column),
+            wheel: column.wheel.clone(),
             symbol,
             values: values(&|state, _| Some(column.value(state) * scale)),
         });
@@ -84,6 +95,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     lines.retain(|line| count(line) > 1);
     Curves {
         drive: drive.name.clone(),
+        way: along.way.name.clone(),
         kind,
         changes: along
             .changes

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
+use crate::characteristics::along::Way;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, From, Grid, Order, State, Unit};
 use crate::quantities::{
@@ -10,14 +11,18 @@ use crate::quantities::{
 
 /// A quantity at the design position, for people.
 pub struct Parameter {
-    /// What it is called.
+    /// What it is called, and of which wheel.
     pub name: String,
+    /// What it is called of that wheel, the same of each.
+    pub of_wheel: String,
+    /// The wheel's name, where it has one.
+    pub wheel: Option<String>,
     /// Its unit.
     pub symbol: String,
     /// Its value.
     pub value: f64,
-    /// Its derivatives with respect to travel and steering; `None` where there is no such drive, or no derivative.
-    pub per: [Option<Derivative>; 2],
+    /// Its derivatives with respect to the drives of travel and steering, a [`Way`] each; `None` where there is none.
+    pub per: Vec<Option<Derivative>>,
     /// The row of the catalogue.
     pub quantity: &'static Quantity,
 }
@@ -46,16 +51,16 @@ pub fn parameters(
     unit: Unit,
     interrupted: &AtomicBool,
 ) -> Vec<Parameter> {
-    let vehicle = mechanism.names.vehicle;
-    let drives = [vehicle.travel, vehicle.steer];
+    let ways = Way::all(&mechanism.names);
     let columns = columns(mechanism);
     let mut read = |state: &State, per: &dyn Fn(usize) -> Option<State>| -> Vec<Parameter> {
-        let per = drives.map(|drive| {
-            Some((
-                Kind::from(mechanism.names.drives[drive?].kind),
-                per(drive?)?,
-            ))
-        });
+        let per: Vec<PerDrive> = ways
+            .iter()
+            .map(|Way { drive, .. }| {
+                let kind = Kind::from(mechanism.names.drives[*drive].kind);
+                Some((kind, per(*drive)?))
+            })
+            .collect();
         let parameter = |column| parameter(column, [mechanism.unit, unit], state, &per);
         columns.iter().map(parameter).collect()
     };
@@ -64,15 +69,18 @@ pub fn parameters(
     visited.places.into_iter().flatten().flatten().collect()
 }
 
+/// What a drive measures, and the state with derivatives with respect to it; `None` where the mechanism locks.
+type PerDrive = Option<(Kind, State)>;
+
 fn parameter(
     column: &Column,
     [from, unit]: [Unit; 2],
     state: &State,
-    per: &[Option<(Kind, State)>; 2],
+    per: &[PerDrive],
 ) -> Parameter {
     let (scale, symbol) = column.kind.for_people(unit);
     let scale = scale * column.kind.conversion(from, unit);
-    let along = |per: &Option<(Kind, State)>| {
+    let along = |per: &PerDrive| {
         let (drive, state) = per.as_ref().filter(|_| column.has_derivatives)?;
         let value = column.along(state).rate * scale / drive.conversion(from, unit);
         Some(Derivative {
@@ -83,14 +91,25 @@ fn parameter(
     Parameter {
         name: name(column),
         value: column.value(state) * scale,
-        per: per.each_ref().map(along),
+        of_wheel: title_of(column),
+        wheel: column.wheel.clone(),
+        per: per.iter().map(along).collect(),
         symbol,
         quantity: column.quantity,
     }
 }
 
-/// What a column is called, with its axis.
+/// What a column is called, with its wheel and its axis.
 pub(super) fn name(column: &Column) -> String {
+    let title = title_of(column);
+    match &column.wheel {
+        Some(wheel) => format!("{wheel} {title}"),
+        None => title,
+    }
+}
+
+/// The same without the wheel.
+pub(super) fn title_of(column: &Column) -> String {
     let axis = column
         .axis
         .map_or_else(String::new, |axis| format!(" {axis}"));

@@ -3,6 +3,7 @@
 pub mod order;
 
 use std::path::PathBuf;
+use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::builder::PossibleValue;
@@ -10,11 +11,12 @@ use clap::{Args, ValueEnum};
 
 use crate::bake::source::Language;
 use crate::bake::{Continuity, Wish};
+use crate::characteristics::Span;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::output::files::{refuse_input, write_file};
-use order::{Order, Ordered};
+use order::{Order, Ordered, Wished};
 
 /// What `suspension bake` is given.
 #[derive(Args, Clone, Debug)]
@@ -22,10 +24,10 @@ use order::{Order, Ordered};
 pub struct Arguments {
     /// The motion file (TOML), as for `suspension motion`.
     file: PathBuf,
-    /// The drive; needed where the linkage has several. The others are held as at the file's first
-    /// instant.
-    #[arg(long, value_name = "NAME")]
-    drive: Option<String>,
+    /// The drive, where the linkage has several; given twice, a surface over two drives. The others are held as at the
+    /// file's first instant. The range may stand behind the name, in place of --from and --to.
+    #[arg(long = "drive", value_name = "NAME[=FROM:TO]")]
+    drives: Vec<Wished>,
     /// The drive's first value, its own, as the file's [drives] have it, not a change from the design; in rad (angles)
     /// or the file's unit. Without it the least that it has in the file's motion.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
@@ -54,7 +56,7 @@ pub struct Arguments {
 enum Points {
     /// Every free point and marker: three outputs each.
     All,
-    /// The wheel: centre and spin axis, six outputs.
+    /// The wheel, of several the first: centre and spin axis, six outputs.
     Wheel,
 }
 
@@ -70,7 +72,7 @@ impl Arguments {
         let ordered = Ordered {
             file: source.name(),
             mechanism: &*loaded.driven("suspension bake")?,
-            order: &self.order(),
+            order: &self.order()?,
         };
         let sheet = ordered.sheet()?;
         if interrupted.load(Ordering::Relaxed) {
@@ -86,18 +88,30 @@ impl Arguments {
         });
         refuse_input(&path, &self.file, "--output")?;
         write_file(&path, &sheet.text(self.language, &path))?;
-        eprintln!(
-            "wrote {}: {} segments",
-            path.display(),
-            sheet.baked.segments.len()
-        );
+        eprintln!("wrote {}: {}", path.display(), sheet.baked.count_in_words());
         Ok(())
     }
 
-    fn order(&self) -> Order {
-        Order {
-            drive: self.drive.clone(),
-            range: [self.from, self.to],
+    fn order(&self) -> Result<Order, Failure> {
+        let ends = [self.from, self.to];
+        let mut drives = self.drives.clone();
+        if drives.is_empty() {
+            drives.push(Wished::default());
+        }
+        if ends.iter().any(Option::is_some) {
+            let [only] = drives.as_mut_slice() else {
+                let message = "--from and --to are those of one drive; write --drive NAME=FROM:TO for each of two";
+                return Err(Failure::Input(message.to_owned()));
+            };
+            if only.range.iter().any(Option::is_some) {
+                let message =
+                    "--from and --to say again what stands behind --drive; give one of both";
+                return Err(Failure::Input(message.to_owned()));
+            }
+            only.range = ends;
+        }
+        Ok(Order {
+            drives,
             tolerance: self.tolerance,
             continuity: match self.continuity {
                 0 => Continuity::Position,
@@ -108,7 +122,25 @@ impl Arguments {
                 Points::All => Wish::AllPoints,
                 Points::Wheel => Wish::Wheel,
             },
-        }
+        })
+    }
+}
+
+impl FromStr for Wished {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let Some((name, range)) = text.split_once('=') else {
+            return Ok(Self {
+                drive: Some(text.to_owned()),
+                range: [None; 2],
+            });
+        };
+        let Span(range) = range.parse()?;
+        Ok(Self {
+            drive: Some(name.trim().to_owned()),
+            range: range.map(Some),
+        })
     }
 }
 
@@ -119,9 +151,9 @@ impl ValueEnum for Language {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         Some(match self {
-            Self::Rust => {
-                PossibleValue::new("rust").help("A `static` of `suspension_core::baked::Curve`")
-            }
+            Self::Rust => PossibleValue::new("rust").help(
+                "A `static` of `suspension_core::baked`: `Curve`, or `Surface` of two drives",
+            ),
             Self::C => {
                 PossibleValue::new("c").help("A header in C99 with a function that evaluates")
             }
@@ -144,7 +176,10 @@ Outside its range a curve has no value: Rust returns an error that holds the nea
 returns 1. Near a turning point of the drive positions move as a square root does, which no
 polynomial follows: the range is refused, and the message has one that is possible.
 
-  Rust  a `static` of suspension_core::baked::Curve: no heap, no operating system
+Over two drives, as travel and steering, it is a surface of patches, checked at points all over each; it joins with at
+most one derivative.
+
+  Rust  a `static` of suspension_core::baked::Curve or Surface: no heap, no operating system
   C     a header (C99) with a function, no library
   TOML  the numbers
 
@@ -155,4 +190,5 @@ Exit codes: 0 done, 1 the file cannot be written, 2 wrong input or no such drive
 mechanism does not go through the range, or not within the tolerance, 130 interrupted.
 
 Example:
-  suspension bake examples/five_link.toml --from 0.75 --to 2.0 --tolerance 1e-5 --as c"#;
+  suspension bake examples/five_link.toml --from 0.75 --to 2.0 --tolerance 1e-5 --as c
+  suspension bake examples/double_wishbone.toml --drive bump=0.24:0.36 --drive steer=0.32:0.36 --tolerance 1e-5"#;

@@ -111,9 +111,9 @@ const NOTES: &str = "\
 Of both suspensions at their design positions, those of the files' points: all quantities that both have, their
 derivatives with respect to travel and steering, as bump camber, bump steer and motion ratios, and of each curve over
 travel and steering where the two differ most. A difference is B - A. The layouts may be different; quantities have
-the same name in all. The files' [vehicle] tables say what the listings do not, as for suspension sheet.
+the same name in all. Where only one of the files has named wheels, each of them is compared with the wheel of the other. The files' [vehicle] tables say what the listings do not, as for suspension sheet.
 
-The table of --csv has a row a number: of (design, per travel, per steer, over travel, over steer), quantity, unit, at
+The table of --csv has a row a number: of (design, per travel, per steer, over travel, over steer; of a second wheel per travel 2), quantity, unit, at
 (the drive's change where the curves differ most, for people), a, b, difference; angles in degrees.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within the travel (what there is is

@@ -120,7 +120,7 @@ impl Arguments {
 
 /// Says which line stands in for the spin axis where that is of two points of the hardpoint file.
 fn note_spin_axis(names: &mechanism::Names) {
-    if let Some([inner, centre]) = names.wheel.map(|wheel| wheel.axis)
+    if let Some([inner, centre]) = names.wheels.first().map(|wheel| wheel.points.axis)
         && inner < names.chassis + names.free
     {
         let [inner, centre] = [inner, centre].map(|point| &names.points[point]);

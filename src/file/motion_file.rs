@@ -11,6 +11,7 @@ use serde::de::{
 use toml::Spanned;
 
 use crate::failure::Failure;
+use crate::file::drive_of::DriveOf;
 use crate::file::explain::explained;
 use crate::file::source::Source;
 use crate::mechanism::{Axes, Axle, Unit};
@@ -125,10 +126,10 @@ pub struct Offset {
 pub struct VehicleTable {
     /// From the wheel centre to the ground, in the unit.
     pub wheel_radius: Option<Spanned<f64>>,
-    /// The drive that moves the wheel up and down.
-    pub travel: Option<Spanned<String>>,
+    /// The drive that moves each wheel up and down.
+    pub travel: Option<Spanned<DriveOf>>,
     /// The drive that steers it.
-    pub steer: Option<Spanned<String>>,
+    pub steer: Option<Spanned<DriveOf>>,
     /// Which axle the wheel is on.
     pub axle: Option<Axle>,
     /// From axle to axle, in the unit.

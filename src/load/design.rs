@@ -107,24 +107,24 @@ fn place_markers<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> P {
 /// A spin axis that is shorter, in metres, has a direction of rounding.
 const SHORTEST: f64 = 1e-6;
 
-/// The spin axis, where there is one, must have a direction.
+/// Each spin axis must have a direction.
 fn check_spin_axis<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> Result<(), Failure> {
     let Task { file, names, .. } = task;
-    let Some(wheel) = names.wheel else {
-        return Ok(());
-    };
     let placed: Vec<Vector3<f64>> = points.values().collect();
-    let [inner, centre] = wheel.axis;
-    let length = (placed[centre] - placed[inner]).norm();
-    if length > SHORTEST * file.unit.metre() && length.is_finite() {
-        return Ok(());
+    for wheel in &names.wheels {
+        let [inner, centre] = wheel.points.axis;
+        let length = (placed[centre] - placed[inner]).norm();
+        if length > SHORTEST * file.unit.metre() && length.is_finite() {
+            continue;
+        }
+        let name = &names.points[centre];
+        let place = file.points.get_ref()[name.as_str()].span();
+        let message = format!(
+            "point `{name}` gives the spin axis no length; put it outboard of the axis' other point"
+        );
+        return Err(task.source.refuse(&place, message));
     }
-    let name = &names.points[centre];
-    let place = file.points.get_ref()[name.as_str()].span();
-    let message = format!(
-        "point `{name}` gives the spin axis no length; put it outboard of the axis' other point"
-    );
-    Err(task.source.refuse(&place, message))
+    Ok(())
 }
 
 /// The drives' values in the file's coordinates, from local ones.

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::Values;
 
 use crate::load::task::Task;
-use crate::mechanism::Unit;
+use crate::mechanism::{Unit, Wheel};
 use crate::number::rounded;
 
 /// No suspension is so large, in metres, nor so small.
@@ -22,15 +22,17 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     placed: &P,
 ) -> Vec<String> {
     let placed_points: Vec<_> = placed.values().collect();
-    let notes = [
-        size(task, given),
-        moved(task, given, placed),
-        kingpin(task, &placed_points),
-        spin_axis(task, &placed_points),
-        radius(task),
-    ];
+    let of_points = [size(task, given), moved(task, given, placed)];
+    let wheels = task.names.wheels.iter();
+    let of_wheels = wheels.flat_map(|wheel| {
+        [
+            kingpin(task, wheel, &placed_points),
+            spin_axis(task, wheel, &placed_points),
+        ]
+    });
     let name = task.source.name();
-    let notes = notes.into_iter().flatten();
+    let notes = of_points.into_iter().chain(of_wheels).chain([radius(task)]);
+    let notes = notes.flatten();
     notes.map(|note| format!("{name}: {note}")).collect()
 }
 
@@ -72,26 +74,28 @@ fn moved<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, placed: &P) -> Opt
 }
 
 /// The kingpin is stated from top to bottom.
-fn kingpin(task: &Task<'_>, placed: &[Vector3<f64>]) -> Option<String> {
+fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
     let names = task.names;
-    let [lower, upper] = names.kingpin?;
+    let [lower, upper] = wheel.points.kingpin?;
     let [from, to] = [lower, upper].map(|point| &names.points[point]);
     let upwards = task.file.axes.turned(placed[upper] - placed[lower]);
     (upwards.z < 0.0).then(|| {
-        format!("the kingpin points downwards; write `kingpin: {to} -> {from};` for caster and kingpin angle")
+        let kingpin = wheel.stated("kingpin");
+        format!("the kingpin points downwards; write `{kingpin}: {to} -> {from};` for caster and kingpin angle")
     })
 }
 
 /// The spin axis of a wheel that is on one side points to the other.
-fn spin_axis(task: &Task<'_>, placed: &[Vector3<f64>]) -> Option<String> {
+fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
     let names = task.names;
-    let [inner, centre] = names.wheel?.axis;
+    let [inner, centre] = wheel.points.axis;
     let [from, to] = [inner, centre].map(|point| &names.points[point]);
     let outboard = placed[centre].y - placed[inner].y;
     // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
     let side = placed[centre].y + task.middle;
     (outboard * side < 0.0).then(|| {
-        format!("the spin axis points inboard; write `wheel: {to} -> {from};` if `{from}` is the wheel centre")
+        let wheel = wheel.stated("wheel");
+        format!("the spin axis points inboard; write `{wheel}: {to} -> {from};` if `{from}` is the wheel centre")
     })
 }
 

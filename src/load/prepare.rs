@@ -8,7 +8,7 @@ use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in
 use crate::load::design::at_design;
 use crate::load::notes::notes;
 use crate::load::task::Task;
-use crate::load::vehicle::vehicle;
+use crate::load::vehicle::with_vehicle;
 use crate::load::{led, start};
 use crate::mechanism::{Description, DriveLaws, Instants, Mechanism, Names, Suspension};
 
@@ -66,10 +66,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let guess = guess(&task);
     let model = L::of(listing, &guess).and_then(|model| with_lengths(&task, model));
     let model = model.map_err(|error| task.refuse_geometry(&error))?;
-    let names = Names {
-        vehicle: vehicle(&task)?,
-        ..Names::of_model(&model)
-    };
+    let names = with_vehicle(&task)?;
     let task = Task {
         names: &names,
         ..task

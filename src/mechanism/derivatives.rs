@@ -68,18 +68,16 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
 
     /// A state with the velocities of travel and steering.
     pub(crate) fn with_velocities(&self, state: State) -> State {
-        let vehicle = &self.mechanism.names.vehicle;
-        let velocities = |drive: Option<usize>| {
+        let velocities = |drive: usize| {
             let unknown = vec![Vector3::repeat(f64::NAN); self.mechanism.names.points.len()];
             Some(Signal {
-                value: self.along(drive?)?.rate,
+                value: self.along(drive)?.rate,
                 rate: unknown.clone(),
                 second_rate: unknown,
             })
         };
         State {
-            travel: velocities(vehicle.travel),
-            steer: velocities(vehicle.steer),
+            velocities: self.of_moving_drives(velocities),
             ..state
         }
     }
@@ -89,12 +87,25 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         let Self {
             mechanism, drives, ..
         } = self;
-        let vehicle = &mechanism.names.vehicle;
         Some(State {
-            travel: vehicle.travel.and_then(|of| self.velocities(of, drive)),
-            steer: vehicle.steer.and_then(|of| self.velocities(of, drive)),
+            velocities: self.of_moving_drives(|of| self.velocities(of, drive)),
             ..mechanism.state(0.0, drives, self.per[drive].as_ref()?)
         })
+    }
+
+    /// The velocities of the drives that move wheels or steer them.
+    fn of_moving_drives(
+        &self,
+        velocities: impl Fn(usize) -> Option<Moving>,
+    ) -> Vec<Option<Moving>> {
+        let vehicle = &self.mechanism.names.vehicle;
+        let of_one = |drive| {
+            vehicle
+                .is_moved_by(drive)
+                .then(|| velocities(drive))
+                .flatten()
+        };
+        (0..self.per.len()).map(of_one).collect()
     }
 
     fn along(&self, drive: usize) -> Option<Moving> {

@@ -1,9 +1,9 @@
 //! What a listing calls its parts, and what they are.
 
-use nalgebra::Vector3;
-use serde::Deserialize;
 use suspension_core::listing::Kind;
-use suspension_core::{Build, DriveKind, Linkage, Listing, MeasureKind, Part, Parts, Values};
+use suspension_core::{Build, DriveKind, Linkage, Listing, MeasureKind, Part, Parts, WheelPlaces};
+
+use crate::mechanism::vehicle::{Vehicle, Wheel};
 
 /// A linkage that this program can run.
 pub trait Suspension<const N: usize>:
@@ -37,50 +37,10 @@ pub struct Names {
     pub equations: Vec<String>,
     /// Unknowns, columns of the Jacobian.
     pub unknowns: Vec<String>,
-    /// The wheel, where the listing states one.
-    pub wheel: Option<WheelPoints>,
-    /// The kingpin's lower and upper point, by number, where the listing states one.
-    pub kingpin: Option<[usize; 2]>,
+    /// The wheels that the listing states.
+    pub wheels: Vec<Wheel>,
     /// What the motion file says of the vehicle.
     pub vehicle: Vehicle,
-}
-
-/// What quantities need beside the linkage.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Vehicle {
-    /// From the wheel centre to the ground, in the unit of lengths.
-    pub wheel_radius: Option<f64>,
-    /// The number of the drive that moves the wheel up and down.
-    pub travel: Option<usize>,
-    /// The number of the drive that steers it.
-    pub steer: Option<usize>,
-    /// The car that the wheel is of.
-    pub car: Option<Car>,
-}
-
-/// What a car's braking and driving make of a wheel's support angles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Car {
-    /// Which axle the wheel is on.
-    pub axle: Axle,
-    /// From axle to axle, in the unit of lengths.
-    pub wheelbase: f64,
-    /// The height of the centre of gravity above the ground, in the unit of lengths.
-    pub cg_height: f64,
-    /// The axle's share of the brake force.
-    pub brake_share: Option<f64>,
-    /// The axle's share of the drive force.
-    pub drive_share: Option<f64>,
-}
-
-/// An axle of a car.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Axle {
-    /// The leading one.
-    Front,
-    /// The trailing one.
-    Rear,
 }
 
 /// A drive.
@@ -101,17 +61,8 @@ pub struct Measure {
     pub kind: MeasureKind,
 }
 
-/// The points of a wheel, by number.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct WheelPoints {
-    /// On the spin axis, pointing outboard: the inner one and the wheel centre.
-    pub axis: [usize; 2],
-    /// Of the body that carries the wheel.
-    pub carrier: [usize; 3],
-}
-
 impl Names {
-    /// Those of a listing or a model; which points are wheel and kingpin says a model alone.
+    /// Those of a listing or a model.
     pub fn of(parts: &impl Parts) -> Self {
         let named = |count: usize, part: fn(usize) -> Part| -> Vec<String> {
             let each = (0..count).map(|index| parts.name(part(index)).to_owned());
@@ -142,39 +93,17 @@ impl Names {
                 .collect(),
             equations: named(count(Kind::Unknown), Part::Equation),
             unknowns: named(count(Kind::Unknown), Part::Unknown),
-            wheel: None,
-            kingpin: None,
+            wheels: (0..)
+                .map_while(|wheel| parts.wheel(wheel))
+                .map(Wheel::from)
+                .collect(),
             vehicle: Vehicle::default(),
-        }
-    }
-
-    /// Those of a model, with the points that are its wheel and kingpin.
-    pub fn of_model<L: Suspension<N>, const N: usize>(model: &L) -> Self {
-        // A model gives the roles as positions: let each point's position be its number.
-        let numbers = (0..).map(|number: u32| Vector3::repeat(f64::from(number)));
-        let tags = L::Points::from_values(numbers);
-        let number = |tag: Vector3<f64>| tag.x as usize;
-        let axis = model.wheel_axis(&tags);
-        let wheel = axis.zip(model.wheel_carrier(&tags));
-        Self {
-            wheel: wheel.map(|(axis, carrier)| WheelPoints {
-                axis: axis.map(number),
-                carrier: carrier.map(number),
-            }),
-            kingpin: model.kingpin(&tags).map(|ends| ends.map(number)),
-            ..Self::of(model)
         }
     }
 
     /// The markers' names.
     pub fn markers(&self) -> &[String] {
         &self.points[self.chassis + self.free..]
-    }
-
-    /// The wheel centre's name.
-    pub fn wheel_centre(&self) -> Option<&str> {
-        let [_, centre] = self.wheel?.axis;
-        Some(&self.points[centre])
     }
 
     /// The drives' names.
@@ -242,5 +171,9 @@ impl Parts for Names {
 
     fn measure_kind(&self, measure: usize) -> MeasureKind {
         self.measures[measure].kind
+    }
+
+    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+        self.wheels.get(wheel).map(Wheel::places)
     }
 }

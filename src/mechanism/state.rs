@@ -22,12 +22,10 @@ pub struct State {
     pub axes: Axes,
     /// What the linkage measures, in the file's coordinates, with its rates.
     pub measures: Signal<Vec<f64>>,
-    /// Velocities of all points as the drive of travel moves them, the other drives held, with their derivatives
-    /// along the rates of `points`, NaN where those are not known; `None` where the file names no such drive, and
-    /// where the mechanism locks.
-    pub travel: Option<Signal<Vec<Vector3<f64>>>>,
-    /// The same of the drive of steering.
-    pub steer: Option<Signal<Vec<Vector3<f64>>>>,
+    /// Velocities of all points as a drive moves them, the others held, by the number of the drive, with their
+    /// derivatives along the rates of `points`, NaN where those are not known; `None` of drives that neither move a
+    /// wheel up and down nor steer it, and where the mechanism locks.
+    pub velocities: Vec<Option<Signal<Vec<Vector3<f64>>>>>,
     /// Iterations of Newton's method, steps in between included.
     pub iterations: usize,
     /// The largest residual, in the unit of lengths.
@@ -38,6 +36,11 @@ impl State {
     /// A point in the file's coordinates.
     pub fn position(&self, point: usize) -> Vector3<f64> {
         self.points.value[point] + self.origin
+    }
+
+    /// The velocities of all points as a drive moves them, where they are known.
+    pub fn moved_by(&self, drive: usize) -> Option<&Signal<Vec<Vector3<f64>>>> {
+        self.velocities.get(drive)?.as_ref()
     }
 }
 
@@ -57,8 +60,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             origin: self.origin,
             axes: self.axes,
             measures,
-            travel: None,
-            steer: None,
+            velocities: Vec::new(),
             iterations: 0,
             residual: 0.0,
         }

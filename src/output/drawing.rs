@@ -1,4 +1,4 @@
-//! A drawing of a linkage as SVG: chassis points, links, slides, bodies, measured lengths, the wheel and its axes.
+//! A drawing of a linkage as SVG: chassis points, links, slides, bodies, measured lengths, the wheels and their axes.
 
 mod axes;
 mod disc;
@@ -36,10 +36,8 @@ pub struct Drawing {
     pub lengths: Vec<[usize; 2]>,
     /// Bodies: the points of each, by their indices.
     pub bodies: Vec<Vec<usize>>,
-    /// The wheel.
-    pub wheel: Option<Wheel>,
-    /// The kingpin's ends, by their indices.
-    pub kingpin: Option<[usize; 2]>,
+    /// The wheels.
+    pub wheels: Vec<Wheel>,
     /// All points at other places of the motion, drawn faintly.
     pub others: Vec<Vec<[f64; 3]>>,
     /// The symbol of the unit of lengths.
@@ -51,6 +49,8 @@ pub struct Drawing {
 pub struct Wheel {
     /// The ends of the spin axis, by their indices, the wheel centre last.
     pub axis: [usize; 2],
+    /// The kingpin's ends, by their indices.
+    pub kingpin: Option<[usize; 2]>,
     /// The radius, in the unit of the points.
     pub radius: f64,
 }
@@ -106,7 +106,7 @@ impl Drawing {
     /// Wheel, bodies and lines at some place of the motion, in a part of their colours.
     fn draw_mechanism(&self, area: &Area<'_>, view: &View, at: &[[f64; 3]], part: f64) -> Drawn {
         let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.of(*at)));
-        if let Some(rim) = self.wheel.and_then(|wheel| rim(&wheel, at)) {
+        for rim in self.wheels.iter().filter_map(|wheel| rim(wheel, at)) {
             let rim: Vec<_> = rim.map(|at| pixels(view.of(at))).collect();
             area.draw(&Polygon::new(rim.clone(), TYRE.mix(0.12 * part).filled()))?;
             area.draw(&PathElement::new(
@@ -153,8 +153,7 @@ impl Drawing {
     /// Kingpin and spin axis, drawn beyond their points by a part of the wheel's radius.
     fn axes(&self, at: &[[f64; 3]]) -> Vec<[[f64; 3]; 2]> {
         const BEYOND: f64 = 0.4;
-        let radius = self.wheel.map_or(0.0, |wheel| wheel.radius);
-        let line = |[from, to]: [usize; 2]| {
+        let line = |([from, to], radius): ([usize; 2], f64)| {
             let (from, to) = (at.get(from)?, at.get(to)?);
             let along: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);
             let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -162,12 +161,13 @@ impl Drawing {
             let on_line = |part: f64| std::array::from_fn(|i| from[i] + part * along[i]);
             Some([on_line(-part), on_line(1.0 + part)])
         };
-        let spin = self.wheel.map(|wheel| wheel.axis);
-        self.kingpin
-            .into_iter()
-            .chain(spin)
-            .filter_map(line)
-            .collect()
+        let of_wheel = |wheel: &Wheel| {
+            let axes = wheel.kingpin.into_iter().chain([wheel.axis]);
+            let radius = wheel.radius;
+            axes.map(move |axis| (axis, radius))
+        };
+        let axes = self.wheels.iter().flat_map(of_wheel);
+        axes.filter_map(line).collect()
     }
 
     fn draw_points(&self, area: &Area<'_>, view: &View, shown: (u32, u32)) -> Drawn {
@@ -229,8 +229,8 @@ impl Drawing {
         let design: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
         let each = [&design].into_iter().chain(&self.others);
         let with_rim = each.flat_map(|at| {
-            let rim = self.wheel.and_then(|wheel| rim(&wheel, at));
-            at.iter().copied().chain(rim.into_iter().flatten())
+            let rims = self.wheels.iter().filter_map(|wheel| rim(wheel, at));
+            at.iter().copied().chain(rims.flatten())
         });
         with_rim.collect()
     }

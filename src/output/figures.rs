@@ -10,7 +10,7 @@ use crate::output::files::write_file;
 use crate::output::plot::{Chart, Curve};
 use crate::output::record::{Outcome, record};
 use crate::output::rows::Forms;
-use crate::quantities::{Axis, CAMBER, CENTRE, Column, KINGPIN, Quantity, columns};
+use crate::quantities::{Axis, CAMBER, CENTRE, Column, KINGPIN, columns};
 
 /// Instants behind a line.
 const DENSE: usize = 401;
@@ -79,29 +79,30 @@ pub fn height_and_angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Ch
 
 fn height(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
     let columns = columns([&CENTRE], names).into_iter();
-    let mut height = columns.filter(|column| column.axis == Some(Axis::Z));
-    let centre = names.wheel_centre().unwrap_or_default();
+    let heights = columns.filter(|column| column.axis == Some(Axis::Z));
+    let curves = heights.zip(&names.wheels).map(|(height, wheel)| {
+        let [_, centre] = wheel.points.axis;
+        let name = named(&wheel.title(CENTRE.title), &names.points[centre]);
+        curve(name, &height, unit, states)
+    });
     Chart {
         title: format!("Height of the {}", CENTRE.title),
         across: TIME.to_owned(),
         quantity: format!("height z ({})", unit.symbol()),
-        curves: height
-            .next()
-            .map(|height| curve(named(CENTRE.title, centre), &height, unit, states))
-            .into_iter()
-            .collect(),
+        curves: curves.collect(),
     }
 }
 
 fn angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
     let columns = columns([&KINGPIN, &CAMBER], names);
-    let titles = columns.iter().map(|column| column.quantity.title);
+    let mut titles: Vec<_> = columns.iter().map(|column| column.quantity.title).collect();
+    titles.dedup();
     let curves = columns.iter().map(|column| {
-        let name = with_points(column.quantity, names);
+        let name = with_points(column, names);
         curve(name, column, unit, states)
     });
     Chart {
-        title: capitalised(&titles.collect::<Vec<_>>().join(" and ")),
+        title: capitalised(&titles.join(" and ")),
         across: TIME.to_owned(),
         quantity: "angle (deg)".to_owned(),
         curves: curves.collect(),
@@ -119,14 +120,20 @@ fn curve(name: String, column: &Column, unit: Unit, states: [&[State]; 2]) -> Cu
     Curve { name, line, marks }
 }
 
-/// A quantity, and of which points where that is the kingpin.
-fn with_points(quantity: &'static Quantity, names: &Names) -> String {
-    match names.kingpin {
-        Some(kingpin) if std::ptr::eq(quantity, &KINGPIN) => {
+/// A quantity of a wheel, and of which points where that is the kingpin.
+fn with_points(column: &Column, names: &Names) -> String {
+    let name = column.wheel.as_deref().unwrap_or_default();
+    let mut wheels = names.wheels.iter().filter(|wheel| wheel.name == name);
+    let (Some(wheel), quantity) = (wheels.next(), column.quantity) else {
+        return column.name.clone();
+    };
+    let title = wheel.title(quantity.title);
+    match wheel.points.kingpin {
+        Some(kingpin) if column.is(&KINGPIN) => {
             let [lower, upper] = kingpin.map(|point| &names.points[point]);
-            format!("{} ({lower} to {upper})", quantity.title)
+            format!("{title} ({lower} to {upper})")
         }
-        _ => quantity.title.to_owned(),
+        _ => title,
     }
 }
 

@@ -40,10 +40,11 @@ fn font(size: u32) -> (&'static str, u32) {
     (FONT, size * FINE)
 }
 
-const COLOURS: [RGBColor; 3] = [
+const COLOURS: [RGBColor; 4] = [
     RGBColor(31, 90, 160),
     RGBColor(200, 80, 20),
     RGBColor(40, 130, 60),
+    RGBColor(130, 60, 140),
 ];
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;

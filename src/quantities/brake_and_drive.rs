@@ -53,7 +53,9 @@ pub(super) fn of_support_angle(names: &Names, torque: Torque) -> Vec<Reading> {
 /// The part of the car's load transfer that links bear in place of springs; `towards` is 1 where a path forward
 /// in bump bears it, -1 where one rearward does.
 pub(super) fn of_support(names: &Names, axle: Axle, torque: Torque, towards: f64) -> Vec<Reading> {
-    let Some(car) = names.vehicle.car.filter(|car| car.axle == axle) else {
+    let vehicle = &names.vehicle;
+    let car = vehicle.car.filter(|car| car.axle == axle);
+    let Some((car, wheelbase)) = car.zip(vehicle.wheelbase) else {
         return Vec::new();
     };
     let share = match torque {
@@ -63,7 +65,7 @@ pub(super) fn of_support(names: &Names, axle: Axle, torque: Torque, towards: f64
     let Some(share) = share else {
         return Vec::new();
     };
-    let factor = Number::still(100.0 * towards * share * car.wheelbase / car.cg_height);
+    let factor = Number::still(100.0 * towards * share * wheelbase / car.cg_height);
     of_moving(
         names,
         Along::Travel,

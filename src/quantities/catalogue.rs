@@ -16,12 +16,17 @@ macro_rules! catalogue {
     };
 }
 
+mod axle;
 mod motion;
 mod results;
 mod steering;
 mod travel;
 mod wheel;
 
+pub use axle::{
+    ACKERMANN, ACKERMANN_ERROR, AXLE_ROLL_CENTRE, ROLL_CAMBER, ROLL_STEER, STEER_ANGLE, TOTAL_TOE,
+    TRACK, TURNING_RADIUS,
+};
 pub use motion::{ACCELERATIONS, ALPHA, DRIVES, MARKERS, OMEGA, POSITIONS, TIME, VELOCITIES};
 pub use results::{ITERATIONS, MEASURES, RESIDUAL};
 pub use steering::{
@@ -36,6 +41,11 @@ pub use wheel::{
     MECHANICAL_TRAIL, SCRUB_RADIUS, TOE,
 };
 
+/// The rows of an axle, of a linkage with two wheels.
+pub fn of_axles() -> impl Iterator<Item = &'static Quantity> {
+    axle::ROWS.iter().copied()
+}
+
 /// All rows, in the order in which tables have them.
 pub fn catalogue() -> impl Iterator<Item = &'static Quantity> + Clone {
     let files = [
@@ -43,6 +53,7 @@ pub fn catalogue() -> impl Iterator<Item = &'static Quantity> + Clone {
         wheel::ROWS,
         steering::ROWS,
         travel::ROWS,
+        axle::ROWS,
         results::ROWS,
     ];
     files.into_iter().flatten().copied()

@@ -23,6 +23,8 @@ pub enum Kind {
     AngularAcceleration,
     /// A length for an angle.
     LengthPerAngle,
+    /// An angle for an angle.
+    AnglePerAngle,
     /// A part of a whole.
     Percent,
     /// How many.
@@ -42,6 +44,7 @@ impl Kind {
             Self::AngularVelocity => "rad/s".to_owned(),
             Self::AngularAcceleration => "rad/s^2".to_owned(),
             Self::LengthPerAngle => format!("{length}/rad"),
+            Self::AnglePerAngle => "rad/rad".to_owned(),
             Self::Percent => "percent".to_owned(),
             Self::Count => String::new(),
         }
@@ -51,7 +54,7 @@ impl Kind {
     pub fn is_of_positions(self) -> bool {
         matches!(
             self,
-            Self::Length | Self::Angle | Self::LengthPerAngle | Self::Percent
+            Self::Length | Self::Angle | Self::LengthPerAngle | Self::AnglePerAngle | Self::Percent
         )
     }
 
@@ -60,6 +63,7 @@ impl Kind {
         match self {
             Self::Angle => (1_f64.to_degrees(), "deg".to_owned()),
             Self::Percent => (1.0, "%".to_owned()),
+            Self::AnglePerAngle => (1.0, "deg/deg".to_owned()),
             _ => (1.0, self.symbol(unit)),
         }
     }
@@ -74,6 +78,7 @@ impl Kind {
             | Self::Angle
             | Self::AngularVelocity
             | Self::AngularAcceleration
+            | Self::AnglePerAngle
             | Self::Percent
             | Self::Count => 1.0,
         }
@@ -87,7 +92,11 @@ impl Kind {
             Self::Length | Self::Velocity | Self::Acceleration | Self::LengthPerAngle => {
                 unit.decimals()
             }
-            Self::Angle | Self::AngularVelocity | Self::AngularAcceleration | Self::Percent => 3,
+            Self::Angle
+            | Self::AngularVelocity
+            | Self::AngularAcceleration
+            | Self::AnglePerAngle
+            | Self::Percent => 3,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Readings of a wheel on the ground, and of its carrier in travel and in steering.
+//! Readings of each wheel on the ground, and of its carrier in travel and in steering.
 
 use nalgebra::Vector3;
 use suspension_core::wheel::{Heading, SteeringAxis};
@@ -6,25 +6,15 @@ use suspension_core::wheel::{Heading, SteeringAxis};
 use crate::mechanism::Names;
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Axis, Reading};
-use crate::quantities::readings::{alone, components, place, reading};
+use crate::quantities::readings::{alone, components, of_each_wheel, place, reading};
 use crate::quantities::wheel::{Along, Moving, Number, Rolling, Wheel, at};
-
-/// The wheel of a linkage.
-fn rolling(names: &Names) -> Option<Rolling> {
-    Some(Rolling {
-        points: names.wheel?,
-        radius: names.vehicle.wheel_radius.unwrap_or(f64::NAN),
-    })
-}
-
-/// The same where the file has its radius.
-fn rolling_on_ground(names: &Names) -> Option<Rolling> {
-    rolling(names).filter(|rolling| !rolling.radius.is_nan())
-}
 
 /// The contact point.
 pub(super) fn of_contact(names: &Names) -> Vec<Reading> {
-    rolling_on_ground(names).map_or_else(Vec::new, |rolling| {
+    of_each_wheel(names, |rolling| {
+        if !rolling.is_on_ground() {
+            return Vec::new();
+        }
         place(None, move |reader| reader.wheel(rolling).contact)
     })
 }
@@ -34,30 +24,33 @@ type Offset = fn(&SteeringAxis<Number>, &Vector3<Number>, &Heading<Number>) -> N
 
 /// Where the kingpin passes the contact point.
 pub(super) fn of_kingpin_at_ground(names: &Names, offset: Offset) -> Vec<Reading> {
-    of_kingpin_at(names, rolling_on_ground(names), offset, |wheel| {
-        wheel.contact
-    })
+    of_kingpin_at(names, true, offset, |wheel| wheel.contact)
 }
 
 /// Where the kingpin passes the wheel centre.
 pub(super) fn of_kingpin_at_centre(names: &Names, offset: Offset) -> Vec<Reading> {
-    of_kingpin_at(names, rolling(names), offset, |wheel| wheel.centre)
+    of_kingpin_at(names, false, offset, |wheel| wheel.centre)
 }
 
+/// `on_ground` where the wheel radius is needed.
 fn of_kingpin_at(
     names: &Names,
-    rolling: Option<Rolling>,
+    on_ground: bool,
     offset: Offset,
     point: fn(&Wheel) -> Vector3<Number>,
 ) -> Vec<Reading> {
-    let Some((rolling, [lower, upper])) = rolling.zip(names.kingpin) else {
-        return Vec::new();
-    };
-    vec![reading(Kind::Length, move |reader| {
-        let wheel = reader.wheel(rolling);
-        let kingpin = SteeringAxis::through([at(reader, lower), at(reader, upper)]);
-        offset(&kingpin, &point(wheel), &Heading::of(&wheel.axis))
-    })]
+    of_each_wheel(names, |rolling| {
+        let ends = rolling.points.kingpin;
+        let ends = ends.filter(|_| rolling.is_on_ground() || !on_ground);
+        let of = |[lower, upper]: [usize; 2]| {
+            reading(Kind::Length, move |reader| {
+                let wheel = reader.wheel(rolling);
+                let kingpin = SteeringAxis::through([at(reader, lower), at(reader, upper)]);
+                offset(&kingpin, &point(wheel), &Heading::of(&wheel.axis))
+            })
+        };
+        ends.map(of).into_iter().collect()
+    })
 }
 
 /// A number of the carrier as it moves; `on_ground` where the wheel radius is needed.
@@ -66,15 +59,18 @@ pub(super) fn of_moving(
     along: Along,
     kind: Kind,
     on_ground: bool,
-    value: impl Fn(&Moving) -> Number + 'static,
+    value: impl Fn(&Moving) -> Number + Clone + 'static,
 ) -> Vec<Reading> {
-    let read = moved(names, along, on_ground).map(|rolling| {
-        reading(kind, move |reader| {
+    of_each_wheel(names, |rolling| {
+        if !is_moved(&rolling, along, on_ground) {
+            return Vec::new();
+        }
+        let value = value.clone();
+        vec![reading(kind, move |reader| {
             let moving = reader.moving(along, rolling);
             moving.map_or(alone(f64::NAN), &value)
-        })
-    });
-    read.into_iter().collect()
+        })]
+    })
 }
 
 /// Coordinates of a place that the carrier's motion tells.
@@ -84,26 +80,19 @@ pub(super) fn of_moving_place(
     axes: &[Axis],
     place: fn(&Moving) -> Vector3<Number>,
 ) -> Vec<Reading> {
-    let Some(rolling) = moved(names, along, false) else {
-        return Vec::new();
-    };
-    components(None, Kind::Length, axes, move |reader| {
-        let moving = reader.moving(along, rolling);
-        let place = moving.map_or_else(|| Vector3::repeat(alone(f64::NAN)), place);
-        reader.axes.turned(place)
+    of_each_wheel(names, |rolling| {
+        if !is_moved(&rolling, along, false) {
+            return Vec::new();
+        }
+        components(None, Kind::Length, axes, move |reader| {
+            let moving = reader.moving(along, rolling);
+            let place = moving.map_or_else(|| Vector3::repeat(alone(f64::NAN)), place);
+            reader.axes.turned(place)
+        })
     })
 }
 
-/// The wheel, where the file names the drive by which it moves.
-fn moved(names: &Names, along: Along, on_ground: bool) -> Option<Rolling> {
-    let vehicle = names.vehicle;
-    match along {
-        Along::Travel => vehicle.travel?,
-        Along::Steer => vehicle.steer?,
-    };
-    if on_ground {
-        rolling_on_ground(names)
-    } else {
-        rolling(names)
-    }
+/// Whether the file names the drive by which a wheel moves.
+fn is_moved(rolling: &Rolling, along: Along, on_ground: bool) -> bool {
+    rolling.drive(along).is_some() && (rolling.is_on_ground() || !on_ground)
 }

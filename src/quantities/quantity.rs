@@ -44,6 +44,8 @@ pub(super) type Read = dyn Fn(&Reader<'_>) -> Number;
 /// One number of a quantity.
 pub(super) struct Reading {
     pub(super) name: Option<String>,
+    /// The name of the wheel that it is of.
+    pub(super) wheel: Option<String>,
     pub(super) kind: Kind,
     pub(super) axis: Option<Axis>,
     pub(super) has_derivatives: bool,
@@ -80,8 +82,10 @@ impl fmt::Display for Axis {
 pub struct Column {
     /// The quantity.
     pub quantity: &'static Quantity,
-    /// What it is the quantity of, or else the quantity's name.
+    /// What it is the quantity of, or else the quantity's name, behind the wheel's: `left_camber`.
     pub name: String,
+    /// The name of the wheel that it is of, where that has one.
+    pub wheel: Option<String>,
     /// What it measures.
     pub kind: Kind,
     /// The component, of a vector.
@@ -150,17 +154,24 @@ pub fn columns(
     quantities: impl IntoIterator<Item = &'static Quantity>,
     names: &Names,
 ) -> Vec<Column> {
+    let of_reading = |quantity: &'static Quantity, reading: Reading| {
+        let name = reading.name.unwrap_or_else(|| quantity.name.to_owned());
+        Column {
+            quantity,
+            name: match &reading.wheel {
+                Some(wheel) => format!("{wheel}_{name}"),
+                None => name,
+            },
+            wheel: reading.wheel,
+            kind: reading.kind,
+            axis: reading.axis,
+            has_derivatives: reading.has_derivatives,
+            value: reading.value,
+        }
+    };
     let of_one = |quantity: &'static Quantity| {
-        (quantity.read)(names)
-            .into_iter()
-            .map(move |reading| Column {
-                quantity,
-                name: reading.name.unwrap_or_else(|| quantity.name.to_owned()),
-                kind: reading.kind,
-                axis: reading.axis,
-                has_derivatives: reading.has_derivatives,
-                value: reading.value,
-            })
+        let readings = (quantity.read)(names).into_iter();
+        readings.map(move |reading| of_reading(quantity, reading))
     };
     quantities.into_iter().flat_map(of_one).collect()
 }

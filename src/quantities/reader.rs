@@ -4,14 +4,23 @@ use std::cell::OnceCell;
 use std::ops::Deref;
 
 use crate::mechanism::State;
+use crate::quantities::in_roll::InRoll;
 use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
 
 /// Reads quantities of one state of a mechanism: what several of them need is computed once.
 pub struct Reader<'a> {
     state: &'a State,
+    first: Cells,
+    in_roll: OnceCell<Option<InRoll>>,
+}
+
+/// What was computed of a wheel, and of the wheels behind it.
+#[derive(Default)]
+struct Cells {
     wheel: OnceCell<Wheel>,
     travel: OnceCell<Option<Moving>>,
     steer: OnceCell<Option<Moving>>,
+    next: OnceCell<Box<Cells>>,
 }
 
 impl<'a> Reader<'a> {
@@ -19,26 +28,45 @@ impl<'a> Reader<'a> {
     pub fn of(state: &'a State) -> Self {
         Self {
             state,
-            wheel: OnceCell::new(),
-            travel: OnceCell::new(),
-            steer: OnceCell::new(),
+            first: Cells::default(),
+            in_roll: OnceCell::new(),
         }
     }
 
-    /// The mechanism's wheel.
+    /// A wheel.
     pub(super) fn wheel(&self, rolling: Rolling) -> &Wheel {
-        self.wheel.get_or_init(|| Wheel::of(self.state, rolling))
+        let wheel = &self.cells(rolling).wheel;
+        wheel.get_or_init(|| Wheel::of(self.state, rolling))
     }
 
     /// Its carrier as a drive moves it.
     pub(super) fn moving(&self, along: Along, rolling: Rolling) -> Option<&Moving> {
+        let cells = self.cells(rolling);
         let cell = match along {
-            Along::Travel => &self.travel,
-            Along::Steer => &self.steer,
+            Along::Travel => &cells.travel,
+            Along::Steer => &cells.steer,
         };
-        let wheel = self.wheel(rolling);
-        let moving = cell.get_or_init(|| Moving::of(self.state, along, rolling.points, wheel));
-        moving.as_ref()
+        let moving = || self.moved_by(rolling.drive(along)?, rolling);
+        cell.get_or_init(moving).as_ref()
+    }
+
+    /// The same of any drive of travel or steering, computed anew.
+    pub(super) fn moved_by(&self, drive: usize, rolling: Rolling) -> Option<Moving> {
+        Moving::of(self.state, drive, rolling.points, self.wheel(rolling))
+    }
+
+    /// An axle, its left wheel and its right one, as it rolls.
+    pub(super) fn in_roll(&self, axle: [Rolling; 2]) -> Option<&InRoll> {
+        let in_roll = || InRoll::of(self, axle);
+        self.in_roll.get_or_init(in_roll).as_ref()
+    }
+
+    fn cells(&self, rolling: Rolling) -> &Cells {
+        let mut cells = &self.first;
+        for _ in 0..rolling.number {
+            cells = cells.next.get_or_init(Box::default);
+        }
+        cells
     }
 }
 

@@ -7,7 +7,7 @@ use crate::mechanism::Names;
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Axis, Reading};
 use crate::quantities::reader::Reader;
-use crate::quantities::wheel::{Number, at, from_to, origin};
+use crate::quantities::wheel::{Number, Rolling, at, from_to, origin};
 
 /// A number whose derivatives are not known.
 pub(super) fn alone(value: f64) -> Number {
@@ -30,6 +30,7 @@ pub(super) fn number(kind: Kind, value: fn(&Reader<'_>) -> f64) -> Vec<Reading> 
 pub(super) fn reading(kind: Kind, value: impl Fn(&Reader<'_>) -> Number + 'static) -> Reading {
     Reading {
         name: None,
+        wheel: None,
         kind,
         axis: None,
         has_derivatives: true,
@@ -108,32 +109,47 @@ pub(super) fn point(names: &Names, point: usize, kind: Kind) -> Vec<Reading> {
     }
 }
 
+/// The readings of each wheel.
+pub(super) fn of_each_wheel(names: &Names, read: impl Fn(Rolling) -> Vec<Reading>) -> Vec<Reading> {
+    let of_one = |(name, rolling): (&str, Rolling)| {
+        let wheel = (!name.is_empty()).then(|| name.to_owned());
+        let readings = read(rolling).into_iter();
+        let readings = readings.map(move |reading| Reading {
+            wheel: wheel.clone(),
+            ..reading
+        });
+        readings.collect::<Vec<_>>()
+    };
+    Rolling::each(names).flat_map(of_one).collect()
+}
+
 /// An angle of the spin axis.
 pub(super) fn of_spin_axis(names: &Names, angle: fn(&Vector3<Number>) -> Number) -> Vec<Reading> {
-    let of = |axis| reading(Kind::Angle, move |state| angle(&from_to(state, axis)));
-    names
-        .wheel
-        .map(|wheel| of(wheel.axis))
-        .into_iter()
-        .collect()
+    of_each_wheel(names, |rolling| {
+        let axis = rolling.points.axis;
+        vec![reading(Kind::Angle, move |state| {
+            angle(&from_to(state, axis))
+        })]
+    })
 }
 
 /// An angle of the kingpin.
 pub(super) fn of_kingpin(names: &Names, angle: fn(&Vector3<Number>) -> Number) -> Vec<Reading> {
-    let of = |kingpin| reading(Kind::Angle, move |state| angle(&from_to(state, kingpin)));
-    names.kingpin.map(of).into_iter().collect()
+    of_kingpin_and_spin_axis(names, move |kingpin, _| angle(kingpin))
 }
 
 /// An angle of the kingpin whose sign rests on the side of the vehicle: kingpin first, then spin axis.
 pub(super) fn of_kingpin_and_spin_axis(
     names: &Names,
-    angle: fn(&Vector3<Number>, &Vector3<Number>) -> Number,
+    angle: impl Fn(&Vector3<Number>, &Vector3<Number>) -> Number + Copy + 'static,
 ) -> Vec<Reading> {
-    let of = |(kingpin, axis)| {
-        reading(Kind::Angle, move |state| {
-            angle(&from_to(state, kingpin), &from_to(state, axis))
-        })
-    };
-    let ends = names.kingpin.zip(names.wheel.map(|wheel| wheel.axis));
-    ends.map(of).into_iter().collect()
+    of_each_wheel(names, |rolling| {
+        let axis = rolling.points.axis;
+        let of = |kingpin| {
+            reading(Kind::Angle, move |state| {
+                angle(&from_to(state, kingpin), &from_to(state, axis))
+            })
+        };
+        rolling.points.kingpin.map(of).into_iter().collect()
+    })
 }

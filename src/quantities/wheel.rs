@@ -5,7 +5,7 @@ use suspension_core::Signal;
 use suspension_core::body::angular_velocity_and_rates;
 use suspension_core::wheel::{Carrier, Heading, SteeringAxis, contact};
 
-use crate::mechanism::{State, WheelPoints};
+use crate::mechanism::{Names, State, WheelPoints};
 
 /// A number with its derivatives along the rates of a state.
 pub(super) type Number = Signal<f64>;
@@ -27,11 +27,47 @@ pub(super) fn origin(state: &State) -> Vector3<Number> {
     state.axes.turned(state.origin).map(Signal::still)
 }
 
-/// The points of a wheel and its radius, NaN where the file has none.
+/// What is known of a wheel in every state.
 #[derive(Clone, Copy)]
 pub(super) struct Rolling {
+    /// Its number among the linkage's.
+    pub(super) number: usize,
     pub(super) points: WheelPoints,
+    /// NaN where the file has none.
     pub(super) radius: f64,
+    pub(super) travel: Option<usize>,
+    pub(super) steer: Option<usize>,
+}
+
+impl Rolling {
+    /// The wheels of a linkage, with their names.
+    pub(super) fn each(names: &Names) -> impl Iterator<Item = (&str, Self)> {
+        let radius = names.vehicle.wheel_radius.unwrap_or(f64::NAN);
+        let wheels = names.wheels.iter().enumerate();
+        wheels.map(move |(number, wheel)| {
+            let rolling = Self {
+                number,
+                points: wheel.points,
+                radius,
+                travel: wheel.travel,
+                steer: wheel.steer,
+            };
+            (wheel.name.as_str(), rolling)
+        })
+    }
+
+    /// The drive that moves it, where the file names one.
+    pub(super) fn drive(&self, along: Along) -> Option<usize> {
+        match along {
+            Along::Travel => self.travel,
+            Along::Steer => self.steer,
+        }
+    }
+
+    /// Whether its radius is known.
+    pub(super) fn is_on_ground(&self) -> bool {
+        !self.radius.is_nan()
+    }
 }
 
 /// A wheel in a state, in local coordinates and the axes of ISO 8855.
@@ -43,7 +79,7 @@ pub(super) struct Wheel {
 }
 
 impl Wheel {
-    pub(super) fn of(state: &State, Rolling { points, radius }: Rolling) -> Self {
+    pub(super) fn of(state: &State, Rolling { points, radius, .. }: Rolling) -> Self {
         let [_, centre] = points.axis;
         let (centre, axis) = (at(state, centre), from_to(state, points.axis));
         Self {
@@ -70,17 +106,14 @@ pub(super) struct Moving {
 }
 
 impl Moving {
-    /// `None` where the file names no such drive, and where the mechanism locks.
+    /// `None` where the mechanism locks.
     pub(super) fn of(
         state: &State,
-        along: Along,
+        drive: usize,
         points: WheelPoints,
         wheel: &Wheel,
     ) -> Option<Self> {
-        let velocities = match along {
-            Along::Travel => state.travel.as_ref()?,
-            Along::Steer => state.steer.as_ref()?,
-        };
+        let velocities = state.moved_by(drive)?;
         let of = |all: &Vec<Vector3<f64>>, point: usize| state.axes.turned(all[point]);
         let of_carrier = |all: &Vec<Vector3<f64>>| points.carrier.map(|point| of(all, point));
         let (places, rates) = (state.points.map(of_carrier), velocities.map(of_carrier));

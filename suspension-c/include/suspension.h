@@ -170,7 +170,7 @@ typedef struct {
     float unique_within;
 } susp_f32_certificate;
 
-/** The wheel. Axes of ISO 8855: x forward, y left, z up. */
+/** The wheel; of an axle the first that the listing states. Axes of ISO 8855: x forward, y left, z up. */
 typedef struct {
     /** Its centre, in the unit of the points. */
     float centre[3];
@@ -318,7 +318,7 @@ typedef struct {
     double unique_within;
 } susp_f64_certificate;
 
-/** The wheel. Axes of ISO 8855: x forward, y left, z up. */
+/** The wheel; of an axle the first that the listing states. Axes of ISO 8855: x forward, y left, z up. */
 typedef struct {
     /** Its centre, in the unit of the points. */
     double centre[3];

@@ -89,7 +89,7 @@ structures! {
         unique_within: T,
     }
 
-    /// The wheel. Axes of ISO 8855: x forward, y left, z up.
+    /// The wheel; of an axle the first that the listing states. Axes of ISO 8855: x forward, y left, z up.
     Wheel {
         /// Its centre, in the unit of the points.
         centre: [T; 3],

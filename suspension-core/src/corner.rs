@@ -11,6 +11,7 @@ use crate::scalar::Real;
 use crate::signal::{Inputs, Signal, Still};
 use crate::substeps::Stopped;
 use crate::tracker::Tracker;
+use crate::values::Values;
 use crate::wheel::{Kingpin, Wheel};
 
 /// A suspension that moves on a chassis at rest: its model, configuration, drives and time.
@@ -218,17 +219,32 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         self.model.measures(&self.points())
     }
 
-    /// The wheel; `None` where the listing states none.
+    /// The wheel, the first of several; `None` where the listing states none.
     pub fn wheel(&self) -> Option<Wheel<T>> {
         let axis = self.model.wheel_axis(&self.points().value)?;
         Wheel::of(axis)
     }
 
-    /// The kingpin; `None` where the listing states none, or no wheel.
+    /// The kingpin of that wheel; `None` where the listing states none.
     pub fn kingpin(&self) -> Option<Kingpin<T>> {
         let points = self.points().value;
         let axis = self.model.wheel_axis(&points)?;
         Some(Kingpin::of(self.model.kingpin(&points)?, axis))
+    }
+
+    /// The wheel of a name, and its kingpin if the listing states one; `None` where there is no such wheel. One that
+    /// is stated without a name has the empty one.
+    pub fn wheel_named(&self, name: &str) -> Option<(Wheel<T>, Option<Kingpin<T>>)> {
+        let mut wheels = (0..).map_while(|wheel| self.model.wheel(wheel));
+        let wheel = wheels.find(|wheel| wheel.name == name)?;
+        let points = self.points().value;
+        let ends =
+            |places: [usize; 2]| places.map(|place| points.values().nth(place).unwrap_or_default());
+        let axis = ends(wheel.axis);
+        let kingpin = wheel
+            .kingpin
+            .map(|kingpin| Kingpin::of(ends(kingpin), axis));
+        Some((Wheel::of(axis)?, kingpin))
     }
 
     /// The drives' values.

@@ -14,7 +14,7 @@ pub use crate::linkage::{
     Build, Designed, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage,
     Listing as AnyNumber, Named, Values,
 };
-pub use crate::listing::{DriveKind, Kind, MeasureKind, Names, Part, Parts};
+pub use crate::listing::{DriveKind, Kind, MeasureKind, Names, Part, Parts, WheelPlaces};
 pub use crate::magnitude::sum_of_squares;
 pub use crate::measure;
 pub use crate::parts;

@@ -102,7 +102,7 @@ pub use corner::Corner;
 pub use directions::Directions;
 pub use error::{GeometryError, SolveError};
 pub use linkage::{Build, Designed, HasKingpin, HasWheel, Linkage, Listing, Named, Values};
-pub use listing::{DriveKind, Kind, MeasureKind, Part, Parts};
+pub use listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 pub use local::LocalOrigin;
 pub use motion::{Motion, Tangent};
 pub use newton::Newton;

@@ -193,13 +193,14 @@ pub trait Linkage<const N: usize>: Parts {
         Self::Scalar: Real;
 
     /// The ends of the wheel's spin axis, the wheel centre last, among positions, velocities or
-    /// accelerations of points; `None` where the listing states no `wheel`.
+    /// accelerations of points; `None` where the listing states no `wheel`, that of the first where it states
+    /// several ([`Parts::wheel`]).
     fn wheel_axis(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]>;
 
     /// Three points of the body that carries the wheel, likewise.
     fn wheel_carrier(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 3]>;
 
-    /// The ends of the kingpin, the lower one first, likewise; `None` where the listing states none.
+    /// The ends of that wheel's kingpin, the lower one first, likewise; `None` where the listing states none.
     fn kingpin(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]>;
 
     /// For each of [`linked`](Self::linked) what tells it from its mirror image: where the lengths are

@@ -14,6 +14,9 @@ pub trait Parts {
 
     /// What the measure with this index is.
     fn measure_kind(&self, measure: usize) -> MeasureKind;
+
+    /// The wheel with this index, in the order of the listing; `None` behind the last.
+    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>>;
 }
 
 impl<P: Parts + ?Sized> Parts for &P {
@@ -31,6 +34,10 @@ impl<P: Parts + ?Sized> Parts for &P {
 
     fn measure_kind(&self, measure: usize) -> MeasureKind {
         (**self).measure_kind(measure)
+    }
+
+    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+        (**self).wheel(wheel)
     }
 }
 
@@ -115,6 +122,20 @@ pub enum MeasureKind {
     Angle,
 }
 
+/// A wheel that a listing states: its name, and the places of its points among all
+/// ([`Part::Point`]).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WheelPlaces<'a> {
+    /// Its name; empty of an only wheel that is stated without one.
+    pub name: &'a str,
+    /// Two points on its spin axis, the wheel centre last.
+    pub axis: [usize; 2],
+    /// Three points of the body that carries it.
+    pub carrier: [usize; 3],
+    /// The ends of its kingpin, the lower one first; `None` where the listing states none.
+    pub kingpin: Option<[usize; 2]>,
+}
+
 /// The parts of a listing that `linkage!` has written: tables in the order of the parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Names {
@@ -138,6 +159,8 @@ pub struct Names {
     pub measure_kinds: &'static [MeasureKind],
     /// Lengths.
     pub lengths: &'static [&'static str],
+    /// Wheels.
+    pub wheels: &'static [WheelPlaces<'static>],
 }
 
 impl Parts for Names {
@@ -176,5 +199,9 @@ impl Parts for Names {
     fn measure_kind(&self, measure: usize) -> MeasureKind {
         let kind = self.measure_kinds.get(measure).copied();
         kind.unwrap_or(MeasureKind::Length)
+    }
+
+    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+        self.wheels.get(wheel).copied()
     }
 }

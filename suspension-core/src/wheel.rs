@@ -9,6 +9,7 @@
 //! the wheel's spin axis, which points outboard, from the first point of `wheel:` to the centre.
 
 mod angles;
+mod axle;
 mod ground;
 mod steering;
 mod travel;
@@ -19,8 +20,11 @@ use crate::body;
 use crate::scalar::Real;
 use crate::signal::Signal;
 
-pub use angles::{camber, camber_to_ground, caster, kingpin_angle, toe};
-pub use ground::{Heading, contact};
+pub use angles::{
+    camber, camber_rate, camber_to_ground, caster, kingpin_angle, steer_angle, steer_rate, toe,
+};
+pub use axle::{Turn, roll_centre, roll_rate};
+pub use ground::{Heading, contact, contact_velocity};
 pub use steering::SteeringAxis;
 pub use travel::{Carrier, InstantCentre};
 

@@ -138,6 +138,8 @@ pub(crate) enum Rank {
     Drive,
     /// What is read off them.
     Reading,
+    /// What is said of a reading.
+    OfReading,
 }
 
 /// What statements check their operands with.

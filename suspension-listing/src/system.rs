@@ -30,8 +30,7 @@ pub struct System {
     pub equations: Vec<Equation>,
     pub drives: Vec<Drive>,
     pub measures: Vec<Measure>,
-    pub wheel: Option<Wheel>,
-    pub kingpin: Option<[Name; 2]>,
+    pub wheels: Vec<Wheel>,
 }
 
 /// A chassis point or a free point.
@@ -122,8 +121,11 @@ pub struct Marker {
 
 #[derive(Clone, Debug)]
 pub struct Wheel {
+    /// `None` of an only wheel that is stated without one.
+    pub name: Option<Name>,
     pub axis: [Name; 2],
     pub carrier: [Name; 3],
+    pub kingpin: Option<[Name; 2]>,
 }
 
 /// The frame of three points under its name in the generated code.

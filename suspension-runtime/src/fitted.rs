@@ -1,6 +1,6 @@
 //! A listing with room for a model of it.
 
-use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts};
+use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 
 use crate::listing::Listing;
 use crate::plan::Plan;
@@ -49,6 +49,10 @@ impl<const N: usize> Parts for Fitted<'_, N> {
 
     fn measure_kind(&self, measure: usize) -> MeasureKind {
         self.0.measure_kind(measure)
+    }
+
+    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+        self.0.wheel(wheel)
     }
 }
 

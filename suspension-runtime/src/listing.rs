@@ -1,14 +1,14 @@
 //! A listing read from text.
 
 use nalgebra::Vector3;
-use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts};
+use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 use suspension_listing::eliminate::Order;
 use suspension_listing::form::Form;
 use suspension_listing::system::{Equation, Quantity, Site, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 
 use crate::names::Names;
-use crate::plan::Plan;
+use crate::plan::{Plan, Wheel};
 
 /// A listing: parsed, checked, and ready to be made into models.
 #[derive(Clone, Debug)]
@@ -203,5 +203,9 @@ impl Parts for Listing {
     fn measure_kind(&self, measure: usize) -> MeasureKind {
         let quantity = self.plan.measures.get(measure);
         quantity.map_or(MeasureKind::Length, |quantity| quantity.measure_kind())
+    }
+
+    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+        self.plan.wheels.get(wheel).map(Wheel::places)
     }
 }

@@ -6,7 +6,7 @@ use suspension_core::constraint::{
 };
 use suspension_core::generated::gather_vector;
 use suspension_core::handedness::Linked;
-use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, Scalar};
+use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, Scalar, WheelPlaces};
 
 use crate::fitted::Fitted;
 use crate::plan::Plan;
@@ -105,5 +105,9 @@ where
 
     fn measure_kind(&self, measure: usize) -> MeasureKind {
         self.listing.measure_kind(measure)
+    }
+
+    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+        self.listing.wheel(wheel)
     }
 }

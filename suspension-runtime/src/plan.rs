@@ -21,7 +21,7 @@ use crate::table::index;
 pub(crate) use clusters::Cluster;
 pub(crate) use elimination::{Elimination, Step};
 pub(crate) use lengths::{BodyPoint, Length, LengthNames, LineLength};
-pub(crate) use readout::{Coordinate, Drive, Measure, Roles};
+pub(crate) use readout::{Coordinate, Drive, Measure, Wheel};
 pub(crate) use substitution::{Carrier, Term};
 
 /// The last place but one: zero among the numbers of the factors.
@@ -53,7 +53,7 @@ pub(crate) struct Plan {
     pub(crate) markers: Vec<[Site; 3]>,
     pub(crate) clusters: Vec<Cluster>,
     pub(crate) lengths: Vec<Length>,
-    pub(crate) roles: Roles,
+    pub(crate) wheels: Vec<Wheel>,
 }
 
 impl Plan {
@@ -111,7 +111,7 @@ impl Plan {
                 .collect(),
             clusters: clusters::clusters(system, &lengths),
             lengths: lengths.lengths(),
-            roles: Roles::new(system),
+            wheels: readout::wheels(system),
             distances,
             bodies,
             linear,

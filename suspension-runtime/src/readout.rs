@@ -6,7 +6,7 @@ use suspension_core::generated::{difference, dot, moved_along};
 use suspension_core::{Real, Scalar, Signal, measure};
 
 use crate::model::Model;
-use crate::plan::{Coordinate, Measure};
+use crate::plan::{Coordinate, Measure, Wheel};
 use crate::site::{Site, Sites};
 use crate::size::{Few, Points, Room, Size};
 use crate::table::Table;
@@ -122,6 +122,10 @@ where
             }
         }
         fixed
+    }
+
+    pub(crate) fn first_wheel(&self) -> Option<&Wheel> {
+        self.plan().wheels.first()
     }
 
     pub(crate) fn role<const K: usize>(

@@ -2,6 +2,7 @@
 //! follows from its kind without the solver.
 
 mod double_wishbone_rocker;
+mod five_link_rack;
 mod integral_link;
 mod layout;
 mod live_axle_panhard;

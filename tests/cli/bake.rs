@@ -3,6 +3,7 @@
 mod contents;
 mod languages;
 mod orders;
+mod surfaces;
 
 use std::path::Path;
 

@@ -3,6 +3,7 @@
 
 mod assemblies;
 mod axes;
+mod axle;
 mod bad_input;
 mod bake;
 mod check;

@@ -23,7 +23,7 @@ impl Difference {
 /// Numbers of one sort.
 pub(super) struct Part {
     /// As `per travel`.
-    pub(super) of: &'static str,
+    pub(super) of: String,
     /// Of curves: what `at` is, with its unit.
     pub(super) across: Option<String>,
     pub(super) differences: Vec<Difference>,
@@ -44,33 +44,29 @@ impl Comparison {
                 Some((derivative.value, derivative.symbol.clone()))
             }
         };
-        let mut parts = vec![
-            Part {
-                of: "design",
-                across: None,
-                differences: of_parameters(sides, &design),
-            },
-            Part {
-                of: "per travel",
-                across: None,
-                differences: of_parameters(sides, &per(0)),
-            },
-            Part {
-                of: "per steer",
-                across: None,
-                differences: of_parameters(sides, &per(1)),
-            },
-        ];
-        let [a, b] = sides.map(|side| side.curves.iter());
-        let over = ["over travel", "over steer"];
-        for ((a, b), of) in a.zip(b).zip(over) {
+        let mut parts = vec![Part {
+            of: "design".to_owned(),
+            across: None,
+            differences: of_parameters(sides, [&design; 2]),
+        }];
+        let [a, b] = sides;
+        for (of_a, way) in a.ways.iter().enumerate() {
+            if let Some(of_b) = b.ways.iter().position(|other| other == way) {
+                parts.push(Part {
+                    of: format!("per {way}"),
+                    across: None,
+                    differences: of_parameters(sides, [&per(of_a), &per(of_b)]),
+                });
+            }
+        }
+        for [a, b] in same_ways(sides) {
             if a.kind != b.kind {
                 continue;
             }
             let lines = pairs(a, b).into_iter();
             let differences = lines.filter_map(|pair| largest(a, pair)).collect();
             parts.push(Part {
-                of,
+                of: format!("over {}", a.way),
                 across: Some(a.across(sides[0].unit)),
                 differences,
             });
@@ -81,16 +77,30 @@ impl Comparison {
 }
 
 /// The numbers that parameters of the same name and unit have.
-fn of_parameters(
-    [a, b]: [&Side; 2],
-    read: &dyn Fn(&Parameter) -> Option<(f64, String)>,
-) -> Vec<Difference> {
+/// Whether two quantities, each with its wheel, are the same. What is of a wheel without a name is compared with that of
+/// every wheel.
+fn is_same((a, of_a): (&str, Option<&str>), (b, of_b): (&str, Option<&str>)) -> bool {
+    a == b && (of_a == of_b || of_a.is_none() || of_b.is_none())
+}
+
+fn of_parameter(parameter: &Parameter) -> (&str, Option<&str>) {
+    (&parameter.of_wheel, parameter.wheel.as_deref())
+}
+
+fn of_line(line: &Line) -> (&str, Option<&str>) {
+    (&line.of_wheel, line.wheel.as_deref())
+}
+
+/// Reads a number of a parameter, with its unit.
+type Read<'a> = dyn Fn(&Parameter) -> Option<(f64, String)> + 'a;
+
+fn of_parameters([a, b]: [&Side; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Difference> {
     let of_one = |parameter: &Parameter| {
         let other = b
             .parameters
             .iter()
-            .find(|other| other.name == parameter.name)?;
-        let ((a, symbol), (b, of_other)) = (read(parameter)?, read(other)?);
+            .find(|other| is_same(of_parameter(parameter), of_parameter(other)))?;
+        let ((a, symbol), (b, of_other)) = (of_a(parameter)?, of_b(other)?);
         (symbol == of_other && a.is_finite() && b.is_finite()).then(|| Difference {
             quantity: parameter.name.clone(),
             symbol,
@@ -101,10 +111,20 @@ fn of_parameters(
     a.parameters.iter().filter_map(of_one).collect()
 }
 
+/// The curves of both along drives that do the same.
+pub(super) fn same_ways<'a>([a, b]: [&'a Side; 2]) -> Vec<[&'a Curves; 2]> {
+    let pair = |curves: &'a Curves| {
+        let of = |other: &&Curves| other.way == curves.way;
+        Some([curves, b.curves.iter().find(of)?])
+    };
+    a.curves.iter().filter_map(pair).collect()
+}
+
 /// The lines of the same name and unit.
 pub(super) fn pairs<'a>(a: &'a Curves, b: &'a Curves) -> Vec<[&'a Line; 2]> {
     let pair = |line: &'a Line| {
-        let same = |other: &&Line| (&other.title, &other.symbol) == (&line.title, &line.symbol);
+        let same =
+            |other: &&Line| is_same(of_line(line), of_line(other)) && other.symbol == line.symbol;
         Some([line, b.lines.iter().find(same)?])
     };
     a.lines.iter().filter_map(pair).collect()

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use crate::characteristics::{Curves, Line};
-use crate::commands::compare::differences::{Comparison, Difference, Part, pairs};
+use crate::commands::compare::differences::{Comparison, Difference, Part, pairs, same_ways};
 use crate::commands::compare::report::{heading, legend};
 use crate::commands::compare::side::Side;
 use crate::output::page::{charts, numbers, page};
@@ -12,8 +12,8 @@ use crate::output::plot::{Chart, Curve};
 /// The page as HTML.
 pub(super) fn html(sides: [&Side; 2], comparison: &Comparison) -> String {
     let [a, b] = legend(sides);
-    let ways = sides[0].curves.iter().zip(&sides[1].curves);
-    let ways = ways.filter(|(a, b)| a.kind == b.kind);
+    let ways = same_ways(sides).into_iter();
+    let ways = ways.filter(|[a, b]| a.kind == b.kind);
     let body = html! {
         p { "A: " code { (a) } }
         p { "B: " code { (b) } }
@@ -24,7 +24,7 @@ pub(super) fn html(sides: [&Side; 2], comparison: &Comparison) -> String {
             h2 { (heading(part)) }
             (table(part))
         }
-        @for (a, b) in ways {
+        @for [a, b] in ways {
             (charts(&format!("Over {}", a.drive), &both(sides, a, b)))
         }
     };

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::commands::compare::differences::{Comparison, Difference, Part};
+use crate::commands::compare::differences::{Comparison, Difference, Part, same_ways};
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
 use crate::number::{aligned, exact};
@@ -29,7 +29,7 @@ pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
 
 /// Above a part.
 pub(super) fn heading(part: &Part) -> String {
-    match (part.of, &part.across) {
+    match (part.of.as_str(), &part.across) {
         (of, Some(across)) => format!("Largest difference {of}, at a {across}"),
         ("design", None) => "At the design position".to_owned(),
         (of, None) => format!("At the design position, {of}"),
@@ -40,8 +40,8 @@ pub(super) fn heading(part: &Part) -> String {
 pub(super) fn text(sides: [&Side; 2], comparison: &Comparison) -> String {
     let [a, b] = legend(sides);
     let mut out = format!("A  {a}\nB  {b}\n");
-    let ways = sides[0].curves.iter().zip(&sides[1].curves);
-    for (a, b) in ways.filter(|(a, b)| a.kind != b.kind) {
+    let ways = same_ways(sides).into_iter();
+    for [a, b] in ways.filter(|[a, b]| a.kind != b.kind) {
         let (a, b) = (&a.drive, &b.drive);
         let _ = writeln!(
             out,
@@ -129,7 +129,7 @@ pub(super) fn table(comparison: &Comparison, target: &Target) -> Result<(), Fail
             let at = difference.at.map_or_else(String::new, exact);
             let (quantity, symbol) = (&difference.quantity, &difference.symbol);
             let value = exact(difference.value());
-            file.record([part.of, quantity, symbol, &at, &a, &b, &value].into_iter())?;
+            file.record([part.of.as_str(), quantity, symbol, &at, &a, &b, &value].into_iter())?;
         }
     }
     file.finish()

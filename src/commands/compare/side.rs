@@ -16,6 +16,8 @@ pub(super) struct Side {
     pub(super) own_unit: Unit,
     /// The unit of lengths here.
     pub(super) unit: Unit,
+    /// The names of the drives by which the parameters have derivatives.
+    pub(super) ways: Vec<String>,
     pub(super) parameters: Vec<Parameter>,
     /// Over travel, and over steering where a drive steers.
     pub(super) curves: Vec<Curves>,
@@ -33,15 +35,16 @@ impl Side {
         interrupted: &AtomicBool,
     ) -> Result<Self, Failure> {
         let file = source.name();
-        let ways = ways(mechanism, file, spans, unit, interrupted)?;
-        let missing = ways.iter().filter_map(|along| along.visited.failure(file));
-        let curves = ways.iter().map(|along| curves(mechanism, along, unit));
+        let along = ways(mechanism, file, spans, unit, interrupted)?;
+        let missing = along.iter().filter_map(|along| along.visited.failure(file));
+        let curves = along.iter().map(|along| curves(mechanism, along, unit));
         Ok(Self {
             file: file.to_owned(),
             linkage: mechanism.linkage.clone(),
             own_unit: mechanism.unit,
             unit,
             missing: missing.collect(),
+            ways: along.iter().map(|along| along.way.name.clone()).collect(),
             parameters: parameters(mechanism, unit, interrupted),
             curves: curves.collect(),
         })

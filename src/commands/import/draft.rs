@@ -204,7 +204,8 @@ impl<'a> Draft<'a> {
             }
             None => line(&mut text, format_args!("# wheel_radius = ")),
         }
-        if self.drive(travel) != BUMP {
+        // Drives that are found by their names need no word.
+        if !self.drive(travel).starts_with(BUMP) {
             line(
                 &mut text,
                 format_args!("travel = \"{}\"", self.drive(travel)),

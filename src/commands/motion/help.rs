@@ -2,8 +2,8 @@
 
 use suspension_core::linkages::attia2003;
 
-use crate::mechanism::{Axle, Car, Names, Unit, Vehicle, WheelPoints};
-use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words};
+use crate::mechanism::{Axle, Car, Names, Unit, Vehicle, Wheel, WheelPoints};
+use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
 
 /// The file, the results with the names that they have for the published linkage, the exit codes.
 pub(super) fn text() -> String {
@@ -11,9 +11,10 @@ pub(super) fn text() -> String {
     let [front, rear] = [Axle::Front, Axle::Rear].map(names_on);
     let of_rear_axles = [&ANTI_LIFT, &ANTI_SQUAT];
     format!(
-        "{FILE}{}{}{EXIT_CODES}",
+        "{FILE}{}{}{AXLE}{}{EXIT_CODES}",
         in_words(tabled, &front, Unit::Metre),
         in_words(of_rear_axles, &rear, Unit::Metre),
+        in_words(of_axles(), &names_of_axle(), Unit::Metre),
     )
 }
 
@@ -21,21 +22,40 @@ pub(super) fn text() -> String {
 /// are is of no account here.
 fn names_on(axle: Axle) -> Names {
     Names {
-        wheel: Some(WheelPoints::default()),
-        kingpin: Some([0; 2]),
+        wheels: vec![wheel("", 0)],
         vehicle: Vehicle {
             wheel_radius: Some(0.3),
-            travel: Some(0),
-            steer: Some(0),
+            travel: vec![0],
+            steer: vec![0],
+            wheelbase: Some(2.6),
             car: Some(Car {
                 axle,
-                wheelbase: 2.6,
                 cg_height: 0.5,
                 brake_share: Some(0.5),
                 drive_share: Some(0.5),
             }),
         },
         ..Names::of(&attia2003::Listing)
+    }
+}
+
+/// Those of a linkage with two wheels.
+fn names_of_axle() -> Names {
+    Names {
+        wheels: vec![wheel("left", 0), wheel("right", 1)],
+        ..names_on(Axle::Front)
+    }
+}
+
+fn wheel(name: &str, travel: usize) -> Wheel {
+    Wheel {
+        name: name.to_owned(),
+        points: WheelPoints {
+            kingpin: Some([0; 2]),
+            ..WheelPoints::default()
+        },
+        travel: Some(travel),
+        steer: Some(0),
     }
 }
 
@@ -55,10 +75,12 @@ const FILE: &str = r#"The file:
   theta = 1.5707963267948966         # assembled and markers are attached; else as the points are
   [vehicle]                          # optional: what more quantities need
   wheel_radius = 0.3                 # in the unit: contact point, scrub radius, mechanical trail, roll centre
-  travel = "bump"                    # the drive that moves the wheel up and down; if left out, the one named bump
-  steer = "steer"                    # the drive that steers it; if left out, the one named steer
-  axle = "front"                     # or "rear": with the next four anti-dive, anti-lift, anti-squat
-  wheelbase = 2.6                    # in the unit
+  travel = "bump"                    # the drive that moves the wheel up and down; of several wheels one each,
+                                     # { left = "bump_left", right = "bump_right" }; if left out, the drive
+                                     # named bump_left for the wheel left, or the one named bump
+  steer = "steer"                    # the drive that steers it, likewise; if left out, steer_left or steer
+  wheelbase = 2.6                    # in the unit: Ackermann, turning circle
+  axle = "front"                     # or "rear": with wheelbase and the next three anti-dive, anti-lift, anti-squat
   cg_height = 0.5                    # of the car's centre of gravity above the ground, in the unit
   brake_share = 0.6                  # the axle's share of the brake force, from 0 to 1
   drive_share = 1.0                  # the axle's share of the drive force, where the axle is driven
@@ -77,6 +99,12 @@ Results, one row an instant, its columns in this order, named here as for attia2
 the file's unit:
 
 "#;
+
+const AXLE: &str = "
+Where a listing names its wheels, all columns of a wheel are there for each, with its name before them: left_camber_rad,
+right_camber_rad. A linkage with two wheels, one on each side, as steered_axle, has behind these:
+
+";
 
 const EXIT_CODES: &str = r#"
 Axes, all right-handed: ISO 8855 x forward, y left, z up; Adams x rearward, y right, z up; SAE x forward, y right, z

@@ -5,12 +5,17 @@ use crate::output::plot::{Chart, Curve};
 use crate::quantities::{Axis, CENTRE, Kind, columns};
 use crate::reach::{DriveRange, Station};
 
-/// The height of the wheel centre against the drive: the whole curve, and over it the part to
+/// The height of the centre of the wheel that the drive moves, else of the first, against the drive: the whole curve, and over it the part to
 /// which the drive leads, its ends marked. `None` where there is no wheel.
 pub(super) fn chart(names: &Names, unit: Unit, range: &DriveRange) -> Option<Chart> {
     let (scale, symbol) = Kind::from(range.kind).for_people(unit);
-    let mut centre = columns([&CENTRE], names).into_iter();
-    let height = centre.find(|column| column.axis == Some(Axis::Z))?;
+    let moved = names.wheels.iter().position(|wheel| {
+        let drive = wheel.travel.and_then(|drive| names.drives.get(drive));
+        drive.is_some_and(|drive| drive.name == range.name)
+    });
+    let centre = columns([&CENTRE], names).into_iter();
+    let mut heights = centre.filter(|column| column.axis == Some(Axis::Z));
+    let height = heights.nth(moved.unwrap_or_default())?;
     let line = |stations: &[Station]| -> Vec<(f64, f64)> {
         let points = stations.iter();
         let point = |station: &Station| (station.value() * scale, height.value(&station.state));

@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use crate::characteristics::{Curves, Derivative, Line, Parameter};
+use crate::characteristics::{Curves, Derivative, Line, Parameter, Way};
 use crate::mechanism::Description;
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
@@ -49,30 +49,34 @@ impl Page<'_> {
         page(&format!("Kinematics of {linkage}"), &body)
     }
 
+    /// A chart of each quantity, with the curves of all wheels.
     fn charts(&self, curves: &Curves) -> Vec<Chart> {
-        let lines = curves.lines.iter();
-        let chart = |line: &Line| Chart {
-            title: line.title.clone(),
-            across: curves.across(self.mechanism.unit),
-            quantity: line.symbol.clone(),
-            curves: vec![Curve {
-                name: String::new(),
-                line: curves.points(line),
-                marks: Vec::new(),
-            }],
+        let groups = grouped(&curves.lines, |line| &line.of_wheel);
+        let curve = |line: &&Line| Curve {
+            name: line.wheel.clone().unwrap_or_default(),
+            line: curves.points(line),
+            marks: Vec::new(),
         };
-        lines.map(chart).collect()
+        let chart = |lines: Vec<&Line>| Chart {
+            title: lines[0].of_wheel.clone(),
+            across: curves.across(self.mechanism.unit),
+            quantity: lines[0].symbol.clone(),
+            curves: lines.iter().map(curve).collect(),
+        };
+        groups.into_iter().map(chart).collect()
     }
 
+    /// All parameters, those of all wheels below each other, what they are once.
     fn table(&self) -> Markup {
         let names = &self.mechanism.names;
-        let vehicle = names.vehicle;
-        let drives = [(0, vehicle.travel), (1, vehicle.steer)];
-        let drives = drives
-            .into_iter()
-            .filter_map(|(way, drive)| Some((way, &names.drives[drive?])));
-        let drives: Vec<_> = drives.collect();
-        let parameters = &self.parameters;
+        let ways = Way::all(names);
+        let groups = grouped(&self.parameters, |parameter| &parameter.of_wheel);
+        let parameters: Vec<&Parameter> = groups.iter().flatten().copied().collect();
+        // How many rows a group has, at its first one.
+        let spans = groups.iter().flat_map(|group| {
+            let others = vec![None; group.len() - 1];
+            [Some(group.len())].into_iter().chain(others)
+        });
         let values = numbers(parameters.iter().map(|parameter| Some(parameter.value)));
         let per = |way: usize| {
             let derivatives = parameters
@@ -82,25 +86,48 @@ impl Page<'_> {
             let symbols = derivatives.map(symbol);
             cells.into_iter().zip(symbols).collect::<Vec<_>>()
         };
-        let per: Vec<_> = drives.iter().map(|(way, _)| per(*way)).collect();
+        let per: Vec<_> = (0..ways.len()).map(per).collect();
+        let rows = parameters.iter().zip(spans).zip(values).enumerate();
+        let has_names = parameters.iter().any(|parameter| parameter.wheel.is_some());
         html! {
             table {
                 tr {
-                    th { "quantity" } th.number { "value" } th { "unit" }
-                    @for (_, drive) in &drives { th.number { "per " (drive.name) } th { "unit" } }
+                    th { "quantity" }
+                    @if has_names { th { "wheel" } }
+                    th.number { "value" } th { "unit" }
+                    @for way in &ways { th.number { "per " (names.drives[way.drive].name) } th { "unit" } }
                     th { "definition" }
                 }
-                @for (row, (parameter, value)) in parameters.iter().zip(values).enumerate() {
+                @for (row, ((parameter, span), value)) in rows {
                     tr {
-                        td { (parameter.name) }
+                        @if let Some(span) = span { td rowspan=[several(span)] { (parameter.of_wheel) } }
+                        @if has_names { td { (parameter.wheel.as_deref().unwrap_or_default()) } }
                         (value) td.unit { (parameter.symbol) }
                         @for per in &per { (per[row].0) td.unit { (per[row].1) } }
-                        td.definition { (definition(parameter)) }
+                        @if let Some(span) = span { td.definition rowspan=[several(span)] { (definition(parameter)) } }
                     }
                 }
             }
         }
     }
+}
+
+/// Rows that a cell spans, where they are more than one.
+fn several(rows: usize) -> Option<usize> {
+    (rows > 1).then_some(rows)
+}
+
+/// Things that are called the same together, in the order of the first of each.
+fn grouped<T>(things: &[T], called: impl Fn(&T) -> &String) -> Vec<Vec<&T>> {
+    let mut groups: Vec<Vec<&T>> = Vec::new();
+    for thing in things {
+        let mut known = groups.iter_mut();
+        match known.find(|group| called(group[0]) == called(thing)) {
+            Some(group) => group.push(thing),
+            None => groups.push(vec![thing]),
+        }
+    }
+    groups
 }
 
 /// The unit of a derivative that there is.

@@ -53,6 +53,7 @@ mod tests {
         let wheel = Wheel {
             axis: [0, 1],
             radius: 0.3,
+            kingpin: None,
         };
         for at in rim(&wheel, &points).expect("a wheel") {
             let d: [f64; 3] = std::array::from_fn(|i| at[i] - points[1][i]);

@@ -4,7 +4,7 @@ use suspension_runtime::Listing;
 
 use super::{Drawing, Wheel};
 use crate::kinematics::Kinematics;
-use crate::mechanism::Description;
+use crate::mechanism::{self, Description};
 
 /// A mechanism of a listing at its first instant; without a wheel radius with that of the file, or else 0.3 m.
 pub fn drawing_of(
@@ -17,6 +17,12 @@ pub fn drawing_of(
     } = &**mechanism;
     let radius = wheel_radius.or(names.vehicle.wheel_radius);
     let at = mechanism.points().into_iter().map(Into::into);
+    let radius = radius.unwrap_or(0.3 * unit.metre());
+    let of_wheel = |wheel: &mechanism::Wheel| Wheel {
+        axis: wheel.points.axis,
+        kingpin: wheel.points.kingpin,
+        radius,
+    };
     Drawing {
         points: names.points.iter().cloned().zip(at).collect(),
         axes: *axes,
@@ -25,11 +31,7 @@ pub fn drawing_of(
         slides: listing.slides(),
         lengths: listing.measured_lengths(),
         bodies: listing.bodies(),
-        wheel: names.wheel.map(|wheel| Wheel {
-            axis: wheel.axis,
-            radius: radius.unwrap_or(0.3 * unit.metre()),
-        }),
-        kingpin: names.kingpin,
+        wheels: names.wheels.iter().map(of_wheel).collect(),
         others: Vec::new(),
         unit: unit.symbol(),
     }

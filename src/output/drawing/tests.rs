@@ -17,11 +17,11 @@ fn corner() -> Drawing {
         slides: vec![[2, 3, 0]],
         lengths: vec![[1, 3]],
         bodies: vec![vec![2, 3, 1]],
-        wheel: Some(Wheel {
+        wheels: vec![Wheel {
             axis: [0, 2],
+            kingpin: Some([2, 3]),
             radius: 0.3,
-        }),
-        kingpin: Some([2, 3]),
+        }],
         others: Vec::new(),
         unit: "m",
     }

@@ -3,10 +3,10 @@
 use nalgebra::Vector3;
 use suspension_core::body::{angular_acceleration, angular_velocity};
 
-use crate::mechanism::{Names, State, WheelPoints};
+use crate::mechanism::{Names, State};
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Axis, Quantity, Reading, Shown};
-use crate::quantities::readings::{alone, each, number, point, vector};
+use crate::quantities::readings::{alone, each, number, of_each_wheel, point, vector};
 
 catalogue! {
     TIME: "time" {
@@ -97,11 +97,11 @@ fn of_carrier(
     kind: Kind,
     which: fn([Vector3<f64>; 2]) -> Vector3<f64>,
 ) -> Vec<Reading> {
-    let Some(WheelPoints { carrier, .. }) = names.wheel else {
-        return Vec::new();
-    };
-    vector(None, kind, &Axis::ALL, move |state| {
-        which(rotation(state, carrier))
+    of_each_wheel(names, |rolling| {
+        let carrier = rolling.points.carrier;
+        vector(None, kind, &Axis::ALL, move |state| {
+            which(rotation(state, carrier))
+        })
     })
 }
 

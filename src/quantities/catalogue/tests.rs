@@ -1,20 +1,24 @@
 //! What the catalogue has for linkages with and without a wheel.
 
 use super::*;
-use crate::mechanism::{Names, Unit, Vehicle, WheelPoints};
+use crate::mechanism::{Names, Unit, Vehicle, Wheel, WheelPoints};
 use crate::quantities::quantity::{Shown, columns};
 
 /// Three points, the last a marker and the wheel centre.
 fn names(wheel: bool, kingpin: bool) -> Names {
+    let only = Wheel {
+        points: WheelPoints {
+            axis: [1, 2],
+            carrier: [0, 1, 2],
+            kingpin: kingpin.then_some([0, 1]),
+        },
+        ..Wheel::default()
+    };
     Names {
         points: ["a", "b", "c"].map(str::to_owned).into(),
         chassis: 1,
         free: 1,
-        wheel: wheel.then_some(WheelPoints {
-            axis: [1, 2],
-            carrier: [0, 1, 2],
-        }),
-        kingpin: kingpin.then_some([0, 1]),
+        wheels: wheel.then_some(only).into_iter().collect(),
         ..Names::default()
     }
 }
@@ -31,7 +35,6 @@ fn tabled(names: &Names) -> Vec<String> {
 fn what_a_linkage_lacks_has_no_columns() {
     let bare = tabled(&names(false, false));
     let wheel = tabled(&names(true, false));
-    let kingpin = tabled(&names(false, true));
     let both = tabled(&names(true, true));
     let more = |than: &[String], all: &[String]| {
         let new = all.iter().filter(|name| !than.contains(name));
@@ -46,7 +49,6 @@ fn what_a_linkage_lacks_has_no_columns() {
         more(&bare, &wheel),
         "omega_x omega_y omega_z alpha_x alpha_y alpha_z camber_rad camber_to_ground_rad toe_rad"
     );
-    assert_eq!(more(&bare, &kingpin), "caster_rad");
     assert_eq!(
         more(&wheel, &both),
         "kingpin_rad caster_rad kingpin_offset_mm caster_offset_mm"
@@ -64,12 +66,15 @@ fn what_the_vehicle_makes_known_has_columns() {
         wheel_radius: Some(0.3),
         ..Vehicle::default()
     });
-    let moving = with(Vehicle {
-        wheel_radius: Some(0.3),
+    let wheels = on_ground.wheels.iter().map(|wheel| Wheel {
         travel: Some(0),
         steer: Some(1),
-        ..Vehicle::default()
+        ..wheel.clone()
     });
+    let moving = Names {
+        wheels: wheels.collect(),
+        ..on_ground.clone()
+    };
     let more = |than: &Names, all: &Names| {
         let (than, all) = (tabled(than), tabled(all));
         let new = all.iter().filter(|name| !than.contains(name));

@@ -15,7 +15,7 @@ catalogue! {
     ROLL_CENTRE: "height of the roll centre above the ground" {
         name: "roll_centre",
         sign: "positive above the contact point",
-        definition: "of an axle that is symmetric about y = 0: where the normal to the velocity in travel of the \
+        definition: "of an axle of independent wheels, symmetric about y = 0: where the normal to the velocity in travel of the \
                      contact point, as a point of the carrier, meets that plane in the front view",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,

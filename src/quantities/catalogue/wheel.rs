@@ -2,10 +2,11 @@
 
 use suspension_core::wheel::{SteeringAxis, camber, camber_to_ground, caster, kingpin_angle, toe};
 
-use crate::mechanism::WheelPoints;
 use crate::quantities::on_ground::{of_contact, of_kingpin_at_centre, of_kingpin_at_ground};
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::readings::{of_kingpin, of_kingpin_and_spin_axis, of_spin_axis, place};
+use crate::quantities::readings::{
+    of_each_wheel, of_kingpin, of_kingpin_and_spin_axis, of_spin_axis, place,
+};
 use crate::quantities::wheel::at;
 
 catalogue! {
@@ -15,7 +16,8 @@ catalogue! {
         definition: "the last point of the spin axis",
         source: "`wheel` of the listing",
         shown: Shown::InSummaries,
-        read: |names| names.wheel.map_or_else(Vec::new, |WheelPoints { axis: [_, centre], .. }| {
+        read: |names| of_each_wheel(names, |rolling| {
+            let [_, centre] = rolling.points.axis;
             place(None, move |state| at(state, centre))
         }),
     }

@@ -32,20 +32,24 @@ pub trait Number:
     fn is_below_zero(&self) -> bool;
 
     /// Its magnitude; at zero the derivatives are those of a number above zero.
+    #[inline]
     fn magnitude(self) -> Self {
         if self.is_below_zero() { -self } else { self }
     }
 }
 
 impl<T: Real> Number for T {
+    #[inline]
     fn square_root(self) -> Self {
         self.sqrt()
     }
 
+    #[inline]
     fn arc_tangent(y: Self, x: Self) -> Self {
         y.atan2(x)
     }
 
+    #[inline]
     fn is_below_zero(&self) -> bool {
         *self < T::zero()
     }
@@ -53,6 +57,7 @@ impl<T: Real> Number for T {
 
 impl<T: Real> Signal<Vector3<T>> {
     /// The vector of its components as numbers.
+    #[inline]
     pub fn components(&self) -> Vector3<Signal<T>> {
         let component =
             |axis: usize| self.map(|vector| vector.get(axis).copied().unwrap_or_default());
@@ -61,6 +66,7 @@ impl<T: Real> Signal<Vector3<T>> {
 }
 
 impl<T: Real> Number for Signal<T> {
+    #[inline]
     fn square_root(self) -> Self {
         let two = T::one() + T::one();
         let value = self.value.sqrt();
@@ -72,6 +78,7 @@ impl<T: Real> Number for Signal<T> {
         }
     }
 
+    #[inline]
     fn arc_tangent(y: Self, x: Self) -> Self {
         let two = T::one() + T::one();
         let square = x.value * x.value + y.value * y.value;
@@ -85,6 +92,7 @@ impl<T: Real> Number for Signal<T> {
         }
     }
 
+    #[inline]
     fn is_below_zero(&self) -> bool {
         self.value < T::zero()
     }
@@ -93,6 +101,7 @@ impl<T: Real> Number for Signal<T> {
 impl<T: Real> Add for Signal<T> {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self {
             value: self.value + other.value,
@@ -105,6 +114,7 @@ impl<T: Real> Add for Signal<T> {
 impl<T: Real> Neg for Signal<T> {
     type Output = Self;
 
+    #[inline]
     fn neg(self) -> Self {
         self.map(|number| -*number)
     }
@@ -113,6 +123,7 @@ impl<T: Real> Neg for Signal<T> {
 impl<T: Real> Sub for Signal<T> {
     type Output = Self;
 
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -121,6 +132,7 @@ impl<T: Real> Sub for Signal<T> {
 impl<T: Real> Mul for Signal<T> {
     type Output = Self;
 
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let two = T::one() + T::one();
         Self {
@@ -136,6 +148,7 @@ impl<T: Real> Mul for Signal<T> {
 impl<T: Real> Div for Signal<T> {
     type Output = Self;
 
+    #[inline]
     fn div(self, other: Self) -> Self {
         let two = T::one() + T::one();
         let value = self.value / other.value;
@@ -150,16 +163,19 @@ impl<T: Real> Div for Signal<T> {
 }
 
 impl<T: Real> Zero for Signal<T> {
+    #[inline]
     fn zero() -> Self {
         Self::still(T::zero())
     }
 
+    #[inline]
     fn is_zero(&self) -> bool {
         *self == Self::zero()
     }
 }
 
 impl<T: Real> One for Signal<T> {
+    #[inline]
     fn one() -> Self {
         Self::still(T::one())
     }
@@ -169,6 +185,7 @@ macro_rules! assign {
     ($($trait:ident $method:ident $operator:tt;)*) => {
         $(
             impl<T: Real> $trait for Signal<T> {
+                #[inline]
                 fn $method(&mut self, other: Self) {
                     *self = *self $operator other;
                 }

@@ -41,3 +41,46 @@ pub fn kingpin_angle<N: Number>(kingpin: &Vector3<N>, spin_axis: &Vector3<N>) ->
 pub fn caster<N: Number>(kingpin: &Vector3<N>) -> N {
     N::arc_tangent(-kingpin.x, kingpin.z)
 }
+
+/// Steer angle, positive where the wheel points to the left: [`toe`] on the right, its opposite on the left. ISO 8855.
+pub fn steer_angle<N: Number>(spin_axis: &Vector3<N>) -> N {
+    to_the_left(toe(spin_axis), spin_axis)
+}
+
+/// The rate of [`camber`], where the spin axis changes at a rate.
+pub fn camber_rate<N: Number>(spin_axis: &Vector3<N>, rate: &Vector3<N>) -> N {
+    let outboard = outboard(spin_axis);
+    arc_tangent_rate(
+        [-spin_axis.z, spin_axis.y * outboard],
+        [-rate.z, rate.y * outboard],
+    )
+}
+
+/// The rate of [`steer_angle`], where the spin axis changes at a rate.
+pub fn steer_rate<N: Number>(spin_axis: &Vector3<N>, rate: &Vector3<N>) -> N {
+    let outboard = outboard(spin_axis);
+    let of_toe = arc_tangent_rate(
+        [spin_axis.x, spin_axis.y * outboard],
+        [rate.x, rate.y * outboard],
+    );
+    to_the_left(of_toe, spin_axis)
+}
+
+/// 1 on the left, -1 on the right.
+fn outboard<N: Number>(spin_axis: &Vector3<N>) -> N {
+    if spin_axis.y.is_below_zero() {
+        -N::one()
+    } else {
+        N::one()
+    }
+}
+
+/// From an angle inboard.
+fn to_the_left<N: Number>(inboard: N, spin_axis: &Vector3<N>) -> N {
+    -inboard * outboard(spin_axis)
+}
+
+/// The rate of the angle of the direction `(x, y)` from the x axis.
+pub(super) fn arc_tangent_rate<N: Number>([y, x]: [N; 2], [y_rate, x_rate]: [N; 2]) -> N {
+    (y_rate * x - y * x_rate) / (x * x + y * y)
+}

@@ -15,6 +15,23 @@ pub fn contact<N: Number>(centre: &Vector3<N>, spin_axis: &Vector3<N>, radius: N
     centre - radial * (radius / length)
 }
 
+/// The velocity of the [`contact`] point on its path, where the wheel centre has a velocity and the spin axis, as
+/// long as it is, a rate.
+pub fn contact_velocity<N: Number>(
+    centre_velocity: &Vector3<N>,
+    spin_axis: &Vector3<N>,
+    axis_rate: &Vector3<N>,
+    radius: N,
+) -> Vector3<N> {
+    let up = Vector3::new(N::zero(), N::zero(), N::one());
+    let square = spin_axis.dot(spin_axis);
+    let radial = up - spin_axis * (spin_axis.z / square);
+    let length = radial.dot(&radial).square_root();
+    let unit = radial / length;
+    let rate = -(axis_rate * spin_axis.z + spin_axis * axis_rate.z) / square;
+    centre_velocity - (rate - unit * unit.dot(&rate)) * (radius / length)
+}
+
 /// Horizontal directions of a wheel, of unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heading<N> {

@@ -52,7 +52,11 @@ fn design(
         .iter()
         .map(|(name, outwards)| (*name, point(*outwards, random)))
         .collect();
-    if let Some([low, high]) = &system.kingpin {
+    let kingpins = system
+        .wheels
+        .iter()
+        .filter_map(|wheel| wheel.kingpin.as_ref());
+    for [low, high] in kingpins {
         let low = at[low];
         at.entry(high).and_modify(|high| high[2] = low[2] + 0.3);
     }
@@ -94,7 +98,7 @@ fn point(outwards: f64, random: &mut Lcg) -> Vector {
 fn outwards(system: &System) -> Vec<(&Name, f64)> {
     let chassis = system.fixed.iter().map(|point| &point.named.name);
     let chassis = reached(system, chassis.map(|name| (name, 0)).collect());
-    let carrier = system.wheel.iter().flat_map(|wheel| &wheel.carrier);
+    let carrier = system.wheels.iter().flat_map(|wheel| &wheel.carrier);
     let wheel = reached(system, carrier.map(|name| (name, 0)).collect());
     let points = system.fixed.iter().chain(&system.free);
     let share = |name: &Name| {

@@ -1,9 +1,10 @@
-//! `wheel: d -> hub;`: the spin axis, outboard, with the wheel's centre last. `kingpin: c -> d;`: upwards.
+//! `wheel: d -> hub;`: the spin axis, outboard, with the wheel's centre last. `kingpin: c -> d;`: upwards. Several
+//! wheels have names, `wheel left: d -> hub;`, and each kingpin that of its wheel.
 
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Token};
 
-use super::operands::arrow;
+use super::operands::{self, arrow};
 use super::word::{Head, Word};
 use crate::errors;
 use crate::kind::Kind;
@@ -23,6 +24,9 @@ pub(crate) const KINGPIN: Word = Word {
     read: |head, input, listing| read(Role::Kingpin, head, input, listing),
 };
 
+/// As many wheels as a listing may state.
+const MOST_WHEELS: usize = 8;
+
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Role {
     Wheel,
@@ -32,14 +36,19 @@ enum Role {
 struct Axis {
     role: Role,
     word: Ident,
+    /// The wheel's name, where it has one.
+    wheel: Option<Ident>,
     ends: [Ident; 2],
 }
 
 fn read(role: Role, head: Head, input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
+    let is_named = !input.peek(Token![:]);
+    let wheel = is_named.then(|| operands::name(input)).transpose()?;
     input.parse::<Token![:]>()?;
     let axis = Axis {
         role,
         word: head.word,
+        wheel,
         ends: arrow(input)?,
     };
     listing.statements.push(Box::new(axis));
@@ -56,8 +65,12 @@ impl Statement for Axis {
     }
 
     fn check(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]) {
-        if earlier.iter().any(|other| other.claim() == self.claim()) {
-            check.report(role_stated_twice(&self.word));
+        if claims(earlier).any(|claim| claim == self.claimed()) {
+            check.report(self.stated_twice());
+        }
+        match self.role {
+            Role::Wheel => self.check_beside(check, earlier),
+            Role::Kingpin => self.check_wheel(check),
         }
         check.placed(&self.ends);
         let [from, to] = &self.ends;
@@ -68,30 +81,79 @@ impl Statement for Axis {
     }
 
     fn rank(&self) -> Rank {
-        Rank::Reading
+        match self.role {
+            Role::Wheel => Rank::Reading,
+            Role::Kingpin => Rank::OfReading,
+        }
     }
 
     fn lower(&self, lowering: &mut Lowering<'_>) {
         let axis = self.ends.each_ref().map(Name::from);
+        let name = self.wheel.as_ref().map(Name::from);
         match self.role {
-            Role::Wheel if lowering.system.wheel.is_none() => {
-                lowering.system.wheel = self
-                    .carrier(lowering)
-                    .map(|carrier| system::Wheel { axis, carrier });
+            Role::Wheel => {
+                let wheel = self.carrier(lowering).map(|carrier| system::Wheel {
+                    name,
+                    axis,
+                    carrier,
+                    kingpin: None,
+                });
+                lowering.system.wheels.extend(wheel);
             }
-            Role::Kingpin if lowering.system.kingpin.is_none() => {
-                lowering.system.kingpin = Some(axis);
+            Role::Kingpin => {
+                let mut wheels = lowering.system.wheels.iter_mut();
+                if let Some(wheel) = wheels.find(|wheel| wheel.name == name) {
+                    wheel.kingpin = Some(axis);
+                }
             }
-            _ => {}
         }
     }
 
     fn claim(&self) -> Option<String> {
-        Some(self.word.to_string())
+        Some(self.claimed())
     }
 }
 
+/// What the listing's statements must not state twice.
+fn claims(statements: &[Box<dyn Statement>]) -> impl Iterator<Item = String> {
+    statements.iter().filter_map(|statement| statement.claim())
+}
+
+/// The claim of a wheel or a kingpin, with a colon, which those of quantities have not.
+fn claim(word: &str, wheel: Option<&Ident>) -> String {
+    let wheel = wheel.map(ToString::to_string).unwrap_or_default();
+    format!("{word}:{wheel}")
+}
+
 impl Axis {
+    fn claimed(&self) -> String {
+        claim(&self.word.to_string(), self.wheel.as_ref())
+    }
+
+    /// Checks a wheel beside those before: all have names, and they are not too many.
+    fn check_beside(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]) {
+        let unnamed = claim(WHEEL.word, None);
+        let wheels = claims(earlier).filter(|claim| claim.starts_with(&unnamed));
+        let wheels: Vec<String> = wheels.collect();
+        let is_mixed = wheels
+            .first()
+            .is_some_and(|first| (*first == unnamed) == self.wheel.is_some());
+        if is_mixed {
+            check.report(named_and_unnamed(&self.word));
+        }
+        if wheels.len() == MOST_WHEELS {
+            check.report(too_many_wheels(&self.word));
+        }
+    }
+
+    /// Checks that a kingpin's wheel is stated.
+    fn check_wheel(&self, check: &mut Check<'_>) {
+        let wheel = claim(WHEEL.word, self.wheel.as_ref());
+        if !claims(&check.listing.statements).any(|claim| claim == wheel) {
+            check.report_missing(self.kingpin_without_wheel());
+        }
+    }
+
     /// Three points of the body that carries both ends.
     fn carrier(&self, lowering: &Lowering<'_>) -> Option<[Name; 3]> {
         let [from, to] = &self.ends;
@@ -103,10 +165,50 @@ impl Axis {
             _ => None,
         }
     }
+
+    fn stated_twice(&self) -> Error {
+        let word = &self.word;
+        match &self.wheel {
+            Some(name) => errors::at(
+                name,
+                format!("`{word} {name}` is stated twice; remove one, or give it another name"),
+            ),
+            None => errors::at(
+                word,
+                format!(
+                    "`{word}` is stated twice; remove one, or give each a name, \
+                     `{word} left: ...`"
+                ),
+            ),
+        }
+    }
+
+    fn kingpin_without_wheel(&self) -> Error {
+        let (token, wheel) = match &self.wheel {
+            Some(name) => (name, format!("wheel {name}")),
+            None => (&self.word, "wheel".to_owned()),
+        };
+        errors::at(
+            token,
+            format!(
+                "there is no `{wheel}` for the kingpin; state it, or give the kingpin the name of its wheel"
+            ),
+        )
+    }
 }
 
-fn role_stated_twice(word: &Ident) -> Error {
-    errors::at(word, format!("`{word}` is stated twice; remove one"))
+fn named_and_unnamed(word: &Ident) -> Error {
+    errors::at(
+        word,
+        "of several wheels each has a name, `wheel left: ...`; here one has a name and another has none",
+    )
+}
+
+fn too_many_wheels(word: &Ident) -> Error {
+    errors::at(
+        word,
+        format!("a listing states at most {MOST_WHEELS} wheels; remove this one"),
+    )
 }
 
 fn wheel_without_carrier(from: &Ident, to: &Ident) -> Error {

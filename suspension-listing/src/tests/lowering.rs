@@ -196,6 +196,7 @@ fn points_of_differences_markers_and_roles_are_used() {
             drive z: p.z;
             drive raise: top.z;
             point mark: p, pole, mount;
+            wheel: mark -> p;
             kingpin: p -> top;
         }
     });

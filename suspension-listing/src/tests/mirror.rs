@@ -20,7 +20,8 @@ drive steer: rack_left.y;
 /// The length of a spring.
 measure left_spring: length(middle -> left_hub);
 point left_hub: arm_left at [0.0, 0.8, 0.3];
-wheel: left_hub -> left;
+wheel left: left_hub -> left;
+kingpin left: middle -> left;
 ";
 
 const WHOLE: &str = "
@@ -40,7 +41,10 @@ measure left_spring: length(middle -> left_hub);
 measure right_spring: length(middle -> right_hub);
 point left_hub: arm_left at [0.0, 0.8, 0.3];
 point right_hub: arm_right at [0.0, -0.8, 0.3];
-wheel: left_hub -> left;
+wheel left: left_hub -> left;
+wheel right: right_hub -> right;
+kingpin right: middle -> right;
+kingpin left: middle -> left;
 ";
 
 fn positions(points: &[Point]) -> BTreeMap<String, Option<Vector>> {
@@ -80,7 +84,17 @@ fn parts(system: &System) -> BTreeMap<String, String> {
             format!("{:?}", marker.at),
         )
     });
+    let wheels = system.wheels.iter();
+    let wheels = wheels.map(|wheel| {
+        let name = wheel.name.as_ref().map(ToString::to_string);
+        let points = (&wheel.axis, &wheel.carrier, &wheel.kingpin);
+        (
+            format!("wheel {}", name.unwrap_or_default()),
+            format!("{points:?}"),
+        )
+    });
     equations
+        .chain(wheels)
         .chain(drives)
         .chain(measures)
         .chain(markers)

@@ -5,7 +5,8 @@ use quote::quote;
 
 use super::quantity;
 use super::types::constants;
-use suspension_listing::system::{AXES, System};
+use suspension_listing::name::Name;
+use suspension_listing::system::{AXES, System, Wheel};
 
 pub(super) fn listing(system: &System) -> TokenStream {
     let fixed = system.fixed.iter().map(|point| {
@@ -76,6 +77,10 @@ fn names(system: &System) -> TokenStream {
     let drive_kinds = drives.map(|drive| quantity::drive_kind(&drive.quantity));
     let measures = system.measures.iter();
     let measure_kinds = measures.map(|measure| quantity::measure_kind(&measure.quantity));
+    let wheels = system
+        .wheels
+        .iter()
+        .map(|wheel| wheel_places(system, wheel));
     quote! {
         Names {
             equations: &[#(#equations),*],
@@ -88,8 +93,30 @@ fn names(system: &System) -> TokenStream {
             measures: <Measures<f64> as Named<f64>>::NAMES,
             measure_kinds: &[#(#measure_kinds),*],
             lengths: <Lengths<f64> as Named<f64>>::NAMES,
+            wheels: &[#(#wheels),*],
         }
     }
+}
+
+/// A wheel's name and the places of its points among all.
+fn wheel_places(system: &System, wheel: &Wheel) -> TokenStream {
+    let name = wheel.name.as_ref().map_or("", Name::as_str);
+    let points = system.points();
+    let place = |name: &Name| points.iter().position(|point| *point == name);
+    let places = |names: &[Name]| {
+        let places = names.iter().map(|name| place(name).unwrap_or_default());
+        let places = places.map(Literal::usize_unsuffixed);
+        quote!([#(#places),*])
+    };
+    let [axis, carrier] = [places(&wheel.axis), places(&wheel.carrier)];
+    let kingpin = match &wheel.kingpin {
+        Some(ends) => {
+            let ends = places(ends);
+            quote!(Some(#ends))
+        }
+        None => quote!(None),
+    };
+    quote!(WheelPlaces { name: #name, axis: #axis, carrier: #carrier, kingpin: #kingpin })
 }
 
 /// The listing's parts are the model's too.
@@ -113,6 +140,10 @@ fn parts(of: &TokenStream) -> TokenStream {
             #[inline(always)]
             fn measure_kind(&self, measure: usize) -> MeasureKind {
                 Listing::PARTS.measure_kind(measure)
+            }
+
+            fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+                Listing::PARTS.wheel(wheel)
             }
         }
     }

@@ -134,9 +134,10 @@ pub(super) fn frame_of(marker: &Marker, points: &TokenStream) -> TokenStream {
     quote!(Frame::new(#(#points.#names),*))
 }
 
-/// `wheel_axis`, `wheel_carrier` and `kingpin` of `impl Linkage`.
+/// `wheel_axis`, `wheel_carrier` and `kingpin` of `impl Linkage`: the first wheel's.
 pub(super) fn roles(system: &System) -> TokenStream {
-    let wheel = system.wheel.as_ref();
+    let wheel = system.wheels.first();
+    let kingpin = wheel.and_then(|wheel| wheel.kingpin.as_ref());
     let [axis, carrier, kingpin] = [
         role("wheel_axis", 2, wheel.map(|wheel| wheel.axis.as_slice())),
         role(
@@ -144,11 +145,7 @@ pub(super) fn roles(system: &System) -> TokenStream {
             3,
             wheel.map(|wheel| wheel.carrier.as_slice()),
         ),
-        role(
-            "kingpin",
-            2,
-            system.kingpin.as_ref().map(|axis| axis.as_slice()),
-        ),
+        role("kingpin", 2, kingpin.map(|axis| axis.as_slice())),
     ];
     quote!(#axis #carrier #kingpin)
 }
@@ -168,9 +165,10 @@ fn role(name: &str, count: usize, points: Option<&[Name]>) -> TokenStream {
     }
 }
 
-/// `impl HasWheel` and `impl HasKingpin`, where the listing states them.
+/// `impl HasWheel` and `impl HasKingpin` of the first wheel, where the listing states them.
 pub(super) fn roles_of_points(system: &System) -> TokenStream {
-    let wheel = system.wheel.as_ref().map(|Wheel { axis, carrier }| {
+    let first = system.wheels.first();
+    let wheel = first.map(|Wheel { axis, carrier, .. }| {
         quote! {
             impl<T: Scalar> HasWheel<T> for Points<T> {
                 fn wheel(&self) -> [Vector3<T>; 2] {
@@ -183,7 +181,7 @@ pub(super) fn roles_of_points(system: &System) -> TokenStream {
             }
         }
     });
-    let kingpin = system.kingpin.as_ref().map(|axis| {
+    let kingpin = first.and_then(|wheel| wheel.kingpin.as_ref()).map(|axis| {
         quote! {
             impl<T: Scalar> HasKingpin<T> for Points<T> {
                 fn kingpin(&self) -> [Vector3<T>; 2] {

@@ -1819,6 +1819,14 @@ pub mod attia2003 {
             measures: <Measures<f64> as Named<f64>>::NAMES,
             measure_kinds: &[MeasureKind::Length],
             lengths: <Lengths<f64> as Named<f64>>::NAMES,
+            wheels: &[
+                WheelPlaces {
+                    name: "",
+                    axis: [7, 10],
+                    carrier: [5, 6, 7],
+                    kingpin: Some([5, 7]),
+                },
+            ],
         };
     }
 
@@ -1841,6 +1849,10 @@ pub mod attia2003 {
         fn measure_kind(&self, measure: usize) -> MeasureKind {
             Listing::PARTS.measure_kind(measure)
         }
+
+        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+            Listing::PARTS.wheel(wheel)
+        }
     }
 
     impl<T: Scalar> Parts for Model<T> {
@@ -1861,6 +1873,10 @@ pub mod attia2003 {
         #[inline(always)]
         fn measure_kind(&self, measure: usize) -> MeasureKind {
             Listing::PARTS.measure_kind(measure)
+        }
+
+        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+            Listing::PARTS.wheel(wheel)
         }
     }
 

@@ -2701,6 +2701,14 @@ pub mod five_link {
             measures: <Measures<f64> as Named<f64>>::NAMES,
             measure_kinds: &[MeasureKind::Length],
             lengths: <Lengths<f64> as Named<f64>>::NAMES,
+            wheels: &[
+                WheelPlaces {
+                    name: "",
+                    axis: [7, 10],
+                    carrier: [5, 6, 7],
+                    kingpin: Some([5, 7]),
+                },
+            ],
         };
     }
 
@@ -2723,6 +2731,10 @@ pub mod five_link {
         fn measure_kind(&self, measure: usize) -> MeasureKind {
             Listing::PARTS.measure_kind(measure)
         }
+
+        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+            Listing::PARTS.wheel(wheel)
+        }
     }
 
     impl<T: Scalar> Parts for Model<T> {
@@ -2743,6 +2755,10 @@ pub mod five_link {
         #[inline(always)]
         fn measure_kind(&self, measure: usize) -> MeasureKind {
             Listing::PARTS.measure_kind(measure)
+        }
+
+        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+            Listing::PARTS.wheel(wheel)
         }
     }
 

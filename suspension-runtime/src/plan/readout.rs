@@ -1,6 +1,7 @@
 //! How drives enter, and what is read off the points, as indices.
 
-use suspension_core::{DriveKind, MeasureKind};
+use suspension_core::{DriveKind, MeasureKind, WheelPlaces};
+use suspension_listing::name::Name;
 use suspension_listing::system::{self, Quantity, System};
 
 use super::places::{distance, point};
@@ -42,11 +43,13 @@ pub(crate) struct Coordinate {
     pub(crate) axis: u16,
 }
 
-/// The points of wheel and kingpin, where the listing states them.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Roles {
-    pub(crate) wheel_axis: Option<[u16; 2]>,
-    pub(crate) wheel_carrier: Option<[u16; 3]>,
+/// The points of a wheel and of its kingpin.
+#[derive(Clone, Debug)]
+pub(crate) struct Wheel {
+    /// Empty where the listing states none.
+    pub(crate) name: String,
+    pub(crate) axis: [u16; 2],
+    pub(crate) carrier: [u16; 3],
     pub(crate) kingpin: Option<[u16; 2]>,
 }
 
@@ -99,19 +102,32 @@ impl Measure {
     }
 }
 
-impl Roles {
-    pub(super) fn new(system: &System) -> Self {
-        let wheel = system.wheel.as_ref();
-        let point = |name| point(system, name);
-        Self {
-            wheel_axis: wheel.map(|wheel| wheel.axis.each_ref().map(point)),
-            wheel_carrier: wheel.map(|wheel| wheel.carrier.each_ref().map(point)),
-            kingpin: system
-                .kingpin
-                .as_ref()
-                .map(|axis| axis.each_ref().map(point)),
+impl Wheel {
+    pub(crate) fn places(&self) -> WheelPlaces<'_> {
+        WheelPlaces {
+            name: &self.name,
+            axis: self.axis.map(usize::from),
+            carrier: self.carrier.map(usize::from),
+            kingpin: self.kingpin.map(|ends| ends.map(usize::from)),
         }
     }
+}
+
+pub(super) fn wheels(system: &System) -> Vec<Wheel> {
+    let point = |name: &Name| point(system, name);
+    let wheel = |wheel: &system::Wheel| Wheel {
+        name: wheel
+            .name
+            .as_ref()
+            .map_or_else(String::new, ToString::to_string),
+        axis: wheel.axis.each_ref().map(point),
+        carrier: wheel.carrier.each_ref().map(point),
+        kingpin: wheel
+            .kingpin
+            .as_ref()
+            .map(|ends| ends.each_ref().map(point)),
+    };
+    system.wheels.iter().map(wheel).collect()
 }
 
 pub(super) fn drives(system: &System) -> Vec<Drive> {

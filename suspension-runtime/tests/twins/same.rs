@@ -111,5 +111,6 @@ pub(crate) fn same_parts(written: &dyn Parts, walked: &dyn Parts) {
     for index in 0..20 {
         assert_eq!(written.drive_kind(index), walked.drive_kind(index));
         assert_eq!(written.measure_kind(index), walked.measure_kind(index));
+        assert_eq!(written.wheel(index), walked.wheel(index));
     }
 }

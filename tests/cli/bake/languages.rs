@@ -8,7 +8,7 @@ use suspension_core::baked::{Curve, Split};
 use super::super::program::{example, folder, run, text};
 use super::{RANGE, baked};
 
-fn numbers(value: &toml::Value) -> Vec<f64> {
+pub(super) fn numbers(value: &toml::Value) -> Vec<f64> {
     match value {
         toml::Value::Array(values) => values.iter().flat_map(numbers).collect(),
         value => vec![value.as_float().expect("a number")],
@@ -85,7 +85,7 @@ fn main() {{
 
 /// Compiles a program that depends on the core alone, with the versions of this package, and runs
 /// it.
-fn run_with_the_core(folder: &Path, program: &str) -> Output {
+pub(super) fn run_with_the_core(folder: &Path, program: &str) -> Output {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let manifest = format!(
         r#"[package]
@@ -148,7 +148,12 @@ int main(void)
 }}
 "#
     );
-    std::fs::write(folder.path().join("main.c"), program).expect("written");
+    assert_eq!(exit_of_c(folder.path(), &program), Some(0), "{number}");
+}
+
+/// Compiles a program in C99, without warnings, and runs it.
+pub(super) fn exit_of_c(folder: &Path, program: &str) -> Option<i32> {
+    std::fs::write(folder.join("main.c"), program).expect("written");
     let flags = [
         "-std=c99",
         "-O2",
@@ -161,13 +166,13 @@ int main(void)
         "main",
     ];
     let compiled = Command::new("cc")
-        .current_dir(folder.path())
+        .current_dir(folder)
         .args(flags)
         .output()
         .expect("a C compiler: Rust links with one");
     assert!(compiled.status.success(), "{}", text(&compiled.stderr));
-    let ran = Command::new(folder.path().join("main")).status();
-    assert_eq!(ran.expect("a program").code(), Some(0), "{number}");
+    let ran = Command::new(folder.join("main")).status();
+    ran.expect("a program").code()
 }
 
 /// Bakes the wheel of two suspensions to C, whose motion files are of these names, and compiles a

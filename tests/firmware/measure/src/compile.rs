@@ -20,19 +20,23 @@ pub struct Built {
     pub archive: PathBuf,
 }
 
-/// Builds for a target, into a folder of its own.
+/// Builds for a target; what comes of it is in a folder of its own.
 pub fn compile(target: &Target) -> Result<Built> {
     let linker = linker()?;
     let config = |key: &str, value: &str| format!("target.{}.{key}={value}", target.triple);
     let mut flags = vec!["-Zemit-stack-sizes"];
     flags.extend(target.flags);
-    let folder = workspace().join("target").join(target.name);
+    // One folder for all targets: the macro and what it depends on are built once.
+    let folder = workspace().join("target");
+    let built = folder.join(target.name);
     let mut command = Command::new("rustup");
     command
         .args(["run", "debian", "cargo", "build", "--quiet", "--release"])
         .args(["--package", "controller", "--package", "entries"])
         .args(["--target", target.triple, "--target-dir"])
         .arg(&folder)
+        .args(["-Zunstable-options", "--artifact-dir"])
+        .arg(&built)
         .args(["--config", &config("rustflags", &format!("{flags:?}"))])
         .args(["--config", &config("linker", &format!("{linker:?}"))])
         .current_dir(workspace())
@@ -46,7 +50,6 @@ pub fn compile(target: &Target) -> Result<Built> {
     }
     let status = command.status().context("rustup")?;
     ensure!(status.success(), "{}: the build fails", target.name);
-    let built = folder.join(target.triple).join("release");
     Ok(Built {
         firmware: built.join("controller"),
         archive: built.join("libentries.a"),

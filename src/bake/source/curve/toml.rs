@@ -3,15 +3,12 @@
 use std::fmt::Write;
 
 use crate::bake::scheme::TERMS;
-use crate::bake::source::Sheet;
+use crate::bake::source::about::commented;
+use crate::bake::source::curve::Sheet;
 
 /// The text of a file.
-pub(super) fn text(sheet: &Sheet, name: &str) -> String {
-    let mut text = String::new();
-    for line in sheet.header() {
-        text += format!("# {line}").trim_end();
-        text.push('\n');
-    }
+pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
+    let mut text = commented("#", &sheet.header());
     let reached = sheet.baked.reached;
     let [from, to] = sheet.baked.wanted.range;
     let _ = write!(
@@ -35,10 +32,10 @@ segments = [
         reached.position,
         reached.first,
         reached.second,
-        linkage = sheet.linkage,
-        drive = sheet.drive,
-        drive_unit = sheet.drive_unit,
-        unit = sheet.unit,
+        linkage = sheet.about.linkage,
+        drive = sheet.drive.name,
+        drive_unit = sheet.drive.unit,
+        unit = sheet.about.unit,
         tolerance = sheet.baked.wanted.tolerance,
         per_unit = sheet.baked.segments_per_unit(),
         outputs = sheet.output_names(),

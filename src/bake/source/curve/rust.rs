@@ -3,15 +3,12 @@
 use std::fmt::Write;
 
 use crate::bake::scheme::TERMS;
-use crate::bake::source::Sheet;
+use crate::bake::source::about::commented;
+use crate::bake::source::curve::Sheet;
 
 /// The text of a module.
-pub(super) fn text(sheet: &Sheet, name: &str) -> String {
-    let mut text = String::new();
-    for line in sheet.header() {
-        text += format!("// {line}").trim_end();
-        text.push('\n');
-    }
+pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
+    let mut text = commented("//", &sheet.header());
     let name = name.to_uppercase();
     let width = sheet.width();
     let [from, to] = sheet.baked.wanted.range;

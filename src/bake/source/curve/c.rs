@@ -3,25 +3,13 @@
 use std::fmt::Write;
 
 use crate::bake::scheme::TERMS;
-use crate::bake::source::Sheet;
-
-/// Of a text, by Fowler, Noll and Vo (FNV-1a), in the range that every preprocessor knows.
-fn checksum(text: &str) -> u32 {
-    let hash = text.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
-        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
-    });
-    hash >> 1
-}
+use crate::bake::source::about::{checksum, comment_in_c};
+use crate::bake::source::curve::Sheet;
 
 /// The text of a header. Its guard has a value of the header's own: another header under the same
 /// name is an error and not left out in silence.
-pub(super) fn text(sheet: &Sheet, name: &str) -> String {
-    let mut text = String::from("/*\n");
-    for line in sheet.header() {
-        // A file's name may hold what ends a comment.
-        text += format!(" * {}", line.replace("*/", "* /")).trim_end();
-        text.push('\n');
-    }
+pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
+    let mut text = comment_in_c(&sheet.header());
     let upper = name.to_uppercase();
     let width = sheet.width();
     let count = sheet.baked.segments.len();

@@ -1,0 +1,129 @@
+//! What a baked file says of itself, whatever its drives.
+
+use std::path::Path;
+
+use crate::bake::driven::Output;
+use crate::number::exact;
+
+/// What the numbers of a baked file mean.
+#[derive(Clone, Debug)]
+pub struct About {
+    /// The file that it was baked from.
+    pub file: String,
+    /// The linkage's name.
+    pub linkage: String,
+    /// The drives that the outputs are functions of.
+    pub drives: Vec<Ranged>,
+    /// The unit of lengths.
+    pub unit: &'static str,
+    /// Where the axes point.
+    pub axes: &'static str,
+    /// Drives that are held, in words; empty where there are no others.
+    pub held: String,
+}
+
+/// A drive over its baked range.
+#[derive(Clone, Debug)]
+pub struct Ranged {
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Its first and last value.
+    pub range: [f64; 2],
+}
+
+impl About {
+    /// What by which drives.
+    pub(super) fn subject(&self, outputs: &[Output]) -> String {
+        let what = match outputs.first() {
+            Some(Output::Point(_)) => "points",
+            _ => "wheel",
+        };
+        let drives = self.drives.iter().map(|drive| drive.name.as_str());
+        format!("{what}_by_{}", drives.collect::<Vec<_>>().join("_and_"))
+    }
+
+    /// The table's name in a file: the file's own, so that two files in one program differ.
+    pub(super) fn name(&self, outputs: &[Output], path: &Path) -> String {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+        let mut name: String = stem.chars().map(letter).collect();
+        let subject = self.subject(outputs);
+        if !name.contains(&subject) {
+            name = format!("{name}_{subject}");
+        }
+        if name.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            name
+        } else {
+            format!("baked_{name}")
+        }
+    }
+
+    /// The first lines: what, from where, and over which ranges.
+    pub(super) fn header(&self, outputs: &[Output]) -> Vec<String> {
+        let what = match outputs.first() {
+            Some(Output::Point(_)) => format!("{} points", outputs.len()),
+            _ => "wheel centre and spin axis (unit length, outboard)".to_owned(),
+        };
+        let names: Vec<&str> = self
+            .drives
+            .iter()
+            .map(|drive| drive.name.as_str())
+            .collect();
+        let drives = if names.len() > 1 { "drives" } else { "drive" };
+        let mut lines = vec![
+            format!(
+                "The {what} of {} as a function of {drives} {}.",
+                self.linkage,
+                names.join(" and ")
+            ),
+            format!("Baked by `suspension bake` from {}.", self.file),
+            String::new(),
+        ];
+        lines.extend(self.drives.iter().map(|Ranged { name, unit, range }| {
+            let [from, to] = range.map(exact);
+            format!("Drive: {name} from {from} to {to} {unit}.")
+        }));
+        if !self.held.is_empty() {
+            lines.push(format!("Held: {}.", self.held));
+        }
+        lines.push(format!("Lengths in {}; axes {}.", self.unit, self.axes));
+        lines
+    }
+}
+
+/// The numbers' names, in order.
+pub(super) fn output_names(outputs: &[Output]) -> Vec<String> {
+    let coordinates = |output: &Output| {
+        let name = output.name();
+        ["x", "y", "z"].map(|axis| format!("{name}_{axis}"))
+    };
+    outputs.iter().flat_map(coordinates).collect()
+}
+
+/// Lines behind a comment's mark.
+pub(super) fn commented(mark: &str, lines: &[String]) -> String {
+    let line = |line: &String| format!("{}\n", format!("{mark} {line}").trim_end());
+    lines.iter().map(line).collect()
+}
+
+/// The head of a comment in C; a file's name may hold what ends one.
+pub(super) fn comment_in_c(lines: &[String]) -> String {
+    let lines: Vec<String> = lines.iter().map(|line| line.replace("*/", "* /")).collect();
+    format!("/*\n{}", commented(" *", &lines))
+}
+
+/// Of a text, by Fowler, Noll and Vo (FNV-1a), in the range that every preprocessor knows.
+pub(super) fn checksum(text: &str) -> u32 {
+    let hash = text.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
+        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
+    });
+    hash >> 1
+}
+
+/// A row of numbers in the brackets of a language.
+pub(super) fn row(numbers: &[f64], [open, close]: [&str; 2]) -> String {
+    let numbers: Vec<String> = numbers.iter().map(|x| format!("{x:?}")).collect();
+    format!("{open}{}{close}", numbers.join(", "))
+}

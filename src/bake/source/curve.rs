@@ -1,0 +1,88 @@
+//! A curve of one drive as a file.
+
+mod c;
+mod rust;
+mod toml;
+
+use crate::bake::certify::SAMPLES;
+use crate::bake::fit::Baked;
+use crate::bake::scheme::{Continuity, TERMS};
+use crate::bake::source::about::{About, Ranged, output_names, row};
+use crate::bake::source::{Language, bound};
+use crate::number::rounded;
+
+/// What is written of a curve.
+struct Sheet<'a> {
+    about: &'a About,
+    drive: &'a Ranged,
+    baked: &'a Baked,
+}
+
+/// The text of a file; empty without a drive.
+pub(super) fn text(about: &About, baked: &Baked, language: Language, name: &str) -> String {
+    let [drive] = about.drives.as_slice() else {
+        return String::new();
+    };
+    let sheet = Sheet {
+        about,
+        drive,
+        baked,
+    };
+    match language {
+        Language::Rust => rust::text(&sheet, name),
+        Language::C => c::text(&sheet, name),
+        Language::Toml => toml::text(&sheet, name),
+    }
+}
+
+impl Sheet<'_> {
+    /// How many numbers the outputs are.
+    fn width(&self) -> usize {
+        3 * self.baked.outputs.len()
+    }
+
+    fn output_names(&self) -> Vec<String> {
+        output_names(&self.baked.outputs)
+    }
+
+    /// What a reader needs to know, line by line.
+    fn header(&self) -> Vec<String> {
+        let Self {
+            about,
+            drive,
+            baked,
+        } = self;
+        let (unit, drive_unit) = (about.unit, drive.unit);
+        let joined = match baked.wanted.continuity {
+            Continuity::Position => "position",
+            Continuity::Velocity => "position and first derivative",
+            Continuity::Acceleration => "position, first and second derivative",
+        };
+        let reached = baked.reached;
+        let [position, first, second] =
+            [reached.position, reached.first, reached.second].map(bound);
+        let count = baked.segments.len();
+        let bytes = count * TERMS * self.width() * size_of::<f64>();
+        let mut lines = about.header(&baked.outputs);
+        lines.extend([
+            format!("Continuous where segments join: {joined}."),
+            format!("Tolerance asked: {} {unit}; reached: {position} {unit}.", rounded(baked.wanted.tolerance, 3)),
+            format!("First derivative within {first} {unit}/{drive_unit}, second within {second} {unit}/{drive_unit}^2."),
+            format!("The spin axis counts as a point 1 m from the wheel centre. Checked against the solver at {SAMPLES}"),
+            "Chebyshev points a segment; a bound for smooth motions, not a proof.".to_owned(),
+            format!("{count} segments of degree {}, {bytes} bytes.", TERMS - 1),
+        ]);
+        lines
+    }
+
+    /// The coefficients with one power a line, in the brackets of a language.
+    fn coefficients(&self, brackets: [&str; 2]) -> String {
+        let [open, close] = brackets;
+        let line = |numbers: &Vec<f64>| format!("        {},\n", row(numbers, brackets));
+        let segment = |rows: [Vec<f64>; TERMS]| {
+            let rows: String = rows.iter().map(line).collect();
+            format!("    {open}\n{rows}    {close},\n")
+        };
+        self.baked.rows().map(segment).collect()
+    }
+}

@@ -1,0 +1,82 @@
+//! A surface of two drives as a file.
+
+mod c;
+mod rust;
+mod toml;
+
+use crate::bake::certify::SAMPLES;
+use crate::bake::scheme::TERMS;
+use crate::bake::source::about::{About, output_names, row};
+use crate::bake::source::{Language, bound};
+use crate::bake::surface::BakedSurface;
+use crate::number::rounded;
+
+/// What is written of a surface.
+struct Sheet<'a> {
+    about: &'a About,
+    baked: &'a BakedSurface,
+}
+
+/// The text of a file.
+pub(super) fn text(about: &About, baked: &BakedSurface, language: Language, name: &str) -> String {
+    let sheet = Sheet { about, baked };
+    match language {
+        Language::Rust => rust::text(&sheet, name),
+        Language::C => c::text(&sheet, name),
+        Language::Toml => toml::text(&sheet, name),
+    }
+}
+
+impl Sheet<'_> {
+    /// How many numbers the outputs are.
+    fn width(&self) -> usize {
+        3 * self.baked.outputs.len()
+    }
+
+    fn output_names(&self) -> Vec<String> {
+        output_names(&self.baked.outputs)
+    }
+
+    /// What a reader needs to know, line by line.
+    fn header(&self) -> Vec<String> {
+        let Self { about, baked } = self;
+        let unit = about.unit;
+        let joined = if baked.wanted.smooth {
+            "position and first derivatives"
+        } else {
+            "position"
+        };
+        let asked = rounded(baked.wanted.tolerance, 3);
+        let reached = bound(baked.reached);
+        let [along, across] = baked.counts;
+        let bytes = along * across * TERMS * TERMS * self.width() * size_of::<f64>();
+        let degree = TERMS - 1;
+        let mut lines = about.header(&baked.outputs);
+        lines.extend([
+            format!("Continuous where patches join: {joined}."),
+            format!("Tolerance asked: {asked} {unit}; reached: {reached} {unit}."),
+            "The spin axis counts as a point 1 m from the wheel centre. Checked against the solver at".to_owned(),
+            format!("{SAMPLES} x {SAMPLES} Chebyshev points a patch; a bound for smooth motions, not a proof."),
+            format!("{along} x {across} patches of degree {degree} in each drive, {bytes} bytes."),
+        ]);
+        lines
+    }
+
+    /// The coefficients with those of a power of both drives on a line, in the brackets of a language.
+    fn coefficients(&self, brackets: [&str; 2]) -> String {
+        let [open, close] = brackets;
+        let patch = |patch: &Vec<[[[f64; 3]; TERMS]; TERMS]>| {
+            let line = |first: usize, second: usize| {
+                let numbers: Vec<f64> = patch.iter().flat_map(|of| of[first][second]).collect();
+                format!("            {},\n", row(&numbers, brackets))
+            };
+            let of_first = |first: usize| {
+                let lines: String = (0..TERMS).map(|second| line(first, second)).collect();
+                format!("        {open}\n{lines}        {close},\n")
+            };
+            let rows: String = (0..TERMS).map(of_first).collect();
+            format!("    {open}\n{rows}    {close},\n")
+        };
+        self.baked.patches.iter().map(patch).collect()
+    }
+}

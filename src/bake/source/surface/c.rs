@@ -1,0 +1,124 @@
+//! As a header in C99.
+
+use std::fmt::Write;
+
+use crate::bake::scheme::TERMS;
+use crate::bake::source::about::{checksum, comment_in_c};
+use crate::bake::source::surface::Sheet;
+
+/// The text of a header. Its guard has a value of the header's own: another header under the same
+/// name is an error and not left out in silence.
+pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
+    let mut text = comment_in_c(&sheet.header());
+    let upper = name.to_uppercase();
+    let width = sheet.width();
+    let [along, across] = sheet.baked.counts;
+    let count = along * across;
+    let [[from, to], [second_from, second_to]] = sheet.baked.wanted.ranges;
+    let [per_unit, second_per_unit] = sheet.baked.patches_per_unit();
+    let patches = sheet.coefficients(["{", "}"]);
+    let outputs = sheet.output_names().join(", ");
+    let _ = write!(
+        text,
+        " *
+ * Outputs: {outputs}.
+ * For the same digits as in Rust compile without contraction (-std=c99 or -ffp-contract=off).
+ * In float where {upper}_NUMBER is defined as such: rounding adds some 1e-7 of the largest output.
+ */
+#if !defined {upper}_H
+#define {upper}_H {checksum:#010x}
+
+#include <stddef.h>
+
+#ifndef {upper}_NUMBER
+#define {upper}_NUMBER double
+#endif
+typedef {upper}_NUMBER {name}_number;
+
+enum {{ {upper}_OUTPUTS = {width}, {upper}_ALONG = {along}, {upper}_ACROSS = {across} }};
+
+static const {name}_number {name}_ranges[2][2] = {{{{{from:?}, {to:?}}}, {{{second_from:?}, {second_to:?}}}}};
+
+static const {name}_number {name}_patches_per_unit[2] = {{{per_unit:?}, {second_per_unit:?}}};
+
+/*
+ * By patch, those along the second drive side by side; by power of the first drive, of the second, and output,
+ * constants first. The variables of a patch run from 0 to 1.
+ */
+static const {name}_number {name}_patches[{count}][{TERMS}][{TERMS}][{width}] = {{
+{patches}}};
+
+/* The value of a polynomial, its derivative, and half its second derivative. */
+static inline void {name}_polynomial(const {name}_number terms[{TERMS}], {name}_number variable,
+        {name}_number orders[3])
+{{
+    orders[0] = orders[1] = orders[2] = terms[{degree}];
+    for (int power = {degree} - 1; power >= 0; power--) {{
+        orders[0] = orders[0] * variable + terms[power];
+        if (power >= 1)
+            orders[1] = orders[1] * variable + orders[0];
+        if (power >= 2)
+            orders[2] = orders[2] * variable + orders[1];
+    }}
+}}
+
+/*
+ * Position, velocity and acceleration where the drives have the values `drives` and move at `rates` per second and
+ * `second_rates` per second squared. Where `acceleration`, or `velocity` as well, is NULL it is not written. Returns 0;
+ * or 1 where a drive is outside its range, and then writes nothing.
+ */
+static inline int {name}(const {name}_number drives[2], const {name}_number rates[2],
+        const {name}_number second_rates[2], {name}_number position[{width}],
+        {name}_number velocity[{width}], {name}_number acceleration[{width}])
+{{
+    const int counts[2] = {{{upper}_ALONG, {upper}_ACROSS}};
+    int place[2];
+    {name}_number variable[2], rate[2], second_rate[2];
+    for (int way = 0; way < 2; way++) {{
+        if (!(drives[way] >= {name}_ranges[way][0] && drives[way] <= {name}_ranges[way][1]))
+            return 1;
+        const {name}_number per_unit = {name}_patches_per_unit[way];
+        const {name}_number along = (drives[way] - {name}_ranges[way][0]) * per_unit;
+        place[way] = (int)along < counts[way] ? (int)along : counts[way] - 1;
+        variable[way] = along - place[way];
+        rate[way] = rates[way] * per_unit;
+        second_rate[way] = second_rates[way] * per_unit;
+    }}
+    const {name}_number (*patch)[{TERMS}][{width}] = {name}_patches[place[0] * {upper}_ACROSS + place[1]];
+    for (int i = 0; i < {width}; i++) {{
+        {name}_number across[3][{TERMS}], by[3][3];
+        for (int power = 0; power < {TERMS}; power++) {{
+            {name}_number terms[{TERMS}], orders[3];
+            for (int second = 0; second < {TERMS}; second++)
+                terms[second] = patch[power][second][i];
+            {name}_polynomial(terms, variable[1], orders);
+            for (int order = 0; order < 3; order++)
+                across[order][power] = orders[order];
+        }}
+        for (int order = 0; order < 3; order++)
+            {name}_polynomial(across[order], variable[0], by[order]);
+        const {name}_number first = by[0][1], second = by[1][0];
+        position[i] = by[0][0];
+        if (velocity != NULL)
+            velocity[i] = first * rate[0] + second * rate[1];
+        if (velocity != NULL && acceleration != NULL) {{
+            {name}_number sum = by[0][2] * ((rate[0] + rate[0]) * rate[0]);
+            sum += by[1][1] * ((rate[0] + rate[0]) * rate[1]);
+            sum += by[2][0] * ((rate[1] + rate[1]) * rate[1]);
+            sum += first * second_rate[0];
+            sum += second * second_rate[1];
+            acceleration[i] = sum;
+        }}
+    }}
+    return 0;
+}}
+
+#elif {upper}_H != {checksum:#010x}
+#error \"another baked header has the name {name}: bake to a file of another name\"
+#endif
+",
+        checksum = checksum(&patches),
+        degree = TERMS - 1,
+    );
+    text
+}

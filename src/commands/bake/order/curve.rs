@@ -1,0 +1,122 @@
+//! A motion along one drive, or the part of it that is possible.
+
+use crate::bake::fit::{MOST_SEGMENTS, Unmet};
+use crate::bake::widest::widest;
+use crate::bake::{Baked, Exact, OutOfReach, Wanted, bake};
+use crate::commands::bake::order::{Along, Ordered};
+use crate::failure::Failure;
+use crate::mechanism::advice;
+use crate::number::{number, rounded};
+
+/// Digits of a range that is possible: it is rounded to lie within what is.
+const DIGITS: usize = 12;
+
+impl Ordered<'_> {
+    pub(super) fn curve(&self, along: &Along) -> Result<Baked, Failure> {
+        let metre = self.mechanism.unit.metre();
+        let wanted = Wanted {
+            range: along.local,
+            tolerance: self.order.tolerance * metre,
+            metre,
+            continuity: self.order.continuity,
+        };
+        let baked = self.bake(along.drive, &wanted)?;
+        Ok(baked.moved(self.mechanism.origin.into(), along.range))
+    }
+
+    fn bake(&self, drive: usize, wanted: &Wanted) -> Result<Baked, Failure> {
+        let path = self.path(drive, wanted.range).map_err(Unmet::from);
+        let unmet = match path.and_then(|path| bake(wanted, &*path)) {
+            Ok(baked) => return Ok(baked),
+            Err(unmet) => unmet,
+        };
+        let (inside, locks) = self.reach(drive, wanted.range);
+        let reason = match unmet {
+            Unmet::TooManySegments { at } => format!(
+                "{MOST_SEGMENTS} segments do not meet {} m about {}",
+                rounded(self.order.tolerance, 3),
+                self.in_words(drive, self.given(drive, at))
+            ),
+            Unmet::OutOfReach(error) if locks.is_empty() => self.between(drive, &error),
+            Unmet::OutOfReach(_) => format!("{}; {}", locks.join("; "), advice(self.file)),
+        };
+        let possible = self.possible(
+            drive,
+            &Wanted {
+                range: inside,
+                ..*wanted
+            },
+        );
+        let [from, to] = wanted.range.map(|end| number(self.given(drive, end)));
+        let advice = possible.map_or_else(
+            || "no part of the range can be baked".to_owned(),
+            |ends| {
+                let [from, to] = ends.map(|end| rounded(end, DIGITS));
+                format!("possible is --from {from} --to {to}")
+            },
+        );
+        let name = &self.mechanism.names.drives[drive].name;
+        Err(Failure::Solver(format!(
+            "{}: {name} cannot be baked from {from} to {to}: {reason}; {advice}",
+            self.file
+        )))
+    }
+
+    /// The part of a range through which the drive leads the mechanism, and in words where it locks.
+    fn reach(&self, drive: usize, range: [f64; 2]) -> ([f64; 2], Vec<String>) {
+        let mut locks = Vec::new();
+        let now = self.first(drive);
+        let [from, to] = range;
+        let mut reached = [from.min(now), to.max(now)];
+        for (end, wanted) in reached.iter_mut().zip(range) {
+            // Beyond what the first instant has, the way to the other end leads past this one.
+            if *end != wanted {
+                continue;
+            }
+            if let Some(lock) = self.mechanism.lock_before(drive, *end) {
+                locks.push(self.mechanism.lock_in_words(&lock));
+                *end = lock.drives[drive] - self.mechanism.drive_offsets[drive];
+            }
+        }
+        let [low, high] = reached;
+        let inside = [low.max(from), high.min(to)];
+        // The message for a range beyond a lock gives the part up to the lock.
+        let inside = if inside[0] < inside[1] {
+            inside
+        } else {
+            reached
+        };
+        (inside, locks)
+    }
+
+    /// The part of a range that can be baked, in a few digits and the file's coordinates.
+    fn possible(&self, drive: usize, wanted: &Wanted) -> Option<[f64; 2]> {
+        /// Of a range: how close to a turning point the mechanism is solved.
+        const CLOSE: f64 = 1e-6;
+        let [from, to] = wanted.range;
+        let range = [from + CLOSE * (to - from), to - CLOSE * (to - from)];
+        let path = self.path(drive, range).ok()?;
+        let widest = widest(&Wanted { range, ..*wanted }, &*path)?;
+        let [from, to] = widest.map(|end| self.given(drive, end));
+        let steps_a_unit = 10_f64.powf(3.0 - (to - from).log10().floor());
+        let (from, to) = (from * steps_a_unit, to * steps_a_unit);
+        Some([from.ceil(), to.floor()].map(|end| end / steps_a_unit))
+    }
+
+    fn path(&self, drive: usize, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {
+        self.mechanism.path(drive, range, self.order.wish)
+    }
+
+    /// Where the motion is lost within what the drive reaches, in words.
+    fn between(&self, drive: usize, error: &OutOfReach) -> String {
+        let [from, to] = error.reached.map(|end| number(self.given(drive, end)));
+        let names = &self.mechanism.names;
+        let cause = error
+            .cause
+            .map(|error| format!(" ({})", names.cause(&error)));
+        format!(
+            "the motion is lost between {from} and {to}{}",
+            cause.unwrap_or_default()
+        )
+    }
+}

@@ -1,0 +1,60 @@
+//! A motion of two drives.
+
+use crate::bake::surface::MOST_PATCHES;
+use crate::bake::{BakedSurface, Continuity, UnmetSurface, WantedSurface};
+use crate::commands::bake::order::{Along, Ordered};
+use crate::failure::Failure;
+use crate::mechanism::advice;
+use crate::number::{number, rounded};
+
+impl Ordered<'_> {
+    pub(super) fn surface(&self, along: [&Along; 2]) -> Result<BakedSurface, Failure> {
+        if self.order.continuity == Continuity::Acceleration {
+            return Err(self.refuse("over two drives --continuity is 0 or 1"));
+        }
+        let metre = self.mechanism.unit.metre();
+        let wanted = WantedSurface {
+            drives: along.map(|along| along.drive),
+            ranges: along.map(|along| along.local),
+            tolerance: self.order.tolerance * metre,
+            metre,
+            smooth: self.order.continuity == Continuity::Velocity,
+            wish: self.order.wish,
+        };
+        let baked = self.mechanism.bake_surface(&wanted);
+        let baked = baked.map_err(|unmet| self.unmet(along, &unmet))?;
+        let ranges = along.map(|along| along.range);
+        Ok(baked.moved(self.mechanism.origin.into(), ranges))
+    }
+
+    fn unmet(&self, along: [&Along; 2], unmet: &UnmetSurface) -> Failure {
+        let ranges = along.map(|Along { drive, range, .. }| {
+            let [from, to] = range.map(number);
+            let name = &self.mechanism.names.drives[*drive].name;
+            format!("{name} = {from} to {to}")
+        });
+        let reason = match unmet {
+            UnmetSurface::OutOfReach { drives, cause } => {
+                let place = along.iter().zip(drives).map(|(along, local)| {
+                    self.in_words(along.drive, self.given(along.drive, *local))
+                });
+                let place = place.collect::<Vec<_>>().join(", ");
+                let cause = cause.map(|cause| format!(" ({})", self.mechanism.names.cause(&cause)));
+                format!(
+                    "the mechanism does not reach {place}{}; {}",
+                    cause.unwrap_or_default(),
+                    advice(self.file)
+                )
+            }
+            UnmetSurface::TooManyPatches => format!(
+                "{MOST_PATCHES} patches do not meet {} m; take a larger --tolerance or shorter ranges",
+                rounded(self.order.tolerance, 3)
+            ),
+        };
+        Failure::Solver(format!(
+            "{}: {} cannot be baked: {reason}",
+            self.file,
+            ranges.join(", ")
+        ))
+    }
+}

@@ -1,0 +1,97 @@
+//! Both wheels of an axle: toe and track, steering, and roll.
+
+use suspension_core::Signal;
+use suspension_core::wheel::{steer_angle, toe};
+
+use crate::quantities::kind::Kind;
+use crate::quantities::of_axle::{
+    of_both, of_roll, of_roll_centre, of_steered_wheels, of_turn, track,
+};
+use crate::quantities::quantity::{Quantity, Shown};
+
+catalogue! {
+    TOTAL_TOE: "total toe" {
+        name: "total_toe",
+        sign: "positive where the fronts of the wheels are closer together than their rears",
+        definition: "the sum of both toe angles of an axle",
+        source: "as toe",
+        shown: Shown::InTables,
+        read: |names| of_both(names, Kind::Angle, false, |wheels| {
+            let [left, right] = wheels.map(|wheel| toe(&wheel.axis));
+            left + right
+        }),
+    }
+    TRACK: "track" {
+        name: "track",
+        sign: "",
+        definition: "from the right contact point to the left one, along y; its derivatives are the change of track",
+        source: "ISO 8855",
+        shown: Shown::InTables,
+        read: |names| of_both(names, Kind::Length, true, track),
+    }
+    STEER_ANGLE: "steer angle" {
+        name: "steer_angle",
+        sign: "positive where the wheel points to the left",
+        definition: "of the plane of the wheel from the x axis in the x-y plane, toe included",
+        source: "ISO 8855",
+        shown: Shown::InTables,
+        read: |names| of_steered_wheels(names, steer_angle),
+    }
+    ACKERMANN: "Ackermann percentage" {
+        name: "ackermann",
+        sign: "100 where the normals of both wheels meet on the line of the rear axle, 0 where they are parallel",
+        definition: "100 (inner - outer) / (ideal - outer) of the steer angles, with cot(ideal) = cot(outer) - track / \
+                     wheelbase; none where they are less than a degree on average",
+        source: "given the outer wheel, as in the reports of Simscape Multibody; wheelbase of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_turn(names, Kind::Percent, |turn, wheelbase, track| {
+            turn.ackermann(wheelbase, track) * Signal::still(100.0)
+        }),
+    }
+    ACKERMANN_ERROR: "Ackermann error" {
+        name: "ackermann_error",
+        sign: "positive where the inner wheel is steered further than ideally",
+        definition: "inner - ideal of the steer angles, with cot(ideal) = cot(outer) - track / wheelbase; none where they are \
+                     less than a degree on average",
+        source: "as ackermann",
+        shown: Shown::InTables,
+        read: |names| of_turn(names, Kind::Angle, |turn, wheelbase, track| {
+            turn.inner - turn.ideal_inner(wheelbase, track)
+        }),
+    }
+    TURNING_RADIUS: "radius of the turning circle" {
+        name: "turning_radius",
+        sign: "",
+        definition: "kerb to kerb, of the outer contact point about a centre on the line of the rear axle, wheelbase / \
+                     sin(outer); none where the steer angles are less than a degree on average",
+        source: "half the turning circle; wheelbase of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_turn(names, Kind::Length, |turn, wheelbase, _| turn.radius(wheelbase)),
+    }
+    AXLE_ROLL_CENTRE: "roll centre of the axle" {
+        name: "axle_roll_centre",
+        sign: "y left, z up",
+        definition: "of any axle, symmetric or not, in roll, the left contact point rising as fast as the right one falls: \
+                     where the normals to the velocities of both, as points of the carriers, meet in the front view",
+        source: "kinematic roll centre; SAE J670",
+        shown: Shown::InTables,
+        read: of_roll_centre,
+    }
+    ROLL_CAMBER: "roll camber" {
+        name: "roll_camber",
+        sign: "positive where the top of the wheel leans further outboard as the left wheel rises",
+        definition: "the derivative of the camber angle, to the chassis, by the roll angle of the axle: that of the line through \
+                     both contact points from the y axis in the front view, the left one rising as fast as the right one falls",
+        source: "roll camber coefficient, relative to the chassis",
+        shown: Shown::InTables,
+        read: |names| of_roll(names, |per_roll| per_roll.camber),
+    }
+    ROLL_STEER: "roll steer" {
+        name: "roll_steer",
+        sign: "positive where the wheel turns to the left as the left wheel rises",
+        definition: "the derivative of the steer angle by the roll angle of the axle, that of roll_camber",
+        source: "roll steer coefficient",
+        shown: Shown::InTables,
+        read: |names| of_roll(names, |per_roll| per_roll.steer),
+    }
+}

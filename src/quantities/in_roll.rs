@@ -1,0 +1,113 @@
+//! An axle as it rolls: its left contact point rises as fast as the right one falls.
+
+use nalgebra::Vector3;
+use suspension_core::Signal;
+use suspension_core::wheel::{
+    Carrier, camber_rate, contact_velocity, roll_centre, roll_rate, steer_rate,
+};
+
+use crate::quantities::reader::Reader;
+use crate::quantities::wheel::{Moving, Number, Rolling, Wheel};
+
+/// An axle as it rolls, in the file's coordinates.
+pub(super) struct InRoll {
+    /// See [`roll_centre`].
+    pub(super) centre: Vector3<Number>,
+    /// The wheels by number, each with what it has per radian of roll.
+    wheels: [(usize, PerRoll); 2],
+}
+
+/// What a wheel has per radian of roll.
+#[derive(Clone, Copy)]
+pub(super) struct PerRoll {
+    pub(super) camber: Number,
+    pub(super) steer: Number,
+}
+
+/// A wheel as one drive moves it, or several.
+struct Moved {
+    carrier: Carrier<Number>,
+    axis_rate: Vector3<Number>,
+    contact_velocity: Vector3<Number>,
+}
+
+impl Moved {
+    fn of(carrier: Carrier<Number>, axis: &Vector3<Number>, radius: f64) -> Self {
+        let axis_rate = carrier.omega.cross(axis);
+        let (velocity, radius) = (&carrier.velocity, Signal::still(radius));
+        Self {
+            contact_velocity: contact_velocity(velocity, axis, &axis_rate, radius),
+            axis_rate,
+            carrier,
+        }
+    }
+}
+
+impl InRoll {
+    /// Of the left wheel and the right one; `None` where the mechanism locks, or a wheel has no drive of travel.
+    pub(super) fn of(reader: &Reader<'_>, axle: [Rolling; 2]) -> Option<Self> {
+        let [left, right] = axle;
+        let drives = [left.travel?, right.travel?];
+        let moved = |rolling: Rolling, drive: usize| reader.moved_by(drive, rolling);
+        let of_left = [moved(left, drives[0])?, moved(left, drives[1])?];
+        let of_right = [moved(right, drives[0])?, moved(right, drives[1])?];
+        let shares = shares([&of_left, &of_right], axle);
+        let [left_in_roll, right_in_roll] =
+            [(&of_left, left), (&of_right, right)].map(|(by_drive, rolling)| {
+                let carrier = combined(by_drive, shares);
+                Moved::of(carrier, &by_drive[0].axis, rolling.radius)
+            });
+        let contacts = [&of_left[0].contact, &of_right[0].contact];
+        let velocities = [
+            &left_in_roll.contact_velocity,
+            &right_in_roll.contact_velocity,
+        ];
+        let roll = roll_rate(contacts, velocities);
+        let per_roll = |rolling: Rolling, moved: &Moved| {
+            let Wheel { axis, .. } = reader.wheel(rolling);
+            let per = PerRoll {
+                camber: camber_rate(axis, &moved.axis_rate) / roll,
+                steer: steer_rate(axis, &moved.axis_rate) / roll,
+            };
+            (rolling.number, per)
+        };
+        Some(Self {
+            centre: roll_centre([&left_in_roll.carrier, &right_in_roll.carrier], contacts),
+            wheels: [
+                per_roll(left, &left_in_roll),
+                per_roll(right, &right_in_roll),
+            ],
+        })
+    }
+
+    /// What a wheel of the axle has per radian of roll.
+    pub(super) fn of_wheel(&self, number: usize) -> Option<PerRoll> {
+        let mut wheels = self.wheels.iter();
+        wheels
+            .find(|(other, _)| *other == number)
+            .map(|(_, per)| *per)
+    }
+}
+
+/// The rates of both drives at which the left contact point rises as fast as the right one falls.
+fn shares(wheels: [&[Moving; 2]; 2], axle: [Rolling; 2]) -> [Number; 2] {
+    let rises = |by_drive: &[Moving; 2], rolling: Rolling| {
+        by_drive.each_ref().map(|moving| {
+            let moved = Moved::of(moving.carrier, &moving.axis, rolling.radius);
+            moved.contact_velocity.z
+        })
+    };
+    let [[a, b], [c, d]] = [rises(wheels[0], axle[0]), rises(wheels[1], axle[1])];
+    let determinant = a * d - b * c;
+    [(d + b) / determinant, -(a + c) / determinant]
+}
+
+/// A carrier as both drives move it at these rates.
+fn combined([by_left, by_right]: &[Moving; 2], [p, q]: [Number; 2]) -> Carrier<Number> {
+    let [one, other] = [&by_left.carrier, &by_right.carrier];
+    Carrier {
+        centre: one.centre,
+        velocity: one.velocity * p + other.velocity * q,
+        omega: one.omega * p + other.omega * q,
+    }
+}

@@ -1,0 +1,13 @@
+suspension_core::linkage! {
+    mod m {
+        fixed: a;
+        free: p, q, r;
+        body plate: p, q, r;
+        wheel left: p -> q;
+        kingpin right: p -> q;
+        kingpin: p -> r;
+        drive z: p.z;
+    }
+}
+
+fn main() {}

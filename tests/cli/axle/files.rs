@@ -1,0 +1,92 @@
+//! What motion files say of wheels, and what sheets and comparisons show of them.
+
+use super::super::program::{folder, run, text};
+use super::{DESIGN, file, steered, table};
+
+#[test]
+fn drives_of_wheels_are_named_in_a_table() {
+    let named = "travel = { left = \"bump_left\", right = \"bump_right\" }\nsteer = \"steer\"";
+    let [named, unnamed] = [named, ""].map(|vehicle| {
+        let file = file("steered_axle", vehicle, DESIGN);
+        table(&file, &["motion"])
+    });
+    assert_eq!(format!("{named:?}"), format!("{unnamed:?}"));
+}
+
+#[test]
+fn a_drive_of_no_wheel_is_refused() {
+    for (linkage, vehicle, drives, expected) in [
+        (
+            "steered_axle",
+            "travel = { left = \"bump_left\", rihgt = \"bump_right\" }",
+            DESIGN,
+            "axle.toml:5:10: unknown wheel `rihgt`; known are left, right",
+        ),
+        (
+            "steered_axle",
+            "travel = { left = \"bump\" }",
+            DESIGN,
+            "axle.toml:5:19: unknown drive `bump`; known are steer, bump_left, bump_right",
+        ),
+        (
+            "steered_axle",
+            "steer = 3",
+            DESIGN,
+            "axle.toml:5:9: invalid type: integer `3`, expected \"drive\" or { wheel = \"drive\" }",
+        ),
+        (
+            "double_wishbone",
+            "travel = { left = \"bump\" }",
+            "bump = 0.3\nsteer = 0.34",
+            "axle.toml:5:10: unknown wheel `left`; the listing names no wheels: write the drive alone, as \"NAME\"",
+        ),
+    ] {
+        let folder = folder();
+        let file = file(linkage, vehicle, drives);
+        std::fs::write(folder.path().join("axle.toml"), file).expect("written");
+        let output = run(folder.path(), &["motion", "axle.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let message = text(&output.stderr);
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
+/// A page and a comparison have the wheels by name, each definition once.
+#[test]
+fn sheets_and_comparisons_have_both_wheels() {
+    let folder = folder();
+    let write = |name: &str, file: String| {
+        std::fs::write(folder.path().join(name), file).expect("written");
+    };
+    write("axle.toml", steered(DESIGN));
+    let corner = file("double_wishbone", "", "bump = 0.3\nsteer = 0.34");
+    write("corner.toml", corner);
+    let sheet = ["sheet", "axle.toml", "--out", "axle.html"];
+    assert_eq!(run(folder.path(), &sheet).status.code(), Some(0));
+    let page = std::fs::read_to_string(folder.path().join("axle.html")).expect("a page");
+    assert_eq!(
+        page.matches("<td rowspan=\"2\">camber angle</td>").count(),
+        1
+    );
+    assert_eq!(page.matches("ISO 8855; Attia 2003, angle beta").count(), 1);
+    for heading in ["Over bump_left", "Over bump_right", "Over steer"] {
+        assert_eq!(page.matches(heading).count(), 1, "{heading}");
+    }
+    let output = run(folder.path(), &["compare", "axle.toml", "axle.toml"]);
+    let compared = text(&output.stdout);
+    for part in [
+        "left toe angle",
+        "right toe angle",
+        "per travel 2",
+        "total toe",
+    ] {
+        assert!(compared.contains(part), "{part}");
+    }
+    let output = run(folder.path(), &["compare", "axle.toml", "corner.toml"]);
+    let compared = text(&output.stdout);
+    for line in ["  left camber angle", "  right camber angle"] {
+        let line = compared.lines().find(|found| found.starts_with(line));
+        let cells: Vec<&str> = line.expect("compared").split_whitespace().collect();
+        assert_eq!(cells[3..], ["0", "0", "0", "deg"]);
+    }
+}

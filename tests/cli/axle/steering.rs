@@ -1,0 +1,48 @@
+//! Ackermann and turning circle.
+
+use super::{DESIGN, Row, assert_near, steered, table};
+
+const TRACK: f64 = 1.5;
+const WHEELBASE: f64 = 2.6;
+
+/// Steer angles of the outer and the inner wheel.
+fn turned(row: &Row) -> [f64; 2] {
+    let [left, right] = [-row["left_toe_rad"], row["right_toe_rad"]];
+    assert_near(row["left_steer_angle_rad"], left, 0.0, "left");
+    assert_near(row["right_steer_angle_rad"], right, 0.0, "right");
+    if left + right < 0.0 {
+        [-left, -right]
+    } else {
+        [right, left]
+    }
+}
+
+#[test]
+fn ackermann_and_the_turning_circle_are_those_of_the_cotangents() {
+    let table = table(&steered(DESIGN), &["sweep", "--drive=steer=-0.03:0.03:13"]);
+    for (place, row) in table.iter().enumerate() {
+        let [outer, inner] = turned(row);
+        let track = row["left_contact_y"] - row["right_contact_y"];
+        assert_near(row["track_m"], track, 1e-15, "track");
+        let toe = row["left_toe_rad"] + row["right_toe_rad"];
+        assert_near(row["total_toe_rad"], toe, 0.0, "total toe");
+        if place == 6 {
+            assert!(row["ackermann_percent"].is_nan() && row["turning_radius_m"].is_nan());
+            assert_near(track, TRACK, 1e-12, "track of the design");
+            continue;
+        }
+        let ideal = (1.0 / (1.0 / outer.tan() - track / WHEELBASE)).atan();
+        let percent = 100.0 * (inner - outer) / (ideal - outer);
+        assert_near(row["ackermann_percent"], percent, 1e-8, "percentage");
+        assert_near(
+            row["ackermann_error_rad"],
+            inner - ideal,
+            1e-12,
+            "Ackermann error",
+        );
+        // The circle through the outer contact point about where its normal meets the line of the rear axle.
+        let across = WHEELBASE / outer.tan();
+        let radius = across.hypot(WHEELBASE);
+        assert_near(row["turning_radius_m"], radius, 1e-10 * radius, "radius");
+    }
+}
