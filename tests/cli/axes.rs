@@ -1,5 +1,6 @@
 //! The axes that a motion file may have.
 
+use std::f64::consts::PI;
 use std::fmt::Write;
 
 use suspension_core::linkages::LISTINGS;
@@ -15,15 +16,18 @@ const AXES: [(&str, [f64; 3]); 3] = [
     ("SAE", [1.0, -1.0, -1.0]),
 ];
 
+/// An angle from the z axis of the file.
+const BAR: &str = "bar_arm_rad";
+
 /// Where the hardpoints are stated.
 #[derive(Clone, Copy, Debug)]
 enum Stated {
     /// In the catalogue alone.
-    InCatalogue,
+    Catalogue,
     /// In the motion file, a marker off another point.
-    InFile,
+    File,
     /// In a listing of one's own.
-    InListing,
+    Listing,
 }
 
 fn corner() -> &'static str {
@@ -76,9 +80,9 @@ fn turned(signs: [f64; 3]) -> String {
 fn file(axes: &str, signs: [f64; 3], stated: Stated) -> String {
     let [_, y, z] = signs;
     let (linkage, points) = match stated {
-        Stated::InCatalogue => ("linkage = \"double_wishbone_pushrod\"", String::new()),
-        Stated::InFile => ("linkage = \"double_wishbone_pushrod\"", points(signs)),
-        Stated::InListing => ("listing = \"a.linkage\"", String::new()),
+        Stated::Catalogue => ("linkage = \"double_wishbone_pushrod\"", String::new()),
+        Stated::File => ("linkage = \"double_wishbone_pushrod\"", points(signs)),
+        Stated::Listing => ("listing = \"a.linkage\"", String::new()),
     };
     format!(
         "{linkage}\nunit = \"m\"\naxes = \"{axes}\"\nvehicle = {{ wheel_radius = 0.3 }}\n\
@@ -109,9 +113,9 @@ fn swept((axes, signs): (&str, [f64; 3]), stated: Stated) -> Rows {
 
 #[test]
 fn the_same_corner_is_the_same_in_any_axes() {
-    let expected = swept(AXES[0], Stated::InCatalogue);
+    let expected = swept(AXES[0], Stated::Catalogue);
     for (axes, stated) in AXES.iter().flat_map(|axes| {
-        [Stated::InCatalogue, Stated::InFile, Stated::InListing].map(|stated| (*axes, stated))
+        [Stated::Catalogue, Stated::File, Stated::Listing].map(|stated| (*axes, stated))
     }) {
         let (_, signs) = axes;
         let sign = |name: &str| match name.rsplit_once('_') {
@@ -121,6 +125,7 @@ fn the_same_corner_is_the_same_in_any_axes() {
             _ => match name {
                 "bump_m" => signs[2],
                 "steer_m" => signs[1],
+                BAR => signs[2],
                 _ => 1.0,
             },
         };
@@ -132,7 +137,9 @@ fn the_same_corner_is_the_same_in_any_axes() {
                     Some((name, _)) => sign(name) * signs[1],
                     None => sign(column),
                 };
-                let off = (row[column] * sign - value).abs();
+                // From the other end of the axis the angle is what it lacks to a straight one.
+                let turned = if column == BAR && sign < 0.0 { PI } else { 0.0 };
+                let off = (turned + row[column] * sign - value).abs();
                 let bound = if per.is_none() { 1e-14 } else { 1e-12 };
                 assert!(
                     off <= bound * value.abs().max(1.0),
@@ -149,7 +156,7 @@ fn results_name_the_axes() {
     let folder = folder();
     let (axes, signs) = AXES[2];
     let text_of = |stated| file(axes, signs, stated);
-    std::fs::write(folder.path().join("a.toml"), text_of(Stated::InCatalogue)).expect("written");
+    std::fs::write(folder.path().join("a.toml"), text_of(Stated::Catalogue)).expect("written");
     let told = "SAE: x forward, y right, z down";
     for arguments in [
         &["motion", "a.toml"][..],
@@ -170,7 +177,7 @@ fn results_name_the_axes() {
 fn unknown_axes_are_refused_with_what_was_meant() {
     let folder = folder();
     let (_, signs) = AXES[1];
-    let text_of = |axes| file(axes, signs, Stated::InCatalogue);
+    let text_of = |axes| file(axes, signs, Stated::Catalogue);
     std::fs::write(folder.path().join("a.toml"), text_of("adams")).expect("written");
     std::fs::write(folder.path().join("b.toml"), text_of("Adams")).expect("written");
     std::fs::write(folder.path().join("c.toml"), text_of("SAE")).expect("written");

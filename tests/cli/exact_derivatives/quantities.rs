@@ -3,9 +3,10 @@
 use nalgebra::Vector3;
 use suspension_core::signal::Number as _;
 use suspension_core::wheel::{
-    Carrier, Heading, SteeringAxis, camber, camber_to_ground, caster, contact, kingpin_angle, toe,
+    Carrier, Heading, SteeringAxis, Turn, camber, camber_to_ground, caster, contact, kingpin_angle,
+    steer_angle, toe,
 };
-use suspension_core::{Kind, Linkage, Part, Parts, Values};
+use suspension_core::{Kind, Part, Parts, Values};
 use suspension_double_double::DoubleDouble as Number;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Quantity, System};
@@ -20,6 +21,8 @@ pub(super) type Named = Vec<(String, Number)>;
 
 /// Wheel radius, m.
 const RADIUS: f64 = 0.3;
+/// Wheelbase, m.
+const WHEELBASE: f64 = 2.5;
 /// Wheelbase over height of the centre of gravity, and the axle's shares.
 const LEVER: f64 = 5.0;
 const BRAKE_SHARE: f64 = 0.625;
@@ -33,15 +36,20 @@ pub(super) enum Car {
 }
 
 impl Car {
-    /// The line of a motion file that describes the vehicle; `steer` is that of steering without a word.
+    /// The line of a motion file that describes the vehicle. Without a word `steer` is the drive of steering, and those of
+    /// travel are the ones named after the wheels.
     pub(super) fn vehicle(self, travel: &str) -> String {
         let axle = match self {
             Self::Front => "front",
             Self::Rear => "rear",
         };
+        let travel = match travel {
+            "bump_left" => String::new(),
+            travel => format!("travel = \"{travel}\", "),
+        };
         format!(
-            "vehicle = {{ wheel_radius = {RADIUS}, travel = \"{travel}\", axle = \"{axle}\", \
-             wheelbase = 2.5, cg_height = 0.5, brake_share = {BRAKE_SHARE}, drive_share = {DRIVE_SHARE} }}\n"
+            "vehicle = {{ wheel_radius = {RADIUS}, {travel}axle = \"{axle}\", \
+             wheelbase = {WHEELBASE:?}, cg_height = 0.5, brake_share = {BRAKE_SHARE}, drive_share = {DRIVE_SHARE} }}\n"
         )
     }
 }
@@ -83,19 +91,67 @@ impl Reference<'_> {
             let name = &measure.named.name;
             named.push(measured(name, &measure.quantity, point));
         }
-        let wheel = model.wheel_axis(&points).expect("a wheel");
-        let kingpin = model.kingpin(&points);
-        let carrier = model.wheel_carrier(&points).expect("a carrier");
-        let moved_by = |drive| {
-            let rates = model.wheel_carrier(&lattice.velocities(at, drive));
-            moving_carrier(carrier, rates.expect("a carrier"), wheel[1])
-        };
-        of_wheel(&mut named, wheel, kingpin);
-        if let Some(steer) = steer {
-            of_steering(&mut named, &moved_by(steer), wheel);
+        let wheels = (0..).map_while(|wheel| model.wheel(wheel));
+        let drives = lattice.drive_names();
+        let mut axes = Vec::new();
+        for wheel in wheels {
+            let mut of_one = Named::new();
+            let ends = wheel.axis.map(|place| each[place]);
+            let carrier = wheel.carrier.map(|place| each[place]);
+            let moved_by = |drive| {
+                let rates: Vec<Vector> = lattice.velocities(at, drive).values().collect();
+                moving_carrier(carrier, wheel.carrier.map(|place| rates[place]), ends[1])
+            };
+            let kingpin = wheel.kingpin.map(|ends| ends.map(|place| each[place]));
+            of_wheel(&mut of_one, ends, kingpin);
+            if let Some(steer) = steer {
+                of_steering(&mut of_one, &moved_by(steer), ends);
+            }
+            let own = format!("bump_{}", wheel.name);
+            let own = drives.iter().position(|name| *name == own);
+            self.of_travel(&mut of_one, &moved_by(own.unwrap_or(travel)), ends);
+            let prefix = match wheel.name {
+                "" => String::new(),
+                name => format!("{name}_"),
+            };
+            let of_one = of_one.into_iter();
+            named.extend(of_one.map(|(name, value)| (format!("{prefix}{name}"), value)));
+            axes.push(ends);
         }
-        self.of_travel(&mut named, &moved_by(travel), wheel);
+        if let [left, right] = axes.as_slice() {
+            self.of_axle(&mut named, [*left, *right], steer.is_some());
+        }
         named
+    }
+
+    fn of_axle(&self, named: &mut Named, wheels: [[Vector; 2]; 2], steers: bool) {
+        let axes = wheels.map(|[inner, centre]| centre - inner);
+        let [left, right] = axes;
+        let contacts = [0, 1].map(|side| contact(&wheels[side][1], &axes[side], RADIUS.into()));
+        let track = contacts[0].y - contacts[1].y;
+        let mut add = |name: &str, value| named.push((name.to_owned(), value));
+        add("total_toe_rad", toe(&left) + toe(&right));
+        add("track_m", track);
+        if !steers {
+            return;
+        }
+        add("left_steer_angle_rad", steer_angle(&left));
+        add("right_steer_angle_rad", steer_angle(&right));
+        let turn = Turn::of([&left, &right]);
+        let is_straight = (turn.inner + turn.outer).nearest() < 2.0_f64.to_radians();
+        if is_straight || matches!(self.car, Car::Rear) {
+            return;
+        }
+        let wheelbase = Number::from(WHEELBASE);
+        add(
+            "ackermann_percent",
+            turn.ackermann(wheelbase, track) * 100.0.into(),
+        );
+        add(
+            "ackermann_error_rad",
+            turn.inner - turn.ideal_inner(wheelbase, track),
+        );
+        add("turning_radius_m", turn.radius(wheelbase));
     }
 
     fn of_travel(&self, named: &mut Named, carrier: &Carrier<Number>, wheel: [Vector; 2]) {
