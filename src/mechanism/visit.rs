@@ -23,9 +23,31 @@ pub struct Visited<R> {
 /// What kept a visit from some places.
 #[derive(Clone, Debug, Default)]
 pub struct VisitEnd {
-    /// Where a way ended first, in words.
-    stopped: Option<String>,
+    /// Where the visit ended first along each axis, upwards and downwards.
+    locks: Vec<AxisEnd>,
     interrupted: bool,
+}
+
+/// Where an axis of a grid ends.
+#[derive(Clone, Debug)]
+struct AxisEnd {
+    level: usize,
+    upwards: bool,
+    in_words: String,
+}
+
+impl VisitEnd {
+    /// Notes an end where it is the first of its axis and way.
+    fn add(&mut self, level: usize, upwards: bool, in_words: impl FnOnce() -> String) {
+        let is_this = |end: &AxisEnd| end.level == level && end.upwards == upwards;
+        if !self.locks.iter().any(is_this) {
+            self.locks.push(AxisEnd {
+                level,
+                upwards,
+                in_words: in_words(),
+            });
+        }
+    }
 }
 
 /// Takes the state at a place, by number, and what gives the state with derivatives with respect to a drive; that is
@@ -46,9 +68,13 @@ impl<R> Visited<R> {
                 "{source}: interrupted; {missing} of {all} places are missing, {written}"
             )));
         }
-        let stopped = self.end.stopped.as_ref()?;
+        if self.end.locks.is_empty() {
+            return None;
+        }
+        let locks = self.end.locks.iter().map(|end| end.in_words.as_str());
+        let locks = locks.collect::<Vec<_>>().join("; also, ");
         Some(Failure::Solver(format!(
-            "{source}: {missing} of {all} places are out of reach from the design position: {stopped}; {}; {written}",
+            "{source}: {missing} of {all} places are out of reach from the design position: {locks}; {}; {written}",
             advice(source)
         )))
     }
@@ -114,7 +140,7 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
         let is_below = |index: &usize| values[*index] < here.drives[*drive];
         let (mut below, above): (Vec<usize>, Vec<usize>) = order.into_iter().partition(is_below);
         below.reverse();
-        for way in [above, below] {
+        for (upwards, way) in [(true, above), (false, below)] {
             let mut place = here.clone();
             place.motion = Motion {
                 positive_determinant: here.motion.positive_determinant,
@@ -129,7 +155,7 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
                 match mechanism.drive_to(&place.drives, *drive, value, &mut place.motion) {
                     Ok(report) => place.residual = report.residual(),
                     Err((laws, stopped)) => {
-                        self.end.stopped.get_or_insert_with(|| {
+                        self.end.add(level, upwards, || {
                             let lock = mechanism.lock(&laws, &stopped, 1.0, &place.motion);
                             mechanism.lock_in_words(&lock)
                         });

@@ -10,8 +10,8 @@ use crate::quantities::in_roll::PerRoll;
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Axis, Reading};
 use crate::quantities::reader::Reader;
-use crate::quantities::readings::{alone, components, of_each_wheel, reading};
-use crate::quantities::wheel::{Number, Rolling, Wheel};
+use crate::quantities::readings::{components, of_each_wheel, reading};
+use crate::quantities::wheel::{Number, Rolling, UNKNOWN, Wheel};
 
 /// Within this mean steer angle, a degree, toe decides how the wheels of an axle differ, not the steering.
 const STRAIGHT: f64 = std::f64::consts::PI / 180.0;
@@ -58,7 +58,7 @@ pub(super) fn of_both(
     let of = |wheels| {
         reading(kind, move |reader: &Reader<'_>| {
             let wheels = sided(reader, wheels);
-            wheels.map_or(alone(f64::NAN), |wheels| {
+            wheels.map_or(UNKNOWN, |wheels| {
                 value(wheels.map(|rolling| reader.wheel(rolling)))
             })
         })
@@ -99,7 +99,7 @@ pub(super) fn of_turn(
     of_both(names, kind, true, move |wheels| {
         let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
         if turn.inner.value + turn.outer.value < 2.0 * STRAIGHT {
-            return alone(f64::NAN);
+            return UNKNOWN;
         }
         value(&turn, Signal::still(wheelbase), track(wheels))
     })
@@ -116,7 +116,7 @@ pub(super) fn of_roll_centre(names: &Names) -> Vec<Reading> {
         components(None, Kind::Length, &[Axis::Y, Axis::Z], move |reader| {
             let wheels = sided(reader, wheels);
             let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
-            let centre = in_roll.map_or(Vector3::repeat(alone(f64::NAN)), |in_roll| in_roll.centre);
+            let centre = in_roll.map_or(Vector3::repeat(UNKNOWN), |in_roll| in_roll.centre);
             reader.axes.turned(centre)
         })
     };
@@ -137,7 +137,7 @@ pub(super) fn of_roll(names: &Names, value: fn(PerRoll) -> Number) -> Vec<Readin
             let wheels = sided(reader, wheels);
             let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
             let per_roll = in_roll.and_then(|in_roll| in_roll.of_wheel(rolling.number));
-            per_roll.map_or(alone(f64::NAN), value)
+            per_roll.map_or(UNKNOWN, value)
         })]
     })
 }

@@ -6,8 +6,8 @@ use suspension_core::wheel::{Heading, SteeringAxis};
 use crate::mechanism::Names;
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Axis, Reading};
-use crate::quantities::readings::{alone, components, of_each_wheel, place, reading};
-use crate::quantities::wheel::{Along, Moving, Number, Rolling, Wheel, at};
+use crate::quantities::readings::{components, of_each_wheel, place, reading};
+use crate::quantities::wheel::{Along, Moving, Number, Rolling, UNKNOWN, Wheel, at};
 
 /// The contact point.
 pub(super) fn of_contact(names: &Names) -> Vec<Reading> {
@@ -68,7 +68,7 @@ pub(super) fn of_moving(
         let value = value.clone();
         vec![reading(kind, move |reader| {
             let moving = reader.moving(along, rolling);
-            moving.map_or(alone(f64::NAN), &value)
+            moving.map_or(UNKNOWN, &value)
         })]
     })
 }
@@ -86,7 +86,7 @@ pub(super) fn of_moving_place(
         }
         components(None, Kind::Length, axes, move |reader| {
             let moving = reader.moving(along, rolling);
-            let place = moving.map_or_else(|| Vector3::repeat(alone(f64::NAN)), place);
+            let place = moving.map_or_else(|| Vector3::repeat(UNKNOWN), place);
             reader.axes.turned(place)
         })
     })

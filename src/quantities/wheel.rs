@@ -3,12 +3,19 @@
 use nalgebra::Vector3;
 use suspension_core::Signal;
 use suspension_core::body::angular_velocity_and_rates;
-use suspension_core::wheel::{Carrier, Heading, SteeringAxis, contact};
+use suspension_core::wheel::{Carrier, Heading, InstantCentre, SteeringAxis, contact};
 
 use crate::mechanism::{Names, State, WheelPoints};
 
 /// A number with its derivatives along the rates of a state.
 pub(super) type Number = Signal<f64>;
+
+/// What does not exist, or is not known.
+pub(super) const UNKNOWN: Number = Signal {
+    value: f64::NAN,
+    rate: f64::NAN,
+    second_rate: f64::NAN,
+};
 
 /// A point in local coordinates, in the axes of ISO 8855.
 pub(super) fn at(state: &State, point: usize) -> Vector3<Number> {
@@ -131,6 +138,35 @@ impl Moving {
                 omega,
             },
         })
+    }
+
+    /// Its instant centre in the front view, where it turns there.
+    pub(super) fn front_view(&self) -> InstantCentre<Number> {
+        self.where_it_turns(0, self.carrier.front_view(&self.axis))
+    }
+
+    /// The same in the side view.
+    pub(super) fn side_view(&self) -> InstantCentre<Number> {
+        self.where_it_turns(1, self.carrier.side_view())
+    }
+
+    /// An instant centre where the carrier turns about a line along an axis by more than rounding, else none.
+    fn where_it_turns(&self, axis: usize, centre: InstantCentre<Number>) -> InstantCentre<Number> {
+        const ROUNDING: f64 = 1e-12;
+        let values = |vector: Vector3<Number>| vector.map(|component| component.value);
+        let omega = values(self.carrier.omega);
+        let size = values(self.axis).norm();
+        let largest = omega
+            .amax()
+            .max(values(self.carrier.velocity).norm() / size);
+        if omega[axis].abs() > ROUNDING * largest {
+            return centre;
+        }
+        InstantCentre {
+            across: UNKNOWN,
+            z: UNKNOWN,
+            arm: UNKNOWN,
+        }
     }
 
     /// The axis about which the carrier turns.

@@ -39,6 +39,11 @@ pub(crate) fn at(ident: &Ident, message: impl Display) -> Error {
     Error::new(ident.span(), message)
 }
 
+/// Whether a message is the parser's own, which names what it expected.
+pub(crate) fn is_of_the_parser(message: &str) -> bool {
+    message.starts_with("expected") || message.starts_with("unexpected end")
+}
+
 pub(crate) fn not_a_doc_comment(attribute: &Attribute) -> Error {
     Error::new(
         attribute.span(),

@@ -9,6 +9,8 @@ pub mod eliminate;
 pub mod errors;
 pub mod form;
 mod kind;
+mod lexed;
+pub mod library;
 mod listing;
 mod lower;
 pub mod name;

@@ -11,6 +11,7 @@ use syn::Ident;
 use crate::errors::Errors;
 use crate::kind::Kind;
 use crate::name::{self, Name};
+use crate::statement::include::Include;
 use crate::system::System;
 use crate::vector::Vector;
 
@@ -22,6 +23,8 @@ pub struct Listing {
     pub(crate) statements: Vec<Box<dyn Statement>>,
     /// The words that the sides of the vehicle have in their names.
     pub(crate) mirror: Option<[Ident; 2]>,
+    /// The statement that was read last, where it includes another listing.
+    pub(crate) include: Option<Include>,
     /// The token for messages about the listing as a whole.
     pub(crate) span: Span,
     /// Where the free points are declared: the token for messages about counts.
@@ -61,6 +64,7 @@ impl Listing {
             free: Vec::new(),
             statements: Vec::new(),
             mirror: None,
+            include: None,
             span,
             free_span: span,
             incomplete: false,

@@ -1,15 +1,29 @@
 //! From tokens to the listing. A statement that cannot be read is reported and skipped.
 
-use proc_macro2::{Span, TokenTree};
+use std::cell::Cell;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident, Token};
 
 use crate::errors::{self, Errors};
+use crate::lexed::{self, Mistake};
+use crate::library::Library;
 use crate::listing::Listing;
 use crate::statement::STATEMENTS;
-use crate::statement::mirror::Mirror;
+use crate::statement::include::Include;
+use crate::statement::mirror::{MIRROR, Mirror};
 use crate::statement::operands::{docs, lines};
 use crate::statement::word::{Head, Word};
+use crate::text::MOST_BYTES;
+
+/// How deep listings may be included in listings.
+const DEEPEST_INCLUDED: usize = 4;
+
+/// How often listings may be included in all.
+const MOST_INCLUDED: usize = 100;
 
 /// Reads the statements of a listing, to the end of the input, and the errors of those that could not be
 /// read. Messages about the listing as a whole point to `span`.
@@ -17,31 +31,161 @@ use crate::statement::word::{Head, Word};
 /// # Errors
 ///
 /// Where what cannot be read cannot be skipped.
-pub fn statements(input: ParseStream<'_>, span: Span) -> syn::Result<(Listing, Errors)> {
-    let mut listing = Listing::empty(span);
-    let mut errors = Errors::default();
-    match lines(&input.call(Attribute::parse_inner)?) {
-        Ok(lines) => listing.docs = lines,
-        Err(error) => errors.push(error),
-    }
-    let mut texts = Vec::new();
-    while !input.is_empty() {
-        let ahead = input.fork();
-        match statement(input, &mut listing) {
-            Ok(()) => texts.push(tokens(&ahead)?),
-            Err(error) => {
-                errors.push(error);
-                listing.incomplete = true;
-                skip_statement(input)?;
+pub fn statements(
+    input: ParseStream<'_>,
+    span: Span,
+    library: &dyn Library,
+) -> syn::Result<(Listing, Errors)> {
+    let included = Cell::new(0);
+    let mut reading = Reading {
+        listing: Listing::empty(span),
+        errors: Errors::default(),
+        texts: Vec::new(),
+        library,
+        file: PathBuf::new(),
+        depth: 0,
+        included: &included,
+    };
+    reading.all(input)?;
+    Ok((reading.listing, reading.errors))
+}
+
+/// A listing being read.
+struct Reading<'a> {
+    listing: Listing,
+    errors: Errors,
+    /// The statements that were read, those of included listings among them.
+    texts: Vec<Vec<TokenTree>>,
+    library: &'a dyn Library,
+    /// The path of an included one, from the folder of the one that is read.
+    file: PathBuf,
+    /// In how many others it is included.
+    depth: usize,
+    /// How many were included, in all.
+    included: &'a Cell<usize>,
+}
+
+impl Reading<'_> {
+    fn all(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
+        match lines(&input.call(Attribute::parse_inner)?) {
+            Ok(lines) => self.listing.docs = lines,
+            Err(error) => self.errors.push(error),
+        }
+        while !input.is_empty() {
+            let ahead = input.fork();
+            match statement(input, &mut self.listing) {
+                Ok(()) => match self.listing.include.take() {
+                    Some(include) => self.include(&include),
+                    None => self.texts.push(tokens(&ahead)?),
+                },
+                Err(error) => {
+                    self.report(error);
+                    skip_statement(input)?;
+                }
             }
         }
+        if let Some(sides) = self.listing.mirror.take()
+            && let Err(error) = self.mirror(&Mirror { sides })
+        {
+            self.errors.push(error);
+        }
+        Ok(())
     }
-    if let Some(sides) = listing.mirror.clone()
-        && let Err(error) = mirror(&Mirror { sides }, &texts, &mut listing)
-    {
-        errors.push(error);
+
+    fn report(&mut self, error: syn::Error) {
+        self.errors.push(error);
+        self.listing.incomplete = true;
     }
-    Ok((listing, errors))
+
+    /// Adds the other side of the vehicle, so that nothing remains to be mirrored.
+    fn mirror(&mut self, mirror: &Mirror) -> syn::Result<()> {
+        self.texts.retain(|text| !is_mirror(text));
+        let points = mirror.points(&self.listing)?;
+        let others = self.texts.iter().filter_map(|text| mirror.statement(text));
+        let images = points.into_iter().chain(others).collect::<Vec<_>>();
+        images.into_iter().try_for_each(|image| self.add(image))
+    }
+
+    /// Adds a statement.
+    fn add(&mut self, text: TokenStream) -> syn::Result<()> {
+        self.texts.push(text.clone().into_iter().collect());
+        let read = |input: ParseStream<'_>| statement(input, &mut self.listing);
+        read.parse2(text)
+    }
+
+    /// Adds what another listing states.
+    fn include(&mut self, include: &Include) {
+        if let Err(error) = self.try_include(include) {
+            self.report(error);
+        }
+    }
+
+    fn try_include(&mut self, include: &Include) -> syn::Result<()> {
+        let file = include.source.path(&self.file);
+        let text = self.text(include, &file)?;
+        let flat = lexed::with_places(|| self.flat(&text, file));
+        let flat = flat.map_err(|mistakes| include.wrong(mistakes))?;
+        let mut statements = flat.statements.iter();
+        statements.try_for_each(|text| self.add(include.statement(text, &flat.names)?))
+    }
+
+    /// The text of another listing.
+    fn text(&self, include: &Include, file: &Path) -> syn::Result<String> {
+        let refuse = |message| include.refused(message);
+        let name = include.source.name();
+        if self.depth == DEEPEST_INCLUDED || self.included.get() == MOST_INCLUDED {
+            return Err(refuse(format!(
+                "to include `{name}` goes too far: listings are included {DEEPEST_INCLUDED} deep and {MOST_INCLUDED} times in all \
+                 at most; look for one that includes itself"
+            )));
+        }
+        self.included.set(self.included.get() + 1);
+        let text = self.library.text(include.source.wanted(&name, file));
+        let text = text.map_err(refuse)?;
+        if text.len() > MOST_BYTES {
+            let bytes = text.len();
+            return Err(refuse(format!(
+                "`{name}` is {bytes} bytes long; at most {MOST_BYTES} are allowed"
+            )));
+        }
+        Ok(text)
+    }
+
+    /// What an included text says.
+    fn flat(&self, text: &str, file: PathBuf) -> Result<Flat, Vec<Mistake>> {
+        let of_text = |error| lexed::mistakes(text, error);
+        let mut reading = Self {
+            listing: Listing::empty(Span::call_site()),
+            errors: Errors::default(),
+            texts: Vec::new(),
+            file,
+            depth: self.depth + 1,
+            ..*self
+        };
+        let read = |input: ParseStream<'_>| reading.all(input);
+        read.parse2(lexed::tokens(text)?).map_err(of_text)?;
+        reading.errors.into_result().map_err(of_text)?;
+        let names = reading.listing.declared();
+        let statement = |tokens: Vec<TokenTree>| TokenStream::from_iter(tokens).to_string();
+        Ok(Flat {
+            names: names.map(|(name, _)| name.to_string()).collect(),
+            statements: reading.texts.into_iter().map(statement).collect(),
+        })
+    }
+}
+
+/// A listing that includes no other, and no mirror.
+struct Flat {
+    names: BTreeSet<String>,
+    statements: Vec<String>,
+}
+
+fn is_mirror(text: &[TokenTree]) -> bool {
+    let mut words = text.iter().filter_map(|token| match token {
+        TokenTree::Ident(word) => Some(word),
+        _ => None,
+    });
+    words.next().is_some_and(|word| word == MIRROR.word)
 }
 
 /// The tokens of the next statement, to its semicolon.
@@ -55,16 +199,6 @@ fn tokens(input: ParseStream<'_>) -> syn::Result<Vec<TokenTree>> {
             return Ok(tokens);
         }
     }
-}
-
-/// Adds the other side of the vehicle.
-fn mirror(mirror: &Mirror, texts: &[Vec<TokenTree>], listing: &mut Listing) -> syn::Result<()> {
-    mirror.points(listing)?;
-    for image in texts.iter().filter_map(|text| mirror.statement(text)) {
-        let read = |input: ParseStream<'_>| statement(input, listing);
-        read.parse2(image)?;
-    }
-    Ok(())
 }
 
 fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
@@ -91,7 +225,7 @@ fn unknown_statement(word: &Ident) -> syn::Error {
 /// What the parser expected, and how the statement is written.
 fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Error {
     let message = error.to_string();
-    if !is_of_the_parser(&message) {
+    if !errors::is_of_the_parser(&message) {
         return error;
     }
     let article = if word.starts_with(['a', 'e', 'i', 'o', 'u']) {
@@ -103,11 +237,6 @@ fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Err
         error.span(),
         format!("{message}; {article} `{word}` is written `{syntax}`"),
     )
-}
-
-/// Whether a message is the parser's own, which names what it expected.
-pub(crate) fn is_of_the_parser(message: &str) -> bool {
-    message.starts_with("expected") || message.starts_with("unexpected end")
 }
 
 /// Skips to behind the next semicolon.

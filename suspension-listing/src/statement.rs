@@ -8,6 +8,7 @@ mod body;
 mod couple;
 mod drive;
 mod hinge;
+pub(crate) mod include;
 mod link;
 mod marker;
 mod measure;
@@ -40,4 +41,5 @@ pub(crate) const STATEMENTS: &[Word] = &[
     role::WHEEL,
     role::KINGPIN,
     mirror::MIRROR,
+    include::INCLUDE,
 ];

@@ -2,6 +2,7 @@
 
 mod catalogue;
 mod elimination;
+mod include;
 mod lowering;
 mod mirror;
 mod sampling;
@@ -13,6 +14,7 @@ use syn::{Attribute, Ident, Token, Visibility, braced};
 
 use crate::Listing;
 use crate::errors::Errors;
+use crate::library::Empty;
 use crate::system::{Positions, System};
 use crate::{checked, parse, sample, text};
 
@@ -25,7 +27,7 @@ fn listing(module: TokenStream) -> (Listing, Errors) {
         input.parse::<Ident>()?;
         let content;
         braced!(content in input);
-        parse::statements(&content, Span::call_site())
+        parse::statements(&content, Span::call_site(), &Empty)
     };
     parser.parse2(module).expect("a listing")
 }
@@ -55,5 +57,5 @@ fn catalogue_text(name: &str) -> String {
 
 /// The system of a catalogue file.
 fn catalogue_system(name: &str) -> System {
-    text::parse(&catalogue_text(name), name).unwrap_or_else(|mistakes| panic!("{mistakes}"))
+    text::parse(&catalogue_text(name), name, &Empty).unwrap_or_else(|mistakes| panic!("{mistakes}"))
 }

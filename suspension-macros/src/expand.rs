@@ -2,15 +2,17 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use proc_macro2::{TokenStream, fallback};
+use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Error, LitStr};
 
+use suspension_listing::library::Library;
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
 use suspension_listing::text::{self, Mistake, Read};
 use suspension_listing::{Kind, checked, order};
 
+use crate::beside::Beside;
 use crate::module::{Module, Source};
 use crate::{emit, module};
 
@@ -26,32 +28,38 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
         Err(error) => return error.into_compile_error(),
     };
     match &module.source {
-        Source::Braces(listing) => {
+        Source::Braces(listing, beside) => {
             let (system, found) = checked(listing, errors);
-            emitted(&module, &system, &listing.names(), found.err())
+            let expansion = emitted(&module, &system, &listing.names(), found.err());
+            let watched = beside.watched();
+            quote!(#watched #expansion)
         }
-        Source::File(path) => match module::text(path) {
-            Ok(text) => {
-                let expansion = of_text(&module, path, &text);
-                // So that the compiler looks at the file again when it has changed.
-                quote!(const _: &str = include_str!(#path); #expansion)
+        Source::File(path) => {
+            let beside = Beside::of(path.span(), &path.value());
+            match beside.listing() {
+                Ok(text) => {
+                    let expansion = of_text(&module, path, &text, &beside);
+                    let watched = beside.watched();
+                    quote!(#watched #expansion)
+                }
+                Err(message) => Error::new(path.span(), message).into_compile_error(),
             }
-            Err(error) => error.into_compile_error(),
-        },
+        }
     }
 }
 
 /// The expansion of a module whose statements are the text of a file.
-pub(crate) fn of_text(module: &Module, path: &LitStr, text: &str) -> TokenStream {
-    // The compiler's own lexer tells no places in a text.
-    fallback::force();
-    let read = text::read(text);
-    fallback::unforce();
+pub(crate) fn of_text(
+    module: &Module,
+    path: &LitStr,
+    text: &str,
+    library: &dyn Library,
+) -> TokenStream {
     let Read {
         system,
         names,
         mistakes,
-    } = read;
+    } = text::read(text, library);
     let errors = mistakes.iter().map(|mistake| in_file(path, mistake));
     let error = errors.reduce(|mut all, error| {
         all.combine(error);

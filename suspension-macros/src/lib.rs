@@ -2,6 +2,7 @@
 //!
 //! Use it through `suspension_core::linkage`, where it is documented by its listings.
 
+mod beside;
 mod emit;
 mod expand;
 mod module;

@@ -3,11 +3,13 @@
 
 use proc_macro2::{Span, TokenStream};
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Error, Ident, LitStr, Token, Visibility, braced, bracketed};
+use syn::{Attribute, Ident, LitStr, Token, Visibility, braced, bracketed};
 
 use suspension_listing::errors::{self, Errors};
 use suspension_listing::name::Name;
 use suspension_listing::{Listing, parse};
+
+use crate::beside::Beside;
 
 /// `[core] docs vis mod name`.
 pub(crate) struct Module {
@@ -21,8 +23,8 @@ pub(crate) struct Module {
 
 /// Where the statements are.
 pub(crate) enum Source {
-    /// In the module's braces.
-    Braces(Listing),
+    /// In the module's braces, and in files that they include.
+    Braces(Box<Listing>, Beside),
     /// In a file: `in "path";`, or `;` where it has the module's name.
     File(LitStr),
 }
@@ -31,7 +33,7 @@ impl Module {
     /// Where a name is declared, as far as the compiler can tell.
     pub(crate) fn place_of(&self, name: &Name) -> Span {
         match &self.source {
-            Source::Braces(listing) => listing.place_of(name, None),
+            Source::Braces(listing, _) => listing.place_of(name, None),
             Source::File(_) => self.name.span(),
         }
     }
@@ -73,8 +75,9 @@ fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<(Source, Errors)>
     if input.peek(syn::token::Brace) {
         let content;
         braced!(content in input);
-        let (listing, errors) = parse::statements(&content, name.span())?;
-        return Ok((Source::Braces(listing), errors));
+        let beside = Beside::of(name.span(), "");
+        let (listing, errors) = parse::statements(&content, name.span(), &beside)?;
+        return Ok((Source::Braces(Box::new(listing), beside), errors));
     }
     let path = match input.parse::<Option<Token![in]>>()? {
         Some(_) => input.parse()?,
@@ -82,20 +85,4 @@ fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<(Source, Errors)>
     };
     input.parse::<Token![;]>()?;
     Ok((Source::File(path), Errors::default()))
-}
-
-/// The text of a listing's file, whose path is relative to the source file that names it.
-pub(crate) fn text(path: &LitStr) -> syn::Result<String> {
-    let Some(beside) = path.span().local_file() else {
-        let message =
-            "the compiler does not say where this source file is; write the statements in braces";
-        return Err(Error::new(path.span(), message));
-    };
-    std::fs::read_to_string(beside.with_file_name(path.value())).map_err(|cause| {
-        let message = format!(
-            "cannot read `{}`, from the folder of this source file: {cause}",
-            path.value()
-        );
-        Error::new(path.span(), message)
-    })
 }

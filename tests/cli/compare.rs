@@ -179,3 +179,16 @@ fn a_travel_by_height_and_one_by_angle_are_not_mixed() {
         "{report}"
     );
 }
+
+#[test]
+fn a_drive_that_only_one_of_the_files_has_is_named() {
+    let (_folder, output) = compare(CORNER, &arm("m", 1.0, 0.4), &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report = text(&output.stdout);
+    assert!(
+        report.contains(
+            "B has no drive of steer to compare `steer` with: nothing along it is compared"
+        ),
+        "{report}"
+    );
+}

@@ -8,6 +8,7 @@ mod lattice;
 mod quantities;
 
 use std::collections::{BTreeMap, BTreeSet};
+use suspension_listing::library::Empty;
 
 use nalgebra::Vector3;
 use suspension_core::linkages::LISTINGS;
@@ -120,7 +121,8 @@ impl Work for &Layout {
         let design = Values::from_values(hardpoints.iter().copied());
         let count = listing.count(Kind::Drive);
         let drives: Vec<f64> = model.drives_at(&design).values().take(count).collect();
-        let system = suspension_listing::text::parse(self.text, self.name).expect("a listing");
+        let system =
+            suspension_listing::text::parse(self.text, self.name, &Empty).expect("a listing");
         let mut worst = Worst::default();
         for car in CARS {
             for row in self.swept(listing, car, &drives) {

@@ -41,6 +41,20 @@ fn a_trailing_arm_bears_what_the_slope_to_its_pivot_says() {
         "{design:?}"
     );
     assert!(!design.contains_key("anti_dive_percent"));
+    // The arm turns about a line along y: from the front its carrier does not turn at all.
+    for parallel in [
+        "front_centre_y",
+        "front_centre_z",
+        "front_arm_m",
+        "front_arm_m_per_bump",
+    ] {
+        assert!(
+            design[parallel].is_nan(),
+            "{parallel}: {}",
+            design[parallel]
+        );
+    }
+    assert!((design["side_arm_m"].abs() - 0.42).abs() < 1e-12);
     let [before, after] = [1, 3].map(|place: usize| table[place]["anti_lift_percent"]);
     let slope = (after - before) / 0.002;
     let per_bump = design["anti_lift_percent_per_bump"];

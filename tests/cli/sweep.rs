@@ -79,6 +79,13 @@ fn places_beyond_a_lock_are_left_out_and_counted() {
         "{message}"
     );
     assert!(message.contains("steer = 0.501278 m"), "{message}");
+    let [first, other] = message.split("; also, ").collect::<Vec<_>>()[..] else {
+        panic!("a lock either way: {message}");
+    };
+    assert!(
+        first.contains("above the design") && other.contains("below the design"),
+        "{message}"
+    );
     let table = std::fs::read(folder.path().join("out/a_sweep.csv")).expect("a table");
     assert_eq!(rows(&table).len(), 2);
 }

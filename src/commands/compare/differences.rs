@@ -76,7 +76,6 @@ impl Comparison {
     }
 }
 
-/// The numbers that parameters of the same name and unit have.
 /// Whether two quantities, each with its wheel, are the same. What is of a wheel without a name is compared with that of
 /// every wheel.
 fn is_same((a, of_a): (&str, Option<&str>), (b, of_b): (&str, Option<&str>)) -> bool {
@@ -94,6 +93,7 @@ fn of_line(line: &Line) -> (&str, Option<&str>) {
 /// Reads a number of a parameter, with its unit.
 type Read<'a> = dyn Fn(&Parameter) -> Option<(f64, String)> + 'a;
 
+/// The numbers that parameters of the same name and unit have.
 fn of_parameters([a, b]: [&Side; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Difference> {
     let of_one = |parameter: &Parameter| {
         let other = b
@@ -118,6 +118,12 @@ pub(super) fn same_ways<'a>([a, b]: [&'a Side; 2]) -> Vec<[&'a Curves; 2]> {
         Some([curves, b.curves.iter().find(of)?])
     };
     a.curves.iter().filter_map(pair).collect()
+}
+
+/// The curves of a side along drives that do what none of the other does.
+pub(super) fn unmatched<'a>(side: &'a Side, other: &Side) -> Vec<&'a Curves> {
+    let is_alone = |curves: &&Curves| other.curves.iter().all(|theirs| theirs.way != curves.way);
+    side.curves.iter().filter(is_alone).collect()
 }
 
 /// The lines of the same name and unit.

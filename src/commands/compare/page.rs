@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use crate::characteristics::{Curves, Line};
 use crate::commands::compare::differences::{Comparison, Difference, Part, pairs, same_ways};
-use crate::commands::compare::report::{heading, legend};
+use crate::commands::compare::report::{heading, legend, notes};
 use crate::commands::compare::side::Side;
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
@@ -17,6 +17,7 @@ pub(super) fn html(sides: [&Side; 2], comparison: &Comparison) -> String {
     let body = html! {
         p { "A: " code { (a) } }
         p { "B: " code { (b) } }
+        @for note in notes(sides) { p { (note) } }
         @for missing in sides.iter().flat_map(|side| &side.missing) {
             p { strong { "The curves are cut short: " } (missing) }
         }

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::commands::compare::differences::{Comparison, Difference, Part, same_ways};
+use crate::characteristics::Curves;
+use crate::commands::compare::differences::{Comparison, Difference, Part, same_ways, unmatched};
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
 use crate::number::{aligned, exact};
@@ -40,16 +41,11 @@ pub(super) fn heading(part: &Part) -> String {
 pub(super) fn text(sides: [&Side; 2], comparison: &Comparison) -> String {
     let [a, b] = legend(sides);
     let mut out = format!("A  {a}\nB  {b}\n");
-    let ways = same_ways(sides).into_iter();
-    for [a, b] in ways.filter(|[a, b]| a.kind != b.kind) {
-        let (a, b) = (&a.drive, &b.drive);
-        let _ = writeln!(
-            out,
-            "`{a}` and `{b}` are a length and an angle: nothing along them is compared"
-        );
+    for note in notes(sides) {
+        // Writing into a string has no way to fail.
+        let _ = writeln!(out, "{note}");
     }
     for part in &comparison.parts {
-        // Writing into a string has no way to fail.
         let _ = write!(out, "\n{}\n\n", heading(part));
         let rows = columns(part);
         let widths: Vec<usize> = rows.iter().map(|column| width(column)).collect();
@@ -67,6 +63,26 @@ pub(super) fn text(sides: [&Side; 2], comparison: &Comparison) -> String {
         }
     }
     out
+}
+
+/// What of the drives cannot be compared, a sentence each.
+pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
+    let unlike = same_ways(sides)
+        .into_iter()
+        .filter(|[a, b]| a.kind != b.kind);
+    let unlike = unlike.map(|[a, b]| {
+        let (a, b) = (&a.drive, &b.drive);
+        format!("`{a}` and `{b}` are a length and an angle: nothing along them is compared")
+    });
+    let [a, b] = sides;
+    let alone = |side, other, name| {
+        let curves = unmatched(side, other).into_iter();
+        curves.map(move |Curves { drive, way, .. }| {
+            format!("{name} has no drive of {way} to compare `{drive}` with: nothing along it is compared")
+        })
+    };
+    let alone = alone(a, b, "B").chain(alone(b, a, "A"));
+    unlike.chain(alone).collect()
 }
 
 fn width(column: &[String]) -> usize {

@@ -8,8 +8,7 @@ use crate::quantities::brake_and_drive::{Torque, of_support, of_support_angle};
 use crate::quantities::kind::Kind;
 use crate::quantities::on_ground::{of_moving, of_moving_place};
 use crate::quantities::quantity::{Axis, Quantity, Shown};
-use crate::quantities::readings::alone;
-use crate::quantities::wheel::Along;
+use crate::quantities::wheel::{Along, UNKNOWN};
 
 catalogue! {
     ROLL_CENTRE: "height of the roll centre above the ground" {
@@ -26,12 +25,13 @@ catalogue! {
     FRONT_CENTRE: "instant centre in the front view" {
         name: "front_centre",
         sign: "in the axes of the file",
-        definition: "of the wheel's carrier in travel, in the plane x = constant through the wheel centre",
+        definition: "of the wheel's carrier in travel, in the plane x = constant through the wheel centre; none where the \
+                     carrier does not turn in that view",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
         read: |names| of_moving_place(names, Along::Travel, &[Axis::Y, Axis::Z], |moving| {
-            let InstantCentre { across, z, .. } = moving.carrier.front_view(&moving.axis);
-            Vector3::new(alone(f64::NAN), across, z)
+            let InstantCentre { across, z, .. } = moving.front_view();
+            Vector3::new(UNKNOWN, across, z)
         }),
     }
     FRONT_ARM: "swing arm in the front view" {
@@ -41,18 +41,19 @@ catalogue! {
         source: "front-view swing-arm length",
         shown: Shown::InTables,
         read: |names| of_moving(names, Along::Travel, Kind::Length, false, |moving| {
-            moving.carrier.front_view(&moving.axis).arm
+            moving.front_view().arm
         }),
     }
     SIDE_CENTRE: "instant centre in the side view" {
         name: "side_centre",
         sign: "in the axes of the file",
-        definition: "of the wheel's carrier in travel, in the plane y = constant through the wheel centre",
+        definition: "of the wheel's carrier in travel, in the plane y = constant through the wheel centre; none where the \
+                     carrier does not turn in that view",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
         read: |names| of_moving_place(names, Along::Travel, &[Axis::X, Axis::Z], |moving| {
-            let InstantCentre { across, z, .. } = moving.carrier.side_view();
-            Vector3::new(across, alone(f64::NAN), z)
+            let InstantCentre { across, z, .. } = moving.side_view();
+            Vector3::new(across, UNKNOWN, z)
         }),
     }
     SIDE_ARM: "swing arm in the side view" {
@@ -62,7 +63,7 @@ catalogue! {
         source: "side-view swing-arm length",
         shown: Shown::InTables,
         read: |names| of_moving(names, Along::Travel, Kind::Length, false, |moving| {
-            moving.carrier.side_view().arm
+            moving.side_view().arm
         }),
     }
     BRAKE_ANGLE: "support angle of outboard brakes" {

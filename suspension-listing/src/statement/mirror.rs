@@ -8,10 +8,12 @@ use proc_macro2::{Delimiter, Group, Punct, Spacing, TokenStream, TokenTree};
 use syn::{Error, Ident, Token};
 
 use super::operands::arrow;
+use super::points::{FIXED, FREE};
 use super::word::Word;
 use crate::errors;
 use crate::kind::Kind;
-use crate::listing::{Listing, Named, Point};
+use crate::lexed::placed;
+use crate::listing::{Listing, Point};
 
 pub(crate) const MIRROR: Word = Word {
     word: "mirror",
@@ -33,43 +35,47 @@ pub(crate) struct Mirror {
 }
 
 impl Mirror {
-    /// Adds to a listing the images of its points.
+    /// The statements that declare the images of points.
     ///
     /// # Errors
     ///
     /// Where there are none, or the listing has one already.
-    pub(crate) fn points(&self, listing: &mut Listing) -> syn::Result<()> {
-        let images = |points: &[Point]| -> Vec<Point> {
-            let named = points
-                .iter()
-                .filter(|point| self.is_named(&point.named.name));
-            named.map(|point| self.image(point)).collect()
-        };
-        let [fixed, free] = [&listing.fixed, &listing.free].map(|points| images(points));
+    pub(crate) fn points(&self, listing: &Listing) -> syn::Result<Vec<TokenStream>> {
+        let fixed = listing.fixed.iter().map(|point| (FIXED.word, point));
+        let free = listing.free.iter().map(|point| (FREE.word, point));
+        let named = fixed.chain(free);
+        let named = named.filter(|(_, point)| self.is_named(&point.named.name));
+        let named: Vec<(&str, &Point)> = named.collect();
         let [side, _] = &self.sides;
-        if fixed.is_empty() && free.is_empty() {
+        if named.is_empty() {
             return Err(nothing_named(side));
         }
         let is_image = |(name, _): &(&Ident, Kind)| {
-            let mut images = fixed.iter().chain(&free);
-            images.any(|image| image.named.name == **name)
+            let mut images = named.iter();
+            images.any(|(_, point)| self.exchanged(&point.named.name) == **name)
         };
-        let stated = listing.declared().find(is_image);
-        if let Some((name, _)) = stated {
+        if let Some((name, _)) = listing.declared().find(is_image) {
             return Err(stated_beside(name, &self.exchanged(name)));
         }
-        listing.fixed.extend(fixed);
-        listing.free.extend(free);
-        Ok(())
+        Ok(named
+            .into_iter()
+            .map(|(word, point)| self.declared(word, point))
+            .collect())
     }
 
-    fn image(&self, Point { named, at }: &Point) -> Point {
-        let named = Named {
-            docs: named.docs.clone(),
-            name: self.exchanged(&named.name),
-        };
-        let at = at.map(|[x, y, z]| [x, 0.0 - y, z]);
-        Point { named, at }
+    /// The statement that declares the image of a point.
+    fn declared(&self, word: &str, Point { named, at }: &Point) -> TokenStream {
+        let docs = named.docs.iter().map(|line| format!("#[doc = {line:?}] "));
+        let at = at.map_or_else(String::new, |[x, y, z]| {
+            format!(" at [{x:?}, {:?}, {z:?}]", 0.0 - y)
+        });
+        let text = format!(
+            "{word}: {}{}{at};",
+            docs.collect::<String>(),
+            self.exchanged(&named.name)
+        );
+        let declared = text.parse().unwrap_or_default();
+        placed(declared, named.name.span())
     }
 
     /// The image of a statement; `None` where it has no name, or one of neither side.

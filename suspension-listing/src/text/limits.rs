@@ -1,10 +1,9 @@
 //! How large a text may be that is read at run time: enough for any corner of a vehicle, and little enough that
 //! no text takes long or much memory.
 
-use proc_macro2::{Literal, TokenStream, TokenTree};
 use syn::Error;
 
-use super::Mistake;
+use crate::lexed::Mistake;
 use crate::listing::Listing;
 
 /// The longest text, in bytes.
@@ -18,12 +17,6 @@ pub const MOST_POINTS: usize = 128;
 
 /// The most unknowns.
 pub const MOST_UNKNOWNS: usize = 60;
-
-/// The most brackets within each other; statements need one.
-pub const DEEPEST: usize = 8;
-
-/// The longest number, in characters.
-pub const LONGEST_NUMBER: usize = 100;
 
 /// Refuses a text that is too long.
 pub(super) fn length(text: &str) -> Result<(), Mistake> {
@@ -39,38 +32,6 @@ pub(super) fn length(text: &str) -> Result<(), Mistake> {
         column: 1,
         length: 0,
     })
-}
-
-/// Refuses brackets that the parser, which descends into them, might not come back from, and numbers that it takes
-/// long to read.
-pub(super) fn tokens(tokens: &TokenStream) -> Option<Error> {
-    let mut open = vec![(tokens.clone().into_iter(), 0)];
-    while let Some((tokens, depth)) = open.last_mut() {
-        let depth = *depth;
-        match tokens.next() {
-            None => {
-                open.pop();
-            }
-            Some(TokenTree::Group(group)) if depth < DEEPEST => {
-                open.push((group.stream().into_iter(), depth + 1));
-            }
-            Some(TokenTree::Group(group)) => {
-                let message = format!("more than {DEEPEST} brackets within each other");
-                return Some(Error::new(group.span_open(), message));
-            }
-            Some(TokenTree::Literal(literal)) if is_long_number(&literal) => {
-                let message = format!("a number of more than {LONGEST_NUMBER} characters");
-                return Some(Error::new(literal.span(), message));
-            }
-            Some(_) => {}
-        }
-    }
-    None
-}
-
-fn is_long_number(literal: &Literal) -> bool {
-    let text = literal.to_string();
-    text.len() > LONGEST_NUMBER && text.starts_with(|first: char| first.is_ascii_digit())
 }
 
 /// Refuses a listing that is too large.

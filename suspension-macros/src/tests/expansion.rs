@@ -2,6 +2,8 @@
 
 use quote::{format_ident, quote};
 
+use suspension_listing::library::Empty;
+
 use crate::expand::of_text;
 use crate::module::{self, Source};
 
@@ -20,7 +22,7 @@ fn expansion(name: &str) -> proc_macro2::TokenStream {
     );
     let file = format!("{folder}/{}", path.value());
     let text = std::fs::read_to_string(&file).unwrap_or_else(|e| panic!("{file}: {e}"));
-    of_text(&module, path, &text)
+    of_text(&module, path, &text, &Empty)
 }
 
 /// Compares the expansion of a catalogue file with its snapshot, or rewrites the snapshot.

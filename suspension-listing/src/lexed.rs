@@ -1,0 +1,150 @@
+//! A text as tokens, and the places in it of what is wrong.
+
+use proc_macro2::{Group, LexError, Literal, Span, TokenStream, TokenTree, fallback};
+use syn::Error;
+
+use crate::errors;
+
+/// The most brackets within each other; statements need one.
+pub const DEEPEST: usize = 8;
+
+/// The longest number, in characters.
+pub const LONGEST_NUMBER: usize = 100;
+
+/// What is wrong at one place of a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mistake {
+    /// What is wrong, and what to write instead.
+    pub message: String,
+    /// Counted from 1.
+    pub line: usize,
+    /// In characters, counted from 1.
+    pub column: usize,
+    /// How many characters of the line it is about; zero where something is missing.
+    pub length: usize,
+}
+
+/// Does something by the lexer that tells places in a text, as the compiler's own does not.
+pub(crate) fn with_places<T>(work: impl FnOnce() -> T) -> T {
+    let tokens = "a b".parse::<TokenStream>();
+    let second = tokens.ok().and_then(|tokens| tokens.into_iter().nth(1));
+    if second.is_some_and(|second| second.span().start().column == 2) {
+        return work();
+    }
+    fallback::force();
+    let done = work();
+    fallback::unforce();
+    done
+}
+
+/// The tokens of a text.
+pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
+    let tokens: TokenStream = text.parse().map_err(|e| vec![unreadable(text, &e)])?;
+    match exceeded(&tokens) {
+        Some(error) => Err(mistakes(text, error)),
+        None => Ok(tokens),
+    }
+}
+
+/// The same tokens, all at one place.
+pub(crate) fn placed(tokens: TokenStream, place: Span) -> TokenStream {
+    let placed = |mut token: TokenTree| {
+        if let TokenTree::Group(group) = &token {
+            let content = placed(group.stream(), place);
+            token = Group::new(group.delimiter(), content).into();
+        }
+        token.set_span(place);
+        token
+    };
+    tokens.into_iter().map(placed).collect()
+}
+
+/// Refuses brackets that the parser, which descends into them, might not come back from, and numbers that it takes
+/// long to read.
+fn exceeded(tokens: &TokenStream) -> Option<Error> {
+    let mut open = vec![(tokens.clone().into_iter(), 0)];
+    while let Some((tokens, depth)) = open.last_mut() {
+        let depth = *depth;
+        match tokens.next() {
+            None => {
+                open.pop();
+            }
+            Some(TokenTree::Group(group)) if depth < DEEPEST => {
+                open.push((group.stream().into_iter(), depth + 1));
+            }
+            Some(TokenTree::Group(group)) => {
+                let message = format!("more than {DEEPEST} brackets within each other");
+                return Some(Error::new(group.span_open(), message));
+            }
+            Some(TokenTree::Literal(literal)) if is_long_number(&literal) => {
+                let message = format!("a number of more than {LONGEST_NUMBER} characters");
+                return Some(Error::new(literal.span(), message));
+            }
+            Some(_) => {}
+        }
+    }
+    None
+}
+
+fn is_long_number(literal: &Literal) -> bool {
+    let text = literal.to_string();
+    text.len() > LONGEST_NUMBER && text.starts_with(|first: char| first.is_ascii_digit())
+}
+
+fn unreadable(text: &str, error: &LexError) -> Mistake {
+    let start = error.span().start();
+    let line = text.lines().nth(start.line.saturating_sub(1));
+    let rest = line.map_or("", |line| {
+        let start = line.char_indices().nth(start.column);
+        start.map_or("", |(byte, _)| &line[byte..])
+    });
+    let message = match rest.chars().next() {
+        Some(bracket @ ('(' | '[' | '{')) => format!("`{bracket}` is not closed; close it"),
+        Some(bracket @ (')' | ']' | '}')) => format!("`{bracket}` closes nothing; remove it"),
+        Some(other) => format!("what begins with `{other}` cannot be read; remove it"),
+        None => "the text ends too early".to_owned(),
+    };
+    Mistake {
+        message,
+        line: start.line.max(1),
+        column: start.column + 1,
+        length: usize::from(!rest.is_empty()),
+    }
+}
+
+/// All that is wrong, each at its place.
+pub(crate) fn mistakes(text: &str, error: Error) -> Vec<Mistake> {
+    error
+        .into_iter()
+        .map(|error| mistake(text, &error))
+        .collect()
+}
+
+fn mistake(text: &str, error: &Error) -> Mistake {
+    let message = error.to_string();
+    let (start, end) = (error.span().start(), error.span().end());
+    // The parser has no place for what is missing at the end.
+    if errors::is_of_the_parser(&message) && error.span().byte_range() == (0..0) {
+        let lines = text.lines().count().max(1);
+        let last = text.lines().last().map_or(0, |line| line.chars().count());
+        return Mistake {
+            message,
+            line: lines,
+            column: last + 1,
+            length: 0,
+        };
+    }
+    let line = text.lines().nth(start.line.saturating_sub(1));
+    let width = line.map_or(0, |line| line.chars().count());
+    let to = if end.line == start.line {
+        end.column
+    } else {
+        width
+    };
+    Mistake {
+        message,
+        line: start.line.max(1),
+        column: start.column + 1,
+        length: to.saturating_sub(start.column),
+    }
+}

@@ -1,0 +1,32 @@
+//! Where the texts of included listings come from.
+
+use std::path::Path;
+
+/// A listing that another includes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted<'a> {
+    /// One of the catalogue, by its name.
+    OfCatalogue(&'a str),
+    /// A file, by its path from the folder of the text that is read.
+    File(&'a Path),
+}
+
+/// Where the texts of included listings come from.
+pub trait Library {
+    /// The text of a listing.
+    ///
+    /// # Errors
+    ///
+    /// A sentence that says why there is none.
+    fn text(&self, wanted: Wanted<'_>) -> Result<String, String>;
+}
+
+/// A library without a listing.
+#[derive(Clone, Copy, Debug)]
+pub struct Empty;
+
+impl Library for Empty {
+    fn text(&self, _: Wanted<'_>) -> Result<String, String> {
+        Err("no other listing can be read from here; write its statements instead".to_owned())
+    }
+}

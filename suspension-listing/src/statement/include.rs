@@ -1,0 +1,231 @@
+//! `include front: steered_axle at [2.6, 0.0, 0.0];` or `include left: "corner.linkage";`: all that another listing states,
+//! each of its names with this one's before it, its positions moved.
+//!
+//! What is included is renamed as text, and then read as if it stood here. What it names without declaring it is of the
+//! listing around.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use syn::parse::{ParseStream, Parser};
+use syn::{Error, Ident, LitStr, Token};
+
+use super::operands;
+use super::points::{position, vector};
+use super::role::{KINGPIN, WHEEL};
+use super::word::Word;
+use crate::errors;
+use crate::lexed::{Mistake, placed};
+use crate::library::Wanted;
+use crate::vector::Vector;
+
+pub(crate) const INCLUDE: Word = Word {
+    word: "include",
+    syntax: "include front: steered_axle at [2.6, 0.0, 0.0];",
+    read: |_, input, listing| {
+        let name = operands::name(input)?;
+        input.parse::<Token![:]>()?;
+        listing.include = Some(Include {
+            name,
+            source: Source::parse(input)?,
+            at: position(input)?,
+        });
+        Ok(())
+    },
+};
+
+/// Words that stand where names do.
+const WORDS: [&str; 8] = ["at", "on", "along", "length", "angle", "x", "y", "z"];
+
+pub(crate) struct Include {
+    pub(crate) name: Ident,
+    pub(crate) source: Source,
+    at: Option<Vector>,
+}
+
+/// What is included.
+pub(crate) enum Source {
+    OfCatalogue(Ident),
+    File(LitStr),
+}
+
+impl Source {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        if input.peek(LitStr) {
+            input.parse().map(Self::File)
+        } else {
+            operands::name(input).map(Self::OfCatalogue)
+        }
+    }
+
+    /// What it is called in messages.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Self::OfCatalogue(name) => name.to_string(),
+            Self::File(path) => path.value(),
+        }
+    }
+
+    fn span(&self) -> Span {
+        match self {
+            Self::OfCatalogue(name) => name.span(),
+            Self::File(path) => path.span(),
+        }
+    }
+
+    /// The file's path, from the folder of the text that is read, where it is named in a text at `from`; empty of
+    /// the catalogue's.
+    pub(crate) fn path(&self, from: &Path) -> PathBuf {
+        match self {
+            Self::OfCatalogue(_) => PathBuf::new(),
+            Self::File(path) => from.with_file_name(path.value()),
+        }
+    }
+
+    pub(crate) fn wanted<'a>(&self, name: &'a str, path: &'a Path) -> Wanted<'a> {
+        match self {
+            Self::OfCatalogue(_) => Wanted::OfCatalogue(name),
+            Self::File(_) => Wanted::File(path),
+        }
+    }
+}
+
+impl Include {
+    /// Why there is nothing to include.
+    pub(crate) fn refused(&self, message: String) -> Error {
+        Error::new(self.source.span(), message)
+    }
+
+    /// What is wrong with the other listing's text.
+    pub(crate) fn wrong(&self, mistakes: Vec<Mistake>) -> Error {
+        let name = self.source.name();
+        let mut errors = mistakes.into_iter().map(|mistake| {
+            let Mistake {
+                line,
+                column,
+                message,
+                ..
+            } = mistake;
+            self.refused(format!("{name}:{line}:{column}: {message}"))
+        });
+        let first = errors.next();
+        let first = first.unwrap_or_else(|| self.refused(format!("`{name}` cannot be read")));
+        errors.fold(first, |mut all, error| {
+            all.combine(error);
+            all
+        })
+    }
+
+    /// A statement of another listing that declares `names`, as it is to be read here.
+    ///
+    /// # Errors
+    ///
+    /// Where one of the names would be taken for a word of the language.
+    pub(crate) fn statement(
+        &self,
+        text: &str,
+        names: &BTreeSet<String>,
+    ) -> syn::Result<TokenStream> {
+        if let Some(word) = WORDS.iter().find(|word| names.contains(**word)) {
+            return Err(self.named_as_a_word(word));
+        }
+        let tokens = text.parse().unwrap_or_default();
+        Ok(placed(self.renamed(tokens, names), self.name.span()))
+    }
+
+    /// Behind its docs a statement has its word, and behind that of a role the name of the wheel.
+    fn renamed(&self, tokens: TokenStream, names: &BTreeSet<String>) -> TokenStream {
+        let mut tokens = tokens.into_iter();
+        let mut renamed = Vec::new();
+        for token in tokens.by_ref() {
+            let is_word = matches!(token, TokenTree::Ident(_));
+            renamed.push(token);
+            if is_word {
+                break;
+            }
+        }
+        let is_role =
+            |word: &TokenTree| [WHEEL.word, KINGPIN.word].contains(&word.to_string().as_str());
+        if renamed.last().is_some_and(is_role) {
+            match tokens.next() {
+                Some(TokenTree::Ident(name)) => renamed.push(self.prefixed(&name).into()),
+                colon => renamed.extend([self.name.clone().into()].into_iter().chain(colon)),
+            }
+        }
+        self.operands(renamed, tokens, names)
+    }
+
+    /// What follows some tokens, renamed and moved, behind them.
+    fn operands(
+        &self,
+        before: Vec<TokenTree>,
+        tokens: impl Iterator<Item = TokenTree>,
+        names: &BTreeSet<String>,
+    ) -> TokenStream {
+        let mut renamed = before;
+        for token in tokens {
+            let before = renamed.last();
+            let is_component = before.is_some_and(|before| is_punct(before, '.'));
+            let is_position = matches!(before, Some(TokenTree::Ident(at)) if at == "at");
+            renamed.push(match token {
+                TokenTree::Ident(name) if !is_component && names.contains(&name.to_string()) => {
+                    self.prefixed(&name).into()
+                }
+                TokenTree::Group(group) => {
+                    let content = match (group.delimiter(), self.at) {
+                        (Delimiter::Bracket, Some(by)) if is_position => moved(group.stream(), by),
+                        (Delimiter::Bracket, _) => group.stream(),
+                        _ => self.operands(Vec::new(), group.stream().into_iter(), names),
+                    };
+                    Group::new(group.delimiter(), content).into()
+                }
+                other => other,
+            });
+        }
+        renamed.into_iter().collect()
+    }
+
+    fn prefixed(&self, name: &Ident) -> Ident {
+        Ident::new(&format!("{}_{name}", self.name), name.span())
+    }
+
+    fn named_as_a_word(&self, word: &str) -> Error {
+        errors::at(
+            &self.name,
+            format!(
+                "`{}` names something `{word}`, a word of statements; give it another name to include it",
+                self.source.name()
+            ),
+        )
+    }
+}
+
+fn is_punct(token: &TokenTree, character: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
+}
+
+/// A position `x, y, z`, moved; what cannot be read stays, to be reported.
+fn moved(position: TokenStream, by: Vector) -> TokenStream {
+    let mut bracketed = TokenStream::new();
+    bracketed.extend([TokenTree::from(Group::new(
+        Delimiter::Bracket,
+        position.clone(),
+    ))]);
+    let read = |input: ParseStream<'_>| vector(input, "a design position");
+    let Ok(at) = read.parse2(bracketed) else {
+        return position;
+    };
+    let mut moved = TokenStream::new();
+    for (x, by) in at.into_iter().zip(by) {
+        let x = x + by;
+        if x < 0.0 {
+            moved.extend([TokenTree::from(Punct::new('-', Spacing::Alone))]);
+        }
+        moved.extend([
+            TokenTree::from(Literal::f64_unsuffixed(x.abs())),
+            Punct::new(',', Spacing::Alone).into(),
+        ]);
+    }
+    moved
+}

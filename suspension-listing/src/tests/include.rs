@@ -1,0 +1,121 @@
+//! What is included is what would be written by hand.
+
+use std::path::Path;
+
+use crate::library::{Library, Wanted};
+use crate::text;
+
+const CORNER: &str = "\
+//! A corner, whose rack is the listing's around.
+fixed: front at [0.2, 0.35, 0.16], rear at [-0.2, 0.35, 0.16];
+free:  /// The end of an arm.
+       ball at [0.0, 0.7, 0.2], hub at [0.0, 0.8, 0.3];
+hinge arm: front, rear -> ball, hub;
+drive bump: ball along [0.0, 0.6, 0.8];
+measure spring: length(middle -> ball);
+point centre: arm at [0.0, 0.75, 0.3];
+wheel: centre -> hub;
+kingpin: front -> ball;
+";
+
+const AXLE: &str = "\
+fixed: middle at [0.0, 0.0, 0.5];
+mirror: left -> right;
+include left: \"corner\";
+";
+
+/// The axle, each name written out, moved backwards by 2.5.
+const REAR: &str = "\
+fixed: rear_middle at [-2.5, 0.0, 0.5];
+fixed: rear_left_front at [-2.3, 0.35, 0.16], rear_left_rear at [-2.7, 0.35, 0.16];
+free:  /// The end of an arm.
+       rear_left_ball at [-2.5, 0.7, 0.2], rear_left_hub at [-2.5, 0.8, 0.3];
+fixed: rear_right_front at [-2.3, -0.35, 0.16], rear_right_rear at [-2.7, -0.35, 0.16];
+free:  /// The end of an arm.
+       rear_right_ball at [-2.5, -0.7, 0.2], rear_right_hub at [-2.5, -0.8, 0.3];
+hinge rear_left_arm: rear_left_front, rear_left_rear -> rear_left_ball, rear_left_hub;
+drive rear_left_bump: rear_left_ball along [0.0, 0.6, 0.8];
+measure rear_left_spring: length(rear_middle -> rear_left_ball);
+point rear_left_centre: rear_left_arm at [-2.5, 0.75, 0.3];
+wheel rear_left: rear_left_centre -> rear_left_hub;
+kingpin rear_left: rear_left_front -> rear_left_ball;
+hinge rear_right_arm: rear_right_front, rear_right_rear -> rear_right_ball, rear_right_hub;
+drive rear_right_bump: rear_right_ball along [0.0, -0.6, 0.8];
+measure rear_right_spring: length(rear_middle -> rear_right_ball);
+point rear_right_centre: rear_right_arm at [-2.5, -0.75, 0.3];
+wheel rear_right: rear_right_centre -> rear_right_hub;
+kingpin rear_right: rear_right_front -> rear_right_ball;
+";
+
+/// Files by name; `axle` in a folder.
+struct Files;
+
+impl Library for Files {
+    fn text(&self, wanted: Wanted<'_>) -> Result<String, String> {
+        let Wanted::File(path) = wanted else {
+            return Err("no catalogue".to_owned());
+        };
+        let files = [
+            ("axles/axle", AXLE),
+            ("axles/corner", CORNER),
+            ("corner", CORNER),
+            ("wrong", "fixed: a;\nlink rod a -> b;\n"),
+            (
+                "circle",
+                "include again: \"circle\"; include more: \"circle\";",
+            ),
+            ("words", "free: on;"),
+        ];
+        let found = files.iter().find(|(name, _)| Path::new(name) == path);
+        found.map_or_else(
+            || Err(format!("cannot read {}", path.display())),
+            |(_, text)| Ok((*text).to_owned()),
+        )
+    }
+}
+
+fn read(text: &str) -> Result<String, String> {
+    let system = text::parse(text, "vehicle", &Files).map_err(|mistakes| mistakes.to_string())?;
+    Ok(format!("{system:#?}"))
+}
+
+#[test]
+fn an_axle_in_a_folder_includes_its_corner_beside_it_twice() {
+    let included = read("include rear: \"axles/axle\" at [-2.5, 0.0, 0.0];").expect("an axle");
+    let by_hand = read(REAR).expect("an axle");
+    let lines = included.lines().zip(by_hand.lines());
+    let unlike: Vec<_> = lines.filter(|(one, other)| one != other).collect();
+    assert_eq!(unlike, []);
+    assert_eq!(included.len(), by_hand.len());
+}
+
+#[test]
+fn what_cannot_be_included_is_refused_at_the_statement() {
+    for (text, expected) in [
+        ("include left: \"none\";", "vehicle:1:15: cannot read none"),
+        ("include left: axle;", "vehicle:1:15: no catalogue"),
+        (
+            "include left: \"wrong\";",
+            "vehicle:1:15: wrong:2:10: expected `:`; a `link` is written `link rod: a -> c;`",
+        ),
+        (
+            "include left: \"circle\";",
+            "look for one that includes itself",
+        ),
+        (
+            "include left: \"words\";",
+            "vehicle:1:9: `words` names something `on`, a word of statements; give it another name to include it",
+        ),
+        (
+            "include left \"words\";",
+            "vehicle:1:14: expected `:`; an `include` is written",
+        ),
+        (
+            "fixed: middle, left_rear; include left: \"corner\";",
+            "vehicle:1:35: the name `left_rear` is already taken by a chassis point; choose another",
+        ),
+    ] {
+        let message = read(text).expect_err(text);
+        assert!(message.contains(expected), "{text}: {message}");
+    }
+}

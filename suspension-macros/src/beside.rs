@@ -1,0 +1,70 @@
+//! The files of listings beside a source file.
+
+use std::cell::RefCell;
+use std::fs::read_to_string;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{Span, TokenStream};
+use quote::quote;
+
+use suspension_listing::library::{Library, Wanted};
+
+/// The files beside a source file, and which of them were read.
+pub(crate) struct Beside {
+    /// The source file, where the compiler says it.
+    source: Option<PathBuf>,
+    /// The file of the listing, from the source file's folder; empty of a listing in braces.
+    listing: PathBuf,
+    read: RefCell<Vec<PathBuf>>,
+}
+
+impl Beside {
+    /// Beside the source file of a token, for a listing in the file `listing` there, or in braces.
+    pub(crate) fn of(token: Span, listing: &str) -> Self {
+        Self {
+            source: token.local_file(),
+            listing: listing.into(),
+            read: RefCell::default(),
+        }
+    }
+
+    /// The text of the listing.
+    pub(crate) fn listing(&self) -> Result<String, String> {
+        self.file(&self.listing)
+    }
+
+    fn file(&self, path: &Path) -> Result<String, String> {
+        let Some(source) = &self.source else {
+            return Err(
+                "the compiler does not say where this source file is; write the statements in braces".to_owned(),
+            );
+        };
+        let text = read_to_string(source.with_file_name(path)).map_err(|cause| {
+            let path = path.display();
+            format!("cannot read `{path}`, from the folder of this source file: {cause}")
+        })?;
+        self.read.borrow_mut().push(path.to_owned());
+        Ok(text)
+    }
+
+    /// What has the compiler look again at the files when they have changed.
+    pub(crate) fn watched(&self) -> TokenStream {
+        let mut paths = self.read.borrow().clone();
+        paths.sort();
+        paths.dedup();
+        let paths = paths.iter().map(|path| path.to_string_lossy().into_owned());
+        quote!(#(const _: &str = include_str!(#paths);)*)
+    }
+}
+
+impl Library for Beside {
+    fn text(&self, wanted: Wanted<'_>) -> Result<String, String> {
+        match wanted {
+            Wanted::File(path) => self.file(&self.listing.with_file_name(path)),
+            Wanted::OfCatalogue(name) => Err(format!(
+                "the macro includes files: `suspension list {name} > {name}.linkage` copies a layout of the catalogue, \
+                 then write \"{name}.linkage\""
+            )),
+        }
+    }
+}
