@@ -8,10 +8,11 @@ use crate::did_you_mean::did_you_mean;
 pub fn unknown(name: &str, besides: &str) -> String {
     let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
     let hint = did_you_mean(name, known.iter().copied());
-    format!(
-        "unknown linkage `{name}`; known are {}{besides}{hint}",
-        known.join(", ")
-    )
+    if !hint.is_empty() {
+        return format!("unknown linkage `{name}`{hint}");
+    }
+    let known = known.join(", ");
+    format!("unknown linkage `{name}`; known are {known}{besides}")
 }
 
 /// The first sentence of what a listing says of itself.

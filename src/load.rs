@@ -5,6 +5,7 @@ mod led;
 mod listing;
 mod loaded;
 mod notes;
+mod off;
 mod prepare;
 mod start;
 mod task;

@@ -37,6 +37,6 @@ pub use ready::Mechanism;
 pub use state::State;
 pub use through::OnState;
 pub use unit::Unit;
-pub use vehicle::{Axle, Car, Vehicle, Wheel, WheelPoints};
+pub use vehicle::{Axle, Pair, Vehicle, Wheel, WheelPoints, is_within};
 pub use visit::{OnPlace, VisitEnd, Visited};
 pub(crate) use words::advice;

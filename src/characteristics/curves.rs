@@ -2,9 +2,10 @@
 
 use crate::characteristics::along::Along;
 use crate::characteristics::parameters::{columns, name, symbol_per, title_of};
-use crate::mechanism::{Description, State, Unit};
+use crate::mechanism::{Description, Pair, State, Unit};
 use crate::quantities::{
-    Column, FRONT_ARM, FRONT_CENTRE, Kind, MEASURES, Quantity, SIDE_ARM, SIDE_CENTRE,
+    AXLE_ROLL_CENTRE, Column, FRONT_ARM, FRONT_CENTRE, Kind, MEASURES, Quantity, SIDE_ARM,
+    SIDE_CENTRE,
 };
 
 /// The curves along a drive.
@@ -51,7 +52,8 @@ impl Curves {
     }
 }
 
-/// All quantities along a drive, with lengths in `unit`; of measures their derivatives too, which are motion ratios.
+/// All quantities along a drive, with lengths in `unit`; of measures their derivatives too, which are motion ratios. Of
+/// several axles, what stays as it is where another moves is left out.
 pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     let drive = &mechanism.names.drives[along.way.drive];
     let kind = Kind::from(drive.kind);
@@ -69,7 +71,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     };
     let (of_drive, _) = converted(kind);
     let mut lines = Vec::new();
-    for column in columns(mechanism).into_iter().filter(is_bounded) {
+    for column in columns(mechanism) {
         let (scale, symbol) = converted(column.kind);
         let title = name(&column);
         if column.is(&MEASURES) {
@@ -83,16 +85,24 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
                 values: values(&|_, per| Some(column.along(per.as_ref()?).rate * scale)),
             });
         }
+        let values = values(&|state, _| Some(column.value(state) * scale));
+        let is_far = |value: &f64| value.abs() > FAR * unit.metre();
+        if has_poles(&column) && values.iter().flatten().any(is_far) {
+            continue;
+        }
         lines.push(Line {
             title,
             of_wheel: title_of(&column),
             wheel: column.wheel.clone(),
             symbol,
-            values: values(&|state, _| Some(column.value(state) * scale)),
+            values,
         });
     }
     let count = |line: &Line| line.values.iter().flatten().count();
     lines.retain(|line| count(line) > 1);
+    if Pair::all(&mechanism.names.wheels).len() > 1 {
+        lines.retain(varies);
+    }
     Curves {
         drive: drive.name.clone(),
         way: along.way.name.clone(),
@@ -106,8 +116,28 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     }
 }
 
-/// Whether it has no poles: instant centres lie at infinity where the carrier moves parallel.
-fn is_bounded(column: &Column) -> bool {
-    const WITH_POLES: [&Quantity; 4] = [&FRONT_CENTRE, &FRONT_ARM, &SIDE_CENTRE, &SIDE_ARM];
-    !WITH_POLES.iter().any(|quantity| column.is(quantity))
+/// Whether it is not the same everywhere, as what one axle has is where another moves.
+fn varies(line: &Line) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    let mut values = line.values.iter().flatten();
+    let Some(first) = values.next() else {
+        return false;
+    };
+    values.any(|value| (value - first).abs() > ROUNDING * first.abs().max(1.0))
+}
+
+/// How far what has poles may lie to be drawn, in metres: beyond, it is on its way to infinity and back.
+const FAR: f64 = 5.0;
+
+/// Whether it has poles: instant centres lie at infinity where the carrier moves parallel, the roll centre where the
+/// normals of both wheels do.
+fn has_poles(column: &Column) -> bool {
+    const WITH_POLES: [&Quantity; 5] = [
+        &FRONT_CENTRE,
+        &FRONT_ARM,
+        &SIDE_CENTRE,
+        &SIDE_ARM,
+        &AXLE_ROLL_CENTRE,
+    ];
+    WITH_POLES.iter().any(|quantity| column.is(quantity))
 }

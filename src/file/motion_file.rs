@@ -11,8 +11,8 @@ use serde::de::{
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::drive_of::DriveOf;
 use crate::file::explain::explained;
+use crate::file::per_wheel::PerWheel;
 use crate::file::source::Source;
 use crate::mechanism::{Axes, Axle, Unit};
 
@@ -125,21 +125,21 @@ pub struct Offset {
 #[serde(deny_unknown_fields)]
 pub struct VehicleTable {
     /// From the wheel centre to the ground, in the unit.
-    pub wheel_radius: Option<Spanned<f64>>,
+    pub wheel_radius: Option<Spanned<PerWheel<f64>>>,
     /// The drive that moves each wheel up and down.
-    pub travel: Option<Spanned<DriveOf>>,
+    pub travel: Option<Spanned<PerWheel<String>>>,
     /// The drive that steers it.
-    pub steer: Option<Spanned<DriveOf>>,
-    /// Which axle the wheel is on.
+    pub steer: Option<Spanned<PerWheel<String>>>,
+    /// Which axle the wheels are on, where their names do not tell.
     pub axle: Option<Axle>,
     /// From axle to axle, in the unit.
     pub wheelbase: Option<Spanned<f64>>,
     /// The height of the centre of gravity above the ground, in the unit.
     pub cg_height: Option<Spanned<f64>>,
     /// The axle's share of the brake force, from 0 to 1.
-    pub brake_share: Option<Spanned<f64>>,
+    pub brake_share: Option<Spanned<PerWheel<f64>>>,
     /// The axle's share of the drive force, from 0 to 1.
-    pub drive_share: Option<Spanned<f64>>,
+    pub drive_share: Option<Spanned<PerWheel<f64>>>,
 }
 
 /// The instants of the motion, in one of two forms.

@@ -5,6 +5,7 @@ use suspension_core::{Kind, Linkage, LocalOrigin, Newton, Values, assemble};
 
 use crate::failure::Failure;
 use crate::file::{Offset, Position};
+use crate::load::off::Off;
 use crate::load::task::Task;
 use crate::mechanism::{DriveLaws, Suspension};
 
@@ -16,6 +17,8 @@ pub(super) struct Design<L: Linkage<N>, const N: usize> {
     pub(super) drives: L::Drives,
     /// All points there.
     pub(super) points: L::Points,
+    /// What the file's points do not satisfy.
+    pub(super) off: Option<Off>,
 }
 
 impl<L: Suspension<N>, const N: usize> Design<L, N> {
@@ -45,14 +48,16 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
     let at_rest = DriveLaws::held(drives.values());
     let inputs = at_rest.inputs::<L::Drives>(0.0);
     let mut q = model.unknowns(guess);
-    if file.lengths.is_some() || file.design.is_some() {
+    let coordinates = model.coordinates(&inputs.drives).value;
+    let fixed = model.drive_anchors(*model.fixed(), &coordinates);
+    let off = Off::of(&model.residual(&q, &fixed, &coordinates), model.size());
+    if off.is_some() || file.lengths.is_some() || file.design.is_some() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
             let drives = given(&origin, &model, &drives);
             let at = names.drives_in_words(&drives, file.unit, None);
-            unassembled(task, &at, &names.cause(&error))
+            unassembled(task, &at, &names.cause(&error), off)
         })?;
     }
-    let fixed = model.drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
     let points = place_markers(task, &model.points(&q, &fixed));
     check_spin_axis(task, &points)?;
     let model = model
@@ -64,17 +69,27 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
         q,
         drives,
         points,
+        off,
     })
 }
 
 /// The equation that a solver ends at says little about the number that was mistyped.
-fn unassembled(task: &Task<'_>, at: &str, cause: &str) -> Failure {
-    let doubt = if task.file.lengths.is_some() {
-        "lengths and points may not fit together: is one of them in another unit?"
-    } else {
-        "the design may be out of reach"
+fn unassembled(task: &Task<'_>, at: &str, cause: &str, off: Option<Off>) -> Failure {
+    let Task { source, file, .. } = task;
+    let name = source.name();
+    let doubt = match off {
+        _ if file.lengths.is_some() => {
+            "lengths and points may not fit together: is one of them in another unit?".to_owned()
+        }
+        Some(off) if file.design.is_none() => {
+            let off = task.off_in_words(off);
+            return Failure::Solver(format!(
+                "{name}: the points do not fit together: they do not satisfy {off}, and there is no configuration near by \
+                 at {at} ({cause}); move one of the points of that statement"
+            ));
+        }
+        _ => "the design may be out of reach".to_owned(),
     };
-    let name = task.source.name();
     Failure::Solver(format!(
         "{name}: the points do not assemble at {at}: {cause}; {doubt}"
     ))

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::Values;
 
+use crate::load::off::Off;
 use crate::load::task::Task;
 use crate::mechanism::{Unit, Wheel};
 use crate::number::rounded;
@@ -15,14 +16,22 @@ const SMALLEST: f64 = 0.03;
 /// coordinates that Attia 2003 prints beside its lengths are 23 mm off.
 const ROUGH: f64 = 0.025;
 
-/// Notes on points that were given, and then assembled.
+/// How far assembling must move a point to be told, in metres.
+const TOLD: f64 = 1e-4;
+
+/// Notes on points that were given, and then assembled; `off` is what they did not satisfy.
 pub(super) fn notes<P: Values<Vector3<f64>>>(
     task: &Task<'_>,
     given: &P,
     placed: &P,
+    off: Option<Off>,
 ) -> Vec<String> {
     let placed_points: Vec<_> = placed.values().collect();
-    let of_points = [size(task, given), moved(task, given, placed)];
+    let of_points = [
+        size(task, given),
+        moved(task, given, placed),
+        assembled(task, given, placed, off),
+    ];
     let wheels = task.names.wheels.iter();
     let of_wheels = wheels.flat_map(|wheel| {
         [
@@ -53,24 +62,47 @@ fn size<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
     ))
 }
 
-/// A free point was moved where lengths are stated, which changes nothing.
-fn moved<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, placed: &P) -> Option<String> {
-    task.file.lengths.as_ref()?;
+/// The point that assembling moves furthest, and how far, where that is more than some metres.
+fn furthest<'a, P: Values<Vector3<f64>>>(
+    task: &Task<'a>,
+    [given, placed]: [&P; 2],
+    metres: f64,
+) -> Option<(&'a str, String)> {
     let names = &task.names.points;
     let free = names.len() - task.names.markers().len();
     let pairs = given.values().zip(placed.values()).take(free);
     let off = pairs.map(|(given, placed)| (given - placed).norm());
     let (point, off) = off.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let unit = task.file.unit;
-    (off > ROUGH * unit.metre()).then(|| {
-        format!(
-            "with [lengths] free points are but a guess: the lengths put `{}` {} {} from where the file has it; \
-             to move it, change the lengths or leave [lengths] out",
-            names[point],
-            rounded(off, 3),
-            unit.symbol()
-        )
+    (off > metres * unit.metre()).then(|| {
+        let off = format!("{} {}", rounded(off, 3), unit.symbol());
+        (names[point].as_str(), off)
     })
+}
+
+/// A free point was moved where lengths are stated, which changes nothing.
+fn moved<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, placed: &P) -> Option<String> {
+    task.file.lengths.as_ref()?;
+    let (point, off) = furthest(task, [given, placed], ROUGH)?;
+    Some(format!(
+        "with [lengths] free points are but a guess: the lengths put `{point}` {off} from where the file has it; \
+         to move it, change the lengths or leave [lengths] out"
+    ))
+}
+
+/// Points that should lie on a line, or in a plane, and do not.
+fn assembled<P: Values<Vector3<f64>>>(
+    task: &Task<'_>,
+    given: &P,
+    placed: &P,
+    off: Option<Off>,
+) -> Option<String> {
+    let off = off.filter(|_| task.file.lengths.is_none() && task.file.design.is_none())?;
+    let (point, moved) = furthest(task, [given, placed], TOLD)?;
+    let off = task.off_in_words(off);
+    Some(format!(
+        "the points do not satisfy {off}; results are of the assembled mechanism, in which `{point}` has moved by {moved}"
+    ))
 }
 
 /// The kingpin is stated from top to bottom.
@@ -101,7 +133,7 @@ fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<
 
 /// The wheel radius is in another unit, as it seems.
 fn radius(task: &Task<'_>) -> Option<String> {
-    let radius = task.names.vehicle.wheel_radius?;
+    let radius = task.names.wheels.iter().find_map(|wheel| wheel.radius)?;
     let (unit, metres) = (task.file.unit, radius / task.file.unit.metre());
     (!(0.05..5.0).contains(&metres)).then(|| {
         let (radius, unit) = (rounded(radius, 3), unit.symbol());

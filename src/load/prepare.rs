@@ -80,7 +80,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         ..task
     };
     let design = at_design(&task, model, origin, &guess)?;
-    let mut notes = notes(&task, &guess, &design.points);
+    let mut notes = notes(&task, &guess, &design.points, design.off);
     let drives = task.drive_laws(design.drives.values());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &file.drives)?;

@@ -2,13 +2,14 @@
 
 use std::f64::consts::PI;
 
-use suspension_core::{DriveKind, GeometryError, Parts};
+use suspension_core::{DriveKind, GeometryError, Part, Parts};
 use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, Table};
+use crate::load::off::Off;
 use crate::mechanism::{DriveLaws, Names, Polynomial};
-use crate::number::number;
+use crate::number::{number, rounded};
 
 /// A file whose mechanism is being prepared.
 #[derive(Clone, Copy)]
@@ -49,6 +50,14 @@ impl Task<'_> {
             &span.unwrap_or_else(|| file.points.span()),
             error.named(*names),
         )
+    }
+
+    /// An equation that points do not satisfy, and by how much.
+    pub(super) fn off_in_words(&self, Off { equation, by }: Off) -> String {
+        const DIGITS: usize = 3;
+        let (by, unit) = (rounded(by, DIGITS), self.file.unit.symbol());
+        let equation = self.names.name(Part::Equation(equation));
+        format!("equation `{equation}`, by {by} {unit}")
     }
 
     /// The drives over time; those that the file does not lead stay as they are in `held`.

@@ -1,13 +1,13 @@
 //! What a motion file says of the vehicle.
 
-use std::collections::BTreeMap;
+use std::ops::Range;
 
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{DriveOf, VehicleTable};
+use crate::file::{PerWheel, VehicleTable};
 use crate::load::task::Task;
-use crate::mechanism::{Car, Names, Vehicle, Wheel};
+use crate::mechanism::{Axle, Names, Vehicle, Wheel, is_within};
 
 /// The drives of travel and of steering where the file does not name them.
 const TRAVEL: &str = "bump";
@@ -21,26 +21,39 @@ const STEER: &str = "steer";
 /// and where a car is described in part.
 pub(super) fn with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
     let stated = task.file.vehicle.clone().unwrap_or_default();
-    let travel = drives(task, stated.travel.as_ref(), TRAVEL)?;
-    let steer = drives(task, stated.steer.as_ref(), STEER)?;
     let mut names = task.names.clone();
-    for (wheel, (travel, steer)) in names.wheels.iter_mut().zip(travel.iter().zip(&steer)) {
-        (wheel.travel, wheel.steer) = (*travel, *steer);
+    // Of a linkage without a wheel as of one without a name.
+    let mut unnamed = [Wheel::default()];
+    let wheels = match names.wheels.as_mut_slice() {
+        [] => &mut unnamed,
+        wheels => wheels,
+    };
+    drives(task, wheels, (TRAVEL, &stated.travel), |wheel| {
+        &mut wheel.travel
+    })?;
+    drives(task, wheels, (STEER, &stated.steer), |wheel| {
+        &mut wheel.steer
+    })?;
+    let lengths = numbers(task, wheels, &stated.wheel_radius)?;
+    for (wheel, radius) in wheels.iter_mut().zip(lengths) {
+        wheel.radius = checked_length(task, "wheel_radius", radius)?;
     }
     let wheelbase = length(task, "wheelbase", stated.wheelbase.as_ref())?;
+    let cg_height = length(task, "cg_height", stated.cg_height.as_ref())?;
+    car(task, wheels, &stated)?;
+    let each = |drive: fn(&Wheel) -> Option<usize>| distinct(wheels.iter().filter_map(drive));
     names.vehicle = Vehicle {
-        wheel_radius: length(task, "wheel_radius", stated.wheel_radius.as_ref())?,
-        travel: distinct(travel),
-        steer: distinct(steer),
+        travel: each(|wheel| wheel.travel),
+        steer: each(|wheel| wheel.steer),
         wheelbase,
-        car: car(task, &stated, wheelbase)?,
+        cg_height,
     };
     Ok(names)
 }
 
-fn distinct(drives: Vec<Option<usize>>) -> Vec<usize> {
+fn distinct(drives: impl Iterator<Item = usize>) -> Vec<usize> {
     let mut distinct = Vec::new();
-    for drive in drives.into_iter().flatten() {
+    for drive in drives {
         if !distinct.contains(&drive) {
             distinct.push(drive);
         }
@@ -48,93 +61,121 @@ fn distinct(drives: Vec<Option<usize>>) -> Vec<usize> {
     distinct
 }
 
-/// The drive of each wheel; of a linkage without a wheel as of one without a name.
+/// What is stated, with its place in the file.
+type Stated<T> = Option<(T, Range<usize>)>;
+
+/// What is stated of each wheel.
+fn of_each<T: Clone>(
+    task: &Task<'_>,
+    wheels: &[Wheel],
+    stated: &Spanned<PerWheel<T>>,
+) -> Result<Vec<Stated<T>>, Failure> {
+    let of_some = match stated.get_ref() {
+        PerWheel::All(all) => return Ok(vec![Some((all.clone(), stated.span())); wheels.len()]),
+        PerWheel::Of(some) => some,
+    };
+    let names: Vec<&str> = wheels.iter().map(|wheel| wheel.name.as_str()).collect();
+    let mut keys = of_some.keys();
+    if let Some(unknown) = keys.find(|key| !names.iter().any(|name| is_within(key, name))) {
+        let message = if names == [""] {
+            format!(
+                "unknown wheel `{unknown}`; the listing names no wheels: write what stands behind `=` alone"
+            )
+        } else {
+            format!("unknown wheel `{unknown}`; known are {}", names.join(", "))
+        };
+        return Err(task.source.refuse(&stated.span(), message));
+    }
+    // Of several that a wheel's name has, the longest.
+    let of_wheel = |name: &&str| {
+        let within = of_some.iter().filter(|(key, _)| is_within(key, name));
+        let longest = within.max_by_key(|(key, _)| key.split('_').count());
+        longest.map(|(_, value)| (value.get_ref().clone(), value.span()))
+    };
+    Ok(names.iter().map(of_wheel).collect())
+}
+
+/// Sets the drive of each wheel.
 fn drives(
     task: &Task<'_>,
-    stated: Option<&Spanned<DriveOf>>,
-    usual: &str,
-) -> Result<Vec<Option<usize>>, Failure> {
-    let known = task.names.of_drives();
-    let number = |wanted: &str| known.iter().position(|drive| *drive == wanted);
-    let checked = |wanted: &str, place: std::ops::Range<usize>| {
-        number(wanted).ok_or_else(|| {
-            let known = known.join(", ");
-            let message = format!("unknown drive `{wanted}`; known are {known}");
-            task.source.refuse(&place, message)
-        })
-    };
-    let unnamed = [Wheel::default()];
-    let wheels = match task.names.wheels.as_slice() {
-        [] => &unnamed,
-        wheels => wheels,
-    };
-    match stated.map(|stated| (stated.get_ref(), stated.span())) {
-        None => {
-            let of_wheel = |wheel: &Wheel| number(&format!("{usual}_{}", wheel.name));
-            let each = wheels.iter();
-            Ok(each
-                .map(|wheel| of_wheel(wheel).or(number(usual)))
-                .collect())
-        }
-        Some((DriveOf::All(name), place)) => {
-            let drive = checked(name, place)?;
-            Ok(vec![Some(drive); wheels.len()])
-        }
-        Some((DriveOf::Each(drives), place)) => {
-            check_wheels(task, drives, &place)?;
-            let of_wheel = |wheel: &Wheel| {
-                let name = drives.get(&wheel.name);
-                name.map(|name| checked(name.get_ref(), name.span()))
-                    .transpose()
-            };
-            wheels.iter().map(of_wheel).collect()
-        }
-    }
-}
-
-/// Checks that a table of drives names wheels.
-fn check_wheels(
-    task: &Task<'_>,
-    drives: &BTreeMap<String, Spanned<String>>,
-    place: &std::ops::Range<usize>,
+    wheels: &mut [Wheel],
+    (usual, stated): (&str, &Option<Spanned<PerWheel<String>>>),
+    of: fn(&mut Wheel) -> &mut Option<usize>,
 ) -> Result<(), Failure> {
-    let wheels = task.names.wheels.iter().map(|wheel| wheel.name.as_str());
-    let named: Vec<&str> = wheels.filter(|name| !name.is_empty()).collect();
-    let Some(unknown) = drives.keys().find(|name| !named.contains(&name.as_str())) else {
+    let known = task.names.of_drives();
+    let Some(stated) = stated else {
+        for wheel in wheels {
+            *of(wheel) = usual_drive(&known, usual, &wheel.name);
+        }
         return Ok(());
     };
-    let message = if named.is_empty() {
-        format!(
-            "unknown wheel `{unknown}`; the listing names no wheels: write the drive alone, as \"NAME\""
-        )
-    } else {
-        format!("unknown wheel `{unknown}`; known are {}", named.join(", "))
-    };
-    Err(task.source.refuse(place, message))
+    let stated = of_each(task, wheels, stated)?;
+    for (wheel, stated) in wheels.iter_mut().zip(stated) {
+        let Some((wanted, place)) = stated else {
+            continue;
+        };
+        let Some(drive) = known.iter().position(|drive| *drive == wanted) else {
+            let known = known.join(", ");
+            let message = format!("unknown drive `{wanted}`; known are {known}");
+            return Err(task.source.refuse(&place, message));
+        };
+        *of(wheel) = Some(drive);
+    }
+    Ok(())
 }
 
-/// The car; `None` where the file says no more of it than the wheelbase.
-fn car(
-    task: &Task<'_>,
-    stated: &VehicleTable,
-    wheelbase: Option<f64>,
-) -> Result<Option<Car>, Failure> {
-    let cg_height = length(task, "cg_height", stated.cg_height.as_ref())?;
-    let brake_share = share(task, "brake_share", stated.brake_share.as_ref())?;
-    let drive_share = share(task, "drive_share", stated.drive_share.as_ref())?;
-    let Some(axle) = stated.axle else {
-        return match cg_height.or(brake_share).or(drive_share) {
-            None => Ok(None),
-            Some(_) => Err(incomplete(task, "axle = \"front\" or \"rear\"")),
-        };
+/// The drive whose name has the usual word, and of the wheel's name the most words, and no others.
+fn usual_drive(known: &[&str], usual: &str, wheel: &str) -> Option<usize> {
+    let is_of_wheel = |drive: &str| {
+        let mut words = drive.split('_');
+        is_within(usual, drive) && words.all(|word| word == usual || is_within(word, wheel))
     };
-    wheelbase.ok_or_else(|| incomplete(task, "wheelbase"))?;
-    Ok(Some(Car {
-        axle,
-        cg_height: cg_height.ok_or_else(|| incomplete(task, "cg_height"))?,
+    let drives = known.iter().enumerate();
+    let of_wheel = drives.filter(|(_, drive)| is_of_wheel(drive));
+    let longest = of_wheel.max_by_key(|(_, drive)| drive.split('_').count());
+    longest.map(|(drive, _)| drive)
+}
+
+/// Sets the axle of each wheel and its shares of the forces, where the file describes a car.
+fn car(task: &Task<'_>, wheels: &mut [Wheel], stated: &VehicleTable) -> Result<(), Failure> {
+    let VehicleTable {
         brake_share,
         drive_share,
-    }))
+        ..
+    } = stated;
+    let brakes = numbers(task, wheels, brake_share)?;
+    let drives = numbers(task, wheels, drive_share)?;
+    let is_described = stated.axle.is_some()
+        || stated.cg_height.is_some()
+        || brake_share.is_some()
+        || drive_share.is_some();
+    if !is_described {
+        return Ok(());
+    }
+    for (wheel, (brake, drive)) in wheels.iter_mut().zip(brakes.into_iter().zip(drives)) {
+        let told = Axle::of(&wheel.name);
+        if let (Some(_), Some(told)) = (stated.axle, told)
+            && stated.axle != Some(told)
+        {
+            let message = format!(
+                "`axle` contradicts the name of the wheel `{}`; leave it out",
+                wheel.name
+            );
+            return Err(task.source.refuse(&(0..0), message));
+        }
+        wheel.axle = stated.axle.or(told);
+        wheel.brake_share = share(task, "brake_share", brake)?;
+        wheel.drive_share = share(task, "drive_share", drive)?;
+        let missing = [
+            (wheel.axle.is_none(), "axle = \"front\" or \"rear\""),
+            (stated.wheelbase.is_none(), "wheelbase"),
+            (stated.cg_height.is_none(), "cg_height"),
+        ];
+        if let Some((_, missing)) = missing.into_iter().find(|(is_missing, _)| *is_missing) {
+            return Err(incomplete(task, missing));
+        }
+    }
+    Ok(())
 }
 
 fn incomplete(task: &Task<'_>, missing: &str) -> Failure {
@@ -145,11 +186,35 @@ fn incomplete(task: &Task<'_>, missing: &str) -> Failure {
     task.source.refuse(&(0..0), message)
 }
 
+/// The number of each wheel.
+fn numbers(
+    task: &Task<'_>,
+    wheels: &[Wheel],
+    stated: &Option<Spanned<PerWheel<f64>>>,
+) -> Result<Vec<Stated<f64>>, Failure> {
+    match stated {
+        Some(stated) => of_each(task, wheels, stated),
+        None => Ok(vec![None; wheels.len()]),
+    }
+}
+
 /// A length in the unit of the file.
 fn length(
     task: &Task<'_>,
     name: &str,
     stated: Option<&Spanned<f64>>,
+) -> Result<Option<f64>, Failure> {
+    checked_length(
+        task,
+        name,
+        stated.map(|stated| (*stated.get_ref(), stated.span())),
+    )
+}
+
+fn checked_length(
+    task: &Task<'_>,
+    name: &str,
+    stated: Stated<f64>,
 ) -> Result<Option<f64>, Failure> {
     let is_length = |length: f64| length > 0.0 && length.is_finite();
     checked(task, stated, is_length, || {
@@ -158,11 +223,7 @@ fn length(
 }
 
 /// A part of a whole.
-fn share(
-    task: &Task<'_>,
-    name: &str,
-    stated: Option<&Spanned<f64>>,
-) -> Result<Option<f64>, Failure> {
+fn share(task: &Task<'_>, name: &str, stated: Stated<f64>) -> Result<Option<f64>, Failure> {
     checked(
         task,
         stated,
@@ -173,14 +234,12 @@ fn share(
 
 fn checked(
     task: &Task<'_>,
-    stated: Option<&Spanned<f64>>,
+    stated: Stated<f64>,
     will_do: impl Fn(f64) -> bool,
     message: impl Fn() -> String,
 ) -> Result<Option<f64>, Failure> {
     match stated {
-        Some(number) if !will_do(*number.get_ref()) => {
-            Err(task.source.refuse(&number.span(), message()))
-        }
-        _ => Ok(stated.map(|number| *number.get_ref())),
+        Some((number, place)) if !will_do(number) => Err(task.source.refuse(&place, message())),
+        _ => Ok(stated.map(|(number, _)| number)),
     }
 }

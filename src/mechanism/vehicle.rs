@@ -6,16 +6,14 @@ use suspension_core::WheelPlaces;
 /// What quantities need beside the linkage.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Vehicle {
-    /// From each wheel centre to the ground, in the unit of lengths.
-    pub wheel_radius: Option<f64>,
     /// The numbers of the drives that move wheels up and down, each once.
     pub travel: Vec<usize>,
     /// The numbers of the drives that steer them, likewise.
     pub steer: Vec<usize>,
     /// From axle to axle, in the unit of lengths.
     pub wheelbase: Option<f64>,
-    /// The car that the wheels are of; the wheelbase is then known.
-    pub car: Option<Car>,
+    /// The height of the centre of gravity above the ground, in the unit of lengths.
+    pub cg_height: Option<f64>,
 }
 
 impl Vehicle {
@@ -25,21 +23,8 @@ impl Vehicle {
     }
 }
 
-/// What a car's braking and driving make of a wheel's support angles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Car {
-    /// Which axle the wheel is on.
-    pub axle: Axle,
-    /// The height of the centre of gravity above the ground, in the unit of lengths.
-    pub cg_height: f64,
-    /// The axle's share of the brake force.
-    pub brake_share: Option<f64>,
-    /// The axle's share of the drive force.
-    pub drive_share: Option<f64>,
-}
-
 /// An axle of a car.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Axle {
     /// The leading one.
@@ -48,8 +33,17 @@ pub enum Axle {
     Rear,
 }
 
-/// A wheel that a listing states.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+impl Axle {
+    /// The one that a wheel's name tells, as `front_left` does.
+    pub fn of(wheel: &str) -> Option<Self> {
+        let axles = [("front", Self::Front), ("rear", Self::Rear)];
+        let told = axles.into_iter().find(|(word, _)| is_within(word, wheel));
+        told.map(|(_, axle)| axle)
+    }
+}
+
+/// A wheel that a listing states, and what the motion file says of it.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Wheel {
     /// Its name; empty of an only wheel that is stated without one.
     pub name: String,
@@ -59,6 +53,14 @@ pub struct Wheel {
     pub travel: Option<usize>,
     /// The number of the drive that steers it.
     pub steer: Option<usize>,
+    /// From its centre to the ground, in the unit of lengths.
+    pub radius: Option<f64>,
+    /// Which axle of a car it is on.
+    pub axle: Option<Axle>,
+    /// That axle's share of the brake force.
+    pub brake_share: Option<f64>,
+    /// The same of the drive force.
+    pub drive_share: Option<f64>,
 }
 
 /// The points of a wheel, by number.
@@ -102,8 +104,59 @@ impl From<WheelPlaces<'_>> for Wheel {
                 carrier: places.carrier,
                 kingpin: places.kingpin,
             },
-            travel: None,
-            steer: None,
+            ..Self::default()
         }
     }
+}
+
+/// The sides of a vehicle, as the names of wheels have them.
+const SIDES: [&str; 2] = ["left", "right"];
+
+/// Two wheels that stand across from each other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pair {
+    /// What their names have in common; empty of the only two wheels of a listing.
+    pub name: String,
+    /// Their numbers.
+    pub wheels: [usize; 2],
+}
+
+impl Pair {
+    /// Those of all wheels: two alone, whatever their names, or those whose names differ by their sides, as `front_left` and
+    /// `front_right` do.
+    pub fn all(wheels: &[Wheel]) -> Vec<Self> {
+        if wheels.len() == 2 {
+            let name = String::new();
+            return vec![Self {
+                name,
+                wheels: [0, 1],
+            }];
+        }
+        let names: Vec<String> = wheels
+            .iter()
+            .map(|wheel| without_side(&wheel.name))
+            .collect();
+        let pair = |(first, name): (usize, &String)| {
+            let others = names.iter().enumerate().skip(first + 1);
+            let mut same = others.filter(|(_, other)| *other == name);
+            let (second, _) = same.next()?;
+            let earlier = names[..first].contains(name);
+            (!earlier && same.next().is_none()).then(|| Self {
+                name: name.clone(),
+                wheels: [first, second],
+            })
+        };
+        names.iter().enumerate().filter_map(pair).collect()
+    }
+}
+
+fn without_side(name: &str) -> String {
+    let words = name.split('_').filter(|word| !SIDES.contains(word));
+    words.collect::<Vec<_>>().join("_")
+}
+
+/// Whether all words of one name are in another: those of `front` are in `front_left`.
+pub fn is_within(words: &str, name: &str) -> bool {
+    let has = |word: &str| name.split('_').any(|other| other == word);
+    words.split('_').all(has)
 }

@@ -6,17 +6,28 @@ use crate::number::{aligned, rounded};
 use crate::output::plot::Chart;
 
 const STYLE: &str = "
+@page { size: A4; margin: 12mm; }
 body { font-family: sans-serif; max-width: 1180px; margin: 1.5em auto; padding: 0 1em; color: #222; }
-table { border-collapse: collapse; font-size: 90%; }
-th, td { padding: 0.2em 0.7em; text-align: left; border-bottom: 1px solid #ddd; vertical-align: top; }
+table { border-collapse: collapse; font-size: 90%; width: 100%; }
+th, td { padding: 0.2em 0.7em; text-align: left; vertical-align: top; }
+th { border-bottom: 1px solid #888; }
+tr.first td { border-top: 1px solid #ddd; }
 th.number, td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; padding-right: 0.2em; }
 td.unit { white-space: nowrap; color: #555; padding-left: 0.2em; }
-td.definition { color: #555; font-size: 90%; }
+tr.definition td { color: #555; font-size: 85%; padding: 0 0.7em 0.3em 2em; }
 .drawings { display: grid; grid-template-columns: 1fr 1fr; gap: 0.6em; }
 .drawings svg { width: 100%; height: auto; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)); gap: 0.6em; }
 .charts svg { width: 100%; height: auto; }
-@media print { .charts { grid-template-columns: repeat(3, 1fr); } h2 { break-after: avoid; } svg { break-inside: avoid; } }
+@media print {
+  body { font-size: 8.5pt; margin: 0; padding: 0; max-width: none; }
+  th, td { padding: 0.05em 0.4em; }
+  .charts { grid-template-columns: repeat(4, 1fr); gap: 0.2em; }
+  h1 { font-size: 15pt; margin: 0; }
+  h2 { font-size: 11pt; margin: 0.6em 0 0.2em; break-after: avoid; }
+  svg, tr { break-inside: avoid; }
+  tr:has(+ tr.definition) { break-after: avoid; }
+}
 ";
 
 /// Width and height of a chart.

@@ -2,10 +2,11 @@
 
 use suspension_core::signal::Number as _;
 
-use crate::mechanism::{Axle, Names};
+use crate::mechanism::{Axle, Names, Vehicle};
 use crate::quantities::kind::Kind;
-use crate::quantities::on_ground::of_moving;
+use crate::quantities::on_ground::{moving, of_moving};
 use crate::quantities::quantity::Reading;
+use crate::quantities::readings::of_each_wheel;
 use crate::quantities::wheel::{Along, Moving, Number};
 
 /// What the wheel's torque is borne by, which decides where the force acts.
@@ -53,27 +54,34 @@ pub(super) fn of_support_angle(names: &Names, torque: Torque) -> Vec<Reading> {
 /// The part of the car's load transfer that links bear in place of springs; `towards` is 1 where a path forward
 /// in bump bears it, -1 where one rearward does.
 pub(super) fn of_support(names: &Names, axle: Axle, torque: Torque, towards: f64) -> Vec<Reading> {
-    let vehicle = &names.vehicle;
-    let car = vehicle.car.filter(|car| car.axle == axle);
-    let Some((car, wheelbase)) = car.zip(vehicle.wheelbase) else {
+    let Vehicle {
+        wheelbase,
+        cg_height,
+        ..
+    } = &names.vehicle;
+    let Some((wheelbase, cg_height)) = wheelbase.zip(*cg_height) else {
         return Vec::new();
     };
-    let share = match torque {
-        Torque::OfBrakes => car.brake_share,
-        Torque::OfShafts => car.drive_share,
-    };
-    let Some(share) = share else {
-        return Vec::new();
-    };
-    let factor = Number::still(100.0 * towards * share * wheelbase / car.cg_height);
-    of_moving(
-        names,
-        Along::Travel,
-        Kind::Percent,
-        torque.is_on_ground(),
-        move |moving| {
-            let [forward, upward] = torque.forward_and_upward(moving);
-            forward / upward * factor
-        },
-    )
+    of_each_wheel(names, |rolling| {
+        let wheel = &names.wheels[rolling.number];
+        let share = match torque {
+            Torque::OfBrakes => wheel.brake_share,
+            Torque::OfShafts => wheel.drive_share,
+        };
+        let Some(share) = share.filter(|_| wheel.axle == Some(axle)) else {
+            return Vec::new();
+        };
+        let factor = Number::still(100.0 * towards * share * wheelbase / cg_height);
+        let on_ground = torque.is_on_ground();
+        moving(
+            rolling,
+            Along::Travel,
+            Kind::Percent,
+            on_ground,
+            move |moving| {
+                let [forward, upward] = torque.forward_and_upward(moving);
+                forward / upward * factor
+            },
+        )
+    })
 }

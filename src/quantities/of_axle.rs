@@ -1,11 +1,11 @@
-//! Readings of an axle: of two wheels, one on each side of the vehicle.
+//! Readings of axles: of two wheels each, one on each side of the vehicle.
 
 use nalgebra::Vector3;
 use suspension_core::Signal;
 use suspension_core::signal::Number as _;
 use suspension_core::wheel::Turn;
 
-use crate::mechanism::{Axle, Names};
+use crate::mechanism::{self, Names, Pair};
 use crate::quantities::in_roll::PerRoll;
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Axis, Reading};
@@ -16,21 +16,47 @@ use crate::quantities::wheel::{Number, Rolling, UNKNOWN, Wheel};
 /// Within this mean steer angle, a degree, toe decides how the wheels of an axle differ, not the steering.
 const STRAIGHT: f64 = std::f64::consts::PI / 180.0;
 
-/// The wheels of a linkage that has two.
-fn axle(names: &Names) -> Option<[Rolling; 2]> {
-    let wheels: Vec<Rolling> = Rolling::each(names).map(|(_, rolling)| rolling).collect();
-    wheels.try_into().ok()
+/// Two wheels that stand across from each other.
+struct Axle {
+    /// What their names have in common, where the linkage has other wheels too.
+    name: Option<String>,
+    wheels: [Rolling; 2],
 }
 
-/// The same where the wheel radius is known.
-fn axle_on_ground(names: &Names) -> Option<[Rolling; 2]> {
-    axle(names).filter(|wheels| wheels.iter().all(Rolling::is_on_ground))
-}
+impl Axle {
+    /// Those of a linkage.
+    fn all(names: &Names) -> Vec<Self> {
+        let wheels: Vec<Rolling> = Rolling::each(names).map(|(_, rolling)| rolling).collect();
+        let of_pair = |pair: Pair| Self {
+            name: (!pair.name.is_empty()).then_some(pair.name),
+            wheels: pair.wheels.map(|wheel| wheels[wheel]),
+        };
+        Pair::all(&names.wheels).into_iter().map(of_pair).collect()
+    }
 
-/// The same where each wheel has a drive of travel of its own, so that the axle can roll.
-fn axle_that_rolls(names: &Names) -> Option<[Rolling; 2]> {
-    let is_moved = |[a, b]: &[Rolling; 2]| a.travel != b.travel && a.travel.and(b.travel).is_some();
-    axle_on_ground(names).filter(is_moved)
+    /// Whether the radius of its wheels is known.
+    fn is_on_ground(&self) -> bool {
+        self.wheels.iter().all(Rolling::is_on_ground)
+    }
+
+    /// Whether each wheel has a drive of travel of its own, so that it can roll.
+    fn rolls(&self) -> bool {
+        let [a, b] = self.wheels.map(|wheel| wheel.travel);
+        self.is_on_ground() && a != b && a.and(b).is_some()
+    }
+
+    fn is_steered(&self) -> bool {
+        self.wheels.iter().all(|wheel| wheel.steer.is_some())
+    }
+
+    /// Readings under its name.
+    fn named(&self, readings: Vec<Reading>) -> Vec<Reading> {
+        let named = readings.into_iter().map(|reading| Reading {
+            wheel: self.name.clone(),
+            ..reading
+        });
+        named.collect()
+    }
 }
 
 /// The left wheel and the right one; `None` where both are on one side.
@@ -43,27 +69,30 @@ fn sided(reader: &Reader<'_>, [a, b]: [Rolling; 2]) -> Option<[Rolling; 2]> {
     }
 }
 
-/// A number of both wheels, the left one first; `on_ground` where the wheel radius is needed.
+/// A number of both wheels of each axle, the left one first; `on_ground` where the wheel radius is needed.
 pub(super) fn of_both(
     names: &Names,
     kind: Kind,
     on_ground: bool,
-    value: impl Fn([&Wheel; 2]) -> Number + 'static,
+    value: impl Fn([&Wheel; 2]) -> Number + Clone + 'static,
 ) -> Vec<Reading> {
-    let wheels = if on_ground {
-        axle_on_ground(names)
-    } else {
-        axle(names)
-    };
-    let of = |wheels| {
-        reading(kind, move |reader: &Reader<'_>| {
-            let wheels = sided(reader, wheels);
-            wheels.map_or(UNKNOWN, |wheels| {
-                value(wheels.map(|rolling| reader.wheel(rolling)))
-            })
+    let axles = Axle::all(names).into_iter();
+    let axles = axles.filter(|axle| axle.is_on_ground() || !on_ground);
+    axles
+        .flat_map(|axle| both(&axle, kind, value.clone()))
+        .collect()
+}
+
+/// The same of one axle.
+fn both(axle: &Axle, kind: Kind, value: impl Fn([&Wheel; 2]) -> Number + 'static) -> Vec<Reading> {
+    let wheels = axle.wheels;
+    let number = reading(kind, move |reader: &Reader<'_>| {
+        let wheels = sided(reader, wheels);
+        wheels.map_or(UNKNOWN, |wheels| {
+            value(wheels.map(|rolling| reader.wheel(rolling)))
         })
-    };
-    wheels.map(of).into_iter().collect()
+    });
+    axle.named(vec![number])
 }
 
 /// An angle of the spin axis of each wheel of a steered axle.
@@ -71,38 +100,50 @@ pub(super) fn of_steered_wheels(
     names: &Names,
     angle: fn(&Vector3<Number>) -> Number,
 ) -> Vec<Reading> {
-    if axle(names).is_none() || names.vehicle.steer.is_empty() {
-        return Vec::new();
-    }
+    let axles = Axle::all(names);
+    let is_steered = |rolling: &Rolling| {
+        let mut steered = axles.iter().filter(|axle| axle.is_steered());
+        steered.any(|axle| {
+            axle.wheels
+                .iter()
+                .any(|wheel| wheel.number == rolling.number)
+        })
+    };
     of_each_wheel(names, |rolling| {
-        vec![reading(Kind::Angle, move |reader| {
-            angle(&reader.wheel(rolling).axis)
-        })]
+        let steered = is_steered(&rolling).then_some(rolling).into_iter();
+        let readings = steered.map(|rolling| {
+            reading(Kind::Angle, move |reader| {
+                angle(&reader.wheel(rolling).axis)
+            })
+        });
+        readings.collect()
     })
 }
 
-/// A number of an axle that steers a vehicle whose wheelbase is known: of the turn, the wheelbase and the track. Straight
+/// A number of each axle that steers a vehicle whose wheelbase is known: of the turn, the wheelbase and the track. Straight
 /// ahead there is none.
 pub(super) fn of_turn(
     names: &Names,
     kind: Kind,
     value: fn(&Turn<Number>, Number, Number) -> Number,
 ) -> Vec<Reading> {
-    let vehicle = &names.vehicle;
-    let is_rear = vehicle.car.is_some_and(|car| car.axle == Axle::Rear);
-    let Some(wheelbase) = vehicle.wheelbase else {
+    let Some(wheelbase) = names.vehicle.wheelbase else {
         return Vec::new();
     };
-    if is_rear || vehicle.steer.is_empty() {
-        return Vec::new();
-    }
-    of_both(names, kind, true, move |wheels| {
-        let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
-        if turn.inner.value + turn.outer.value < 2.0 * STRAIGHT {
-            return UNKNOWN;
-        }
-        value(&turn, Signal::still(wheelbase), track(wheels))
-    })
+    let is_rear = |wheel: &Rolling| names.wheels[wheel.number].axle == Some(mechanism::Axle::Rear);
+    let steers =
+        |axle: &Axle| axle.is_on_ground() && axle.is_steered() && !axle.wheels.iter().any(is_rear);
+    let of_axle = |axle: Axle| {
+        both(&axle, kind, move |wheels| {
+            let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
+            if turn.inner.value + turn.outer.value < 2.0 * STRAIGHT {
+                return UNKNOWN;
+            }
+            value(&turn, Signal::still(wheelbase), track(wheels))
+        })
+    };
+    let axles = Axle::all(names).into_iter().filter(steers);
+    axles.flat_map(of_axle).collect()
 }
 
 /// From the right contact point to the left one, along y.
@@ -110,34 +151,40 @@ pub(super) fn track([left, right]: [&Wheel; 2]) -> Number {
     left.contact.y - right.contact.y
 }
 
-/// Where the axle's roll centre is, in the front view.
+/// Where each axle's roll centre is, in the front view.
 pub(super) fn of_roll_centre(names: &Names) -> Vec<Reading> {
-    let of = |wheels| {
-        components(None, Kind::Length, &[Axis::Y, Axis::Z], move |reader| {
+    let of_axle = |axle: Axle| {
+        let wheels = axle.wheels;
+        let centre = components(None, Kind::Length, &[Axis::Y, Axis::Z], move |reader| {
             let wheels = sided(reader, wheels);
             let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
             let centre = in_roll.map_or(Vector3::repeat(UNKNOWN), |in_roll| in_roll.centre);
             reader.axes.turned(centre)
-        })
+        });
+        axle.named(centre)
     };
-    axle_that_rolls(names)
-        .map(of)
-        .into_iter()
-        .flatten()
-        .collect()
+    let axles = Axle::all(names).into_iter().filter(Axle::rolls);
+    axles.flat_map(of_axle).collect()
 }
 
-/// What each wheel has per radian of the axle's roll.
+/// What each wheel has per radian of its axle's roll.
 pub(super) fn of_roll(names: &Names, value: fn(PerRoll) -> Number) -> Vec<Reading> {
-    let Some(wheels) = axle_that_rolls(names) else {
-        return Vec::new();
-    };
+    let axles: Vec<Axle> = Axle::all(names).into_iter().filter(Axle::rolls).collect();
     of_each_wheel(names, |rolling| {
-        vec![reading(Kind::AnglePerAngle, move |reader| {
-            let wheels = sided(reader, wheels);
-            let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
-            let per_roll = in_roll.and_then(|in_roll| in_roll.of_wheel(rolling.number));
-            per_roll.map_or(UNKNOWN, value)
-        })]
+        let is_of = |axle: &&Axle| {
+            axle.wheels
+                .iter()
+                .any(|wheel| wheel.number == rolling.number)
+        };
+        let wheels = axles.iter().find(is_of).map(|axle| axle.wheels).into_iter();
+        let readings = wheels.map(|wheels| {
+            reading(Kind::AnglePerAngle, move |reader| {
+                let wheels = sided(reader, wheels);
+                let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
+                let per_roll = in_roll.and_then(|in_roll| in_roll.of_wheel(rolling.number));
+                per_roll.map_or(UNKNOWN, value)
+            })
+        });
+        readings.collect()
     })
 }

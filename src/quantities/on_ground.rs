@@ -53,7 +53,7 @@ fn of_kingpin_at(
     })
 }
 
-/// A number of the carrier as it moves; `on_ground` where the wheel radius is needed.
+/// A number of each carrier as it moves; `on_ground` where the wheel radius is needed.
 pub(super) fn of_moving(
     names: &Names,
     along: Along,
@@ -62,15 +62,25 @@ pub(super) fn of_moving(
     value: impl Fn(&Moving) -> Number + Clone + 'static,
 ) -> Vec<Reading> {
     of_each_wheel(names, |rolling| {
-        if !is_moved(&rolling, along, on_ground) {
-            return Vec::new();
-        }
-        let value = value.clone();
-        vec![reading(kind, move |reader| {
-            let moving = reader.moving(along, rolling);
-            moving.map_or(UNKNOWN, &value)
-        })]
+        moving(rolling, along, kind, on_ground, value.clone())
     })
+}
+
+/// The same of the carrier of one wheel.
+pub(super) fn moving(
+    rolling: Rolling,
+    along: Along,
+    kind: Kind,
+    on_ground: bool,
+    value: impl Fn(&Moving) -> Number + 'static,
+) -> Vec<Reading> {
+    if !is_moved(&rolling, along, on_ground) {
+        return Vec::new();
+    }
+    vec![reading(kind, move |reader| {
+        let moving = reader.moving(along, rolling);
+        moving.map_or(UNKNOWN, &value)
+    })]
 }
 
 /// Coordinates of a place that the carrier's motion tells.

@@ -11,7 +11,6 @@ use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
 pub struct Reader<'a> {
     state: &'a State,
     first: Cells,
-    in_roll: OnceCell<Option<InRoll>>,
 }
 
 /// What was computed of a wheel, and of the wheels behind it.
@@ -20,6 +19,8 @@ struct Cells {
     wheel: OnceCell<Wheel>,
     travel: OnceCell<Option<Moving>>,
     steer: OnceCell<Option<Moving>>,
+    /// Of a left wheel, its axle.
+    in_roll: OnceCell<Option<InRoll>>,
     next: OnceCell<Box<Cells>>,
 }
 
@@ -29,7 +30,6 @@ impl<'a> Reader<'a> {
         Self {
             state,
             first: Cells::default(),
-            in_roll: OnceCell::new(),
         }
     }
 
@@ -57,8 +57,9 @@ impl<'a> Reader<'a> {
 
     /// An axle, its left wheel and its right one, as it rolls.
     pub(super) fn in_roll(&self, axle: [Rolling; 2]) -> Option<&InRoll> {
+        let [left, _] = axle;
         let in_roll = || InRoll::of(self, axle);
-        self.in_roll.get_or_init(in_roll).as_ref()
+        self.cells(left).in_roll.get_or_init(in_roll).as_ref()
     }
 
     fn cells(&self, rolling: Rolling) -> &Cells {

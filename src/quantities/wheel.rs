@@ -49,13 +49,12 @@ pub(super) struct Rolling {
 impl Rolling {
     /// The wheels of a linkage, with their names.
     pub(super) fn each(names: &Names) -> impl Iterator<Item = (&str, Self)> {
-        let radius = names.vehicle.wheel_radius.unwrap_or(f64::NAN);
         let wheels = names.wheels.iter().enumerate();
-        wheels.map(move |(number, wheel)| {
+        wheels.map(|(number, wheel)| {
             let rolling = Self {
                 number,
                 points: wheel.points,
-                radius,
+                radius: wheel.radius.unwrap_or(f64::NAN),
                 travel: wheel.travel,
                 steer: wheel.steer,
             };

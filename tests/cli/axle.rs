@@ -1,5 +1,6 @@
 //! Quantities of both wheels of an axle, and of the axle.
 
+mod car;
 mod derivatives;
 mod files;
 mod roll;
@@ -7,7 +8,7 @@ mod steering;
 
 use std::collections::BTreeMap;
 
-use super::program::{Rows, folder, rows, run};
+use super::program::{Rows, folder, rows, run, text};
 
 type Row = BTreeMap<String, f64>;
 

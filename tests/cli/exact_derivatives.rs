@@ -8,7 +8,7 @@ mod lattice;
 mod quantities;
 
 use std::collections::{BTreeMap, BTreeSet};
-use suspension_listing::library::Empty;
+use suspension_runtime::Shelf;
 
 use nalgebra::Vector3;
 use suspension_core::linkages::LISTINGS;
@@ -121,8 +121,8 @@ impl Work for &Layout {
         let design = Values::from_values(hardpoints.iter().copied());
         let count = listing.count(Kind::Drive);
         let drives: Vec<f64> = model.drives_at(&design).values().take(count).collect();
-        let system =
-            suspension_listing::text::parse(self.text, self.name, &Empty).expect("a listing");
+        let system = suspension_listing::text::parse(self.text, self.name, &Shelf::default())
+            .expect("a listing");
         let mut worst = Worst::default();
         for car in CARS {
             for row in self.swept(listing, car, &drives) {
@@ -201,7 +201,11 @@ impl Worst {
 
 #[test]
 fn derivatives_of_the_whole_catalogue_are_those_of_differences_in_32_digits() {
-    for (name, text) in LISTINGS {
+    // What a listing includes is another of these: tests/cli/axle/car.rs holds it against that.
+    let stated = LISTINGS
+        .iter()
+        .filter(|(_, text)| !text.contains("include "));
+    for (name, text) in stated {
         let listing = Listing::parse(text).expect("a listing");
         let worst = listing.in_its_size(&Layout { name, text });
         let Worst { off, what, count } = worst;

@@ -43,13 +43,18 @@ fn prints_a_listing_that_a_motion_file_can_name() {
 
 #[test]
 fn an_unknown_name_is_wrong_input() {
-    let output = run(folder().path(), &["list", "macferson"]);
-    assert_eq!(output.status.code(), Some(2));
-    let message = text(&output.stderr);
-    assert!(
-        message.starts_with("unknown linkage `macferson`; known are attia2003, "),
-        "{message}"
-    );
+    for (name, expected) in [
+        (
+            "macferson",
+            "unknown linkage `macferson`; did you mean `macpherson`?",
+        ),
+        ("strut", "unknown linkage `strut`; known are attia2003, "),
+    ] {
+        let output = run(folder().path(), &["list", name]);
+        assert_eq!(output.status.code(), Some(2));
+        let message = text(&output.stderr);
+        assert!(message.starts_with(expected), "{message}");
+    }
 }
 
 /// But for the double wishbone, whose example has pushrod and rocker.

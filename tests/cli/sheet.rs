@@ -4,7 +4,7 @@ use super::program::{CORNER, folder, run, text};
 
 /// The cells of the row of a quantity.
 fn cells<'a>(page: &'a str, quantity: &str) -> Vec<&'a str> {
-    let begins = format!("<tr><td>{quantity}</td>");
+    let begins = format!("<tr class=\"first\"><td>{quantity}</td>");
     let (_, row) = page
         .split_once(&begins)
         .unwrap_or_else(|| panic!("no row {quantity}"));

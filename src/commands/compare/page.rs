@@ -56,12 +56,12 @@ fn table(part: &Part) -> Markup {
     let at = column(&|difference| difference.at);
     html! {
         table {
-            tr {
+            thead { tr {
                 th { "quantity" } th.number { "A" } th.number { "B" } th.number { "B - A" } th { "unit" }
                 th.number { @if differences().any(|difference| difference.at.is_some()) { "at" } }
-            }
+            } }
             @for (row, difference) in part.differences.iter().enumerate() {
-                tr {
+                tr.first {
                     td { (difference.quantity) }
                     (a[row]) (b[row]) (more[row])
                     td.unit { (difference.symbol) }

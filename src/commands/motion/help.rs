@@ -2,7 +2,7 @@
 
 use suspension_core::linkages::attia2003;
 
-use crate::mechanism::{Axle, Car, Names, Unit, Vehicle, Wheel, WheelPoints};
+use crate::mechanism::{Axle, Names, Unit, Vehicle, Wheel, WheelPoints};
 use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
 
 /// The file, the results with the names that they have for the published linkage, the exit codes.
@@ -22,18 +22,12 @@ pub(super) fn text() -> String {
 /// are is of no account here.
 fn names_on(axle: Axle) -> Names {
     Names {
-        wheels: vec![wheel("", 0)],
+        wheels: vec![wheel("", 0, axle)],
         vehicle: Vehicle {
-            wheel_radius: Some(0.3),
             travel: vec![0],
             steer: vec![0],
             wheelbase: Some(2.6),
-            car: Some(Car {
-                axle,
-                cg_height: 0.5,
-                brake_share: Some(0.5),
-                drive_share: Some(0.5),
-            }),
+            cg_height: Some(0.5),
         },
         ..Names::of(&attia2003::Listing)
     }
@@ -42,12 +36,15 @@ fn names_on(axle: Axle) -> Names {
 /// Those of a linkage with two wheels.
 fn names_of_axle() -> Names {
     Names {
-        wheels: vec![wheel("left", 0), wheel("right", 1)],
+        wheels: vec![
+            wheel("left", 0, Axle::Front),
+            wheel("right", 1, Axle::Front),
+        ],
         ..names_on(Axle::Front)
     }
 }
 
-fn wheel(name: &str, travel: usize) -> Wheel {
+fn wheel(name: &str, travel: usize, axle: Axle) -> Wheel {
     Wheel {
         name: name.to_owned(),
         points: WheelPoints {
@@ -56,6 +53,10 @@ fn wheel(name: &str, travel: usize) -> Wheel {
         },
         travel: Some(travel),
         steer: Some(0),
+        radius: Some(0.3),
+        axle: Some(axle),
+        brake_share: Some(0.5),
+        drive_share: Some(0.5),
     }
 }
 

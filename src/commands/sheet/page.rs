@@ -66,55 +66,67 @@ impl Page<'_> {
         groups.into_iter().map(chart).collect()
     }
 
-    /// All parameters, those of all wheels below each other, what they are once.
+    /// All parameters, those of all wheels below each other; below those of a quantity what it is.
     fn table(&self) -> Markup {
         let names = &self.mechanism.names;
         let ways = Way::all(names);
         let groups = grouped(&self.parameters, |parameter| &parameter.of_wheel);
-        let parameters: Vec<&Parameter> = groups.iter().flatten().copied().collect();
-        // How many rows a group has, at its first one.
-        let spans = groups.iter().flat_map(|group| {
-            let others = vec![None; group.len() - 1];
-            [Some(group.len())].into_iter().chain(others)
-        });
-        let values = numbers(parameters.iter().map(|parameter| Some(parameter.value)));
-        let per = |way: usize| {
-            let derivatives = parameters
-                .iter()
-                .map(|parameter| parameter.per[way].as_ref());
-            let cells = numbers(derivatives.clone().map(|per| Some(per?.value)));
-            let symbols = derivatives.map(symbol);
-            cells.into_iter().zip(symbols).collect::<Vec<_>>()
-        };
-        let per: Vec<_> = (0..ways.len()).map(per).collect();
-        let rows = parameters.iter().zip(spans).zip(values).enumerate();
-        let has_names = parameters.iter().any(|parameter| parameter.wheel.is_some());
+        let cells = self.cells(&groups, ways.len());
+        let has_names = self
+            .parameters
+            .iter()
+            .any(|parameter| parameter.wheel.is_some());
+        let columns = 2 * (1 + ways.len()) + 1 + usize::from(has_names);
+        let mut cells = cells.into_iter();
         html! {
             table {
-                tr {
-                    th { "quantity" }
-                    @if has_names { th { "wheel" } }
-                    th.number { "value" } th { "unit" }
-                    @for way in &ways { th.number { "per " (names.drives[way.drive].name) } th { "unit" } }
-                    th { "definition" }
-                }
-                @for (row, ((parameter, span), value)) in rows {
+                thead {
                     tr {
-                        @if let Some(span) = span { td rowspan=[several(span)] { (parameter.of_wheel) } }
-                        @if has_names { td { (parameter.wheel.as_deref().unwrap_or_default()) } }
-                        (value) td.unit { (parameter.symbol) }
-                        @for per in &per { (per[row].0) td.unit { (per[row].1) } }
-                        @if let Some(span) = span { td.definition rowspan=[several(span)] { (definition(parameter)) } }
+                        th { "quantity" }
+                        @if has_names { th { "wheel" } }
+                        th.number { "value" } th { "unit" }
+                        @for way in &ways { th.number { "per " (names.drives[way.drive].name) } th { "unit" } }
+                    }
+                }
+                @for (number, group) in groups.iter().enumerate() {
+                    @for (row, parameter) in group.iter().enumerate() {
+                        tr.first[row == 0] {
+                            td { @if row == 0 { (parameter.of_wheel) } }
+                            @if has_names { td { (parameter.wheel.as_deref().unwrap_or_default()) } }
+                            @for cell in cells.next().into_iter().flatten() { (cell) }
+                        }
+                    }
+                    @let next = groups.get(number + 1).map(|next| next[0].quantity);
+                    @if !next.is_some_and(|next| std::ptr::eq(next, group[0].quantity)) {
+                        tr.definition { td colspan=(columns) { (definition(group[0])) } }
                     }
                 }
             }
         }
     }
-}
 
-/// Rows that a cell spans, where they are more than one.
-fn several(rows: usize) -> Option<usize> {
-    (rows > 1).then_some(rows)
+    /// The numbers of each row, with their units.
+    fn cells(&self, groups: &[Vec<&Parameter>], ways: usize) -> Vec<Vec<Markup>> {
+        let parameters: Vec<&Parameter> = groups.iter().flatten().copied().collect();
+        let with_units = |numbers: Vec<Markup>, units: Vec<&str>| {
+            let cells = numbers.into_iter().zip(units);
+            cells
+                .map(|(number, unit)| html! { (number) td.unit { (unit) } })
+                .collect::<Vec<_>>()
+        };
+        let values = numbers(parameters.iter().map(|parameter| Some(parameter.value)));
+        let units = parameters.iter().map(|parameter| parameter.symbol.as_str());
+        let mut columns = vec![with_units(values, units.collect())];
+        for way in 0..ways {
+            let derivatives = parameters
+                .iter()
+                .map(|parameter| parameter.per[way].as_ref());
+            let values = numbers(derivatives.clone().map(|per| Some(per?.value)));
+            columns.push(with_units(values, derivatives.map(symbol).collect()));
+        }
+        let row = |row: usize| columns.iter().map(|column| column[row].clone()).collect();
+        (0..parameters.len()).map(row).collect()
+    }
 }
 
 /// Things that are called the same together, in the order of the first of each.

@@ -15,13 +15,11 @@ pub fn drawing_of(
     let Description {
         names, unit, axes, ..
     } = &**mechanism;
-    let radius = wheel_radius.or(names.vehicle.wheel_radius);
     let at = mechanism.points().into_iter().map(Into::into);
-    let radius = radius.unwrap_or(0.3 * unit.metre());
     let of_wheel = |wheel: &mechanism::Wheel| Wheel {
         axis: wheel.points.axis,
         kingpin: wheel.points.kingpin,
-        radius,
+        radius: wheel_radius.or(wheel.radius).unwrap_or(0.3 * unit.metre()),
     };
     Drawing {
         points: names.points.iter().cloned().zip(at).collect(),

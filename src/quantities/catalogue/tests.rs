@@ -1,7 +1,7 @@
 //! What the catalogue has for linkages with and without a wheel.
 
 use super::*;
-use crate::mechanism::{Names, Unit, Vehicle, Wheel, WheelPoints};
+use crate::mechanism::{Names, Unit, Wheel, WheelPoints};
 use crate::quantities::quantity::{Shown, columns};
 
 /// Three points, the last a marker and the wheel centre.
@@ -58,23 +58,19 @@ fn what_a_linkage_lacks_has_no_columns() {
 #[test]
 fn what_the_vehicle_makes_known_has_columns() {
     let both = names(true, true);
-    let with = |vehicle| Names {
-        vehicle,
-        ..both.clone()
+    let with = |names: &Names, known: fn(Wheel) -> Wheel| Names {
+        wheels: names.wheels.iter().cloned().map(known).collect(),
+        ..names.clone()
     };
-    let on_ground = with(Vehicle {
-        wheel_radius: Some(0.3),
-        ..Vehicle::default()
+    let on_ground = with(&both, |wheel| Wheel {
+        radius: Some(0.3),
+        ..wheel
     });
-    let wheels = on_ground.wheels.iter().map(|wheel| Wheel {
+    let moving = with(&on_ground, |wheel| Wheel {
         travel: Some(0),
         steer: Some(1),
-        ..wheel.clone()
+        ..wheel
     });
-    let moving = Names {
-        wheels: wheels.collect(),
-        ..on_ground.clone()
-    };
     let more = |than: &Names, all: &Names| {
         let (than, all) = (tabled(than), tabled(all));
         let new = all.iter().filter(|name| !than.contains(name));

@@ -38,7 +38,7 @@ fn a_drive_of_no_wheel_is_refused() {
             "double_wishbone",
             "travel = { left = \"bump\" }",
             "bump = 0.3\nsteer = 0.34",
-            "axle.toml:5:10: unknown wheel `left`; the listing names no wheels: write the drive alone, as \"NAME\"",
+            "axle.toml:5:10: unknown wheel `left`; the listing names no wheels: write what stands behind `=` alone",
         ),
     ] {
         let folder = folder();
@@ -65,7 +65,8 @@ fn sheets_and_comparisons_have_both_wheels() {
     assert_eq!(run(folder.path(), &sheet).status.code(), Some(0));
     let page = std::fs::read_to_string(folder.path().join("axle.html")).expect("a page");
     assert_eq!(
-        page.matches("<td rowspan=\"2\">camber angle</td>").count(),
+        page.matches("<tr class=\"first\"><td>camber angle</td><td>left</td>")
+            .count(),
         1
     );
     assert_eq!(page.matches("ISO 8855; Attia 2003, angle beta").count(), 1);

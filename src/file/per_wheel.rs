@@ -1,0 +1,72 @@
+//! What is stated once for all wheels, or of some.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::marker::PhantomData;
+
+use serde::Deserialize;
+use serde::de::{
+    self, IntoDeserializer, MapAccess, Unexpected, Visitor, value::MapAccessDeserializer,
+};
+use toml::Spanned;
+
+/// What is stated of wheels.
+#[derive(Clone, Debug)]
+pub enum PerWheel<T> {
+    /// The same of all.
+    All(T),
+    /// Of those whose names have these words: `left`, `front`, `front_left`.
+    Of(BTreeMap<String, Spanned<T>>),
+}
+
+/// What may be stated of wheels.
+pub trait OfWheel {
+    /// How it is written.
+    const WRITTEN: &str;
+}
+
+impl OfWheel for String {
+    const WRITTEN: &str = "\"drive\" or { wheel = \"drive\" }";
+}
+
+impl OfWheel for f64 {
+    const WRITTEN: &str = "a number or { front = number, rear = number }";
+}
+
+impl<'de, T: OfWheel + Deserialize<'de>> Deserialize<'de> for PerWheel<T> {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(OfWheelVisitor(PhantomData))
+    }
+}
+
+struct OfWheelVisitor<T>(PhantomData<T>);
+
+impl<'de, T: OfWheel + Deserialize<'de>> Visitor<'de> for OfWheelVisitor<T> {
+    type Value = PerWheel<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(T::WRITTEN)
+    }
+
+    fn visit_str<E: de::Error>(self, name: &str) -> Result<PerWheel<T>, E> {
+        let all = T::deserialize(name.into_deserializer());
+        all.map(PerWheel::All)
+            .map_err(|_: E| E::invalid_type(Unexpected::Str(name), &self))
+    }
+
+    fn visit_f64<E: de::Error>(self, number: f64) -> Result<PerWheel<T>, E> {
+        let all = T::deserialize(number.into_deserializer());
+        all.map(PerWheel::All)
+            .map_err(|_: E| E::invalid_type(Unexpected::Float(number), &self))
+    }
+
+    fn visit_i64<E: de::Error>(self, number: i64) -> Result<PerWheel<T>, E> {
+        let all = T::deserialize(number.into_deserializer());
+        all.map(PerWheel::All)
+            .map_err(|_: E| E::invalid_type(Unexpected::Signed(number), &self))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<PerWheel<T>, A::Error> {
+        Deserialize::deserialize(MapAccessDeserializer::new(map)).map(PerWheel::Of)
+    }
+}

@@ -1,0 +1,135 @@
+//! A front and a rear axle in one listing: each is what it is alone.
+
+use super::*;
+
+/// 2.6 m, as far as the rear axle is moved back.
+const BACK: f64 = 2.6;
+
+const AT_DESIGN: &str = "front_bump_left = 0.3\nfront_bump_right = 0.3\nfront_steer = 0.34\n\
+                         rear_bump_left = 0.29\nrear_bump_right = 0.29";
+
+fn vehicle(radius: &str, brake_share: &str) -> String {
+    format!(
+        "wheel_radius = {radius}\nwheelbase = {BACK}\ncg_height = 0.5\nbrake_share = {brake_share}\n"
+    )
+}
+
+/// A file of a linkage, off its design in heave, roll and steering.
+fn moved(linkage: &str, vehicle: &str, drives: &str) -> String {
+    format!(
+        "linkage = \"{linkage}\"\nunit = \"m\"\n[vehicle]\n{vehicle}[time]\ninstants = [0.0]\n[drives]\n{drives}\n"
+    )
+}
+
+/// The first rows of a sweep over one value, by name.
+fn swept(file: &str, drive: &str) -> Row {
+    table(
+        file,
+        &[
+            "sweep",
+            "--drive",
+            &format!("{drive}=0.02"),
+            "--derivatives",
+            "2",
+        ],
+    )
+    .into_iter()
+    .next()
+    .expect("a row")
+}
+
+/// Holds what the car has of an axle against the axle alone.
+fn check(car: &Row, alone: &Row, axle: &str, back: f64) {
+    let mut compared = 0;
+    let quantities = alone
+        .iter()
+        .filter(|(name, _)| !name.starts_with("residual"));
+    for (name, value) in quantities {
+        let of_axle = name.split("_per_").collect::<Vec<_>>();
+        let named = of_axle.iter().map(|part| format!("{axle}_{part}"));
+        let named = named.collect::<Vec<_>>().join("_per_");
+        let found = car
+            .get(&named)
+            .unwrap_or_else(|| panic!("{named} is missing"));
+        let is_position = name.ends_with("_x");
+        let expected = if is_position { value - back } else { *value };
+        assert_near(*found, expected, 1e-8 * (1.0 + value.abs()), &named);
+        compared += 1;
+    }
+    assert!(compared > 200, "{compared}");
+}
+
+#[test]
+fn each_axle_of_a_car_is_what_it_is_alone() {
+    let car = moved(
+        "front_and_rear_axle",
+        &vehicle(
+            "{ front = 0.30, rear = 0.29 }",
+            "{ front = 0.65, rear = 0.35 }",
+        ),
+        AT_DESIGN,
+    );
+    let front = moved(
+        "steered_axle",
+        &format!("{}axle = \"front\"\n", vehicle("0.30", "0.65")),
+        DESIGN,
+    );
+    let rear = moved(
+        "twist_beam",
+        &format!("{}axle = \"rear\"\n", vehicle("0.29", "0.35")),
+        "bump_left = 0.29\nbump_right = 0.29",
+    );
+    let of_front = swept(&front, "steer");
+    check(&swept(&car, "front_steer"), &of_front, "front", 0.0);
+    let of_rear = swept(&rear, "bump_left");
+    check(&swept(&car, "rear_bump_left"), &of_rear, "rear", BACK);
+    assert!(of_front.contains_key("left_anti_dive_percent"));
+    assert!(of_rear.contains_key("right_anti_lift_percent"));
+}
+
+/// What moves one axle moves no wheel of the other.
+#[test]
+fn an_axle_does_not_feel_the_other() {
+    let car = moved("front_and_rear_axle", &vehicle("0.3", "0.5"), AT_DESIGN);
+    let row = swept(&car, "front_bump_left");
+    for name in [
+        "rear_left_camber_rad",
+        "rear_left_toe_rad",
+        "rear_right_centre_z",
+    ] {
+        let per = format!("{name}_per_front_bump_left");
+        assert!(row.get(&per).is_none_or(|slope| *slope == 0.0), "{per}");
+    }
+    let own = row["rear_left_camber_rad_per_rear_bump_right"];
+    assert!(own.abs() > 1e-3, "the beam twists: {own}");
+}
+
+#[test]
+fn what_is_said_of_wheels_that_are_not_there_is_refused() {
+    for (vehicle, expected) in [
+        (
+            "wheel_radius = { middle = 0.3 }\n",
+            "unknown wheel `middle`; known are front_left, front_right, rear_left, rear_right",
+        ),
+        (
+            "axle = \"front\"\nwheelbase = 2.6\ncg_height = 0.5\n",
+            "`axle` contradicts the name of the wheel `rear_left`; leave it out",
+        ),
+        (
+            "brake_share = { front = 1.5 }\nwheelbase = 2.6\ncg_height = 0.5\n",
+            "brake_share is the axle's share of the force, from 0 to 1",
+        ),
+        (
+            "wheel_radius = \"big\"\n",
+            "invalid type: string \"big\", expected a number or { front = number, rear = number }",
+        ),
+    ] {
+        let folder = folder();
+        let file = moved("front_and_rear_axle", vehicle, AT_DESIGN);
+        std::fs::write(folder.path().join("car.toml"), file).expect("written");
+        let output = run(folder.path(), &["check", "car.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let message = text(&output.stderr);
+        assert!(message.contains(expected), "{message}");
+    }
+}
