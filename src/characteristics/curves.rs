@@ -43,11 +43,11 @@ impl Curves {
         format!("change of {} ({symbol})", self.drive)
     }
 
-    /// The points of a line that there are.
+    /// The points of a line; where there is none its height is NaN.
     pub fn points(&self, line: &Line) -> Vec<(f64, f64)> {
         let places = self.changes.iter().zip(&line.values);
         places
-            .filter_map(|(change, value)| Some((*change, (*value)?)))
+            .map(|(change, value)| (*change, value.unwrap_or(f64::NAN)))
             .collect()
     }
 }
@@ -86,8 +86,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
             });
         }
         let values = values(&|state, _| Some(column.value(state) * scale));
-        let is_far = |value: &f64| value.abs() > FAR * unit.metre();
-        if has_poles(&column) && values.iter().flatten().any(is_far) {
+        if has_poles(&column) && jumps(&values) {
             continue;
         }
         lines.push(Line {
@@ -126,10 +125,20 @@ fn varies(line: &Line) -> bool {
     values.any(|value| (value - first).abs() > ROUNDING * first.abs().max(1.0))
 }
 
-/// How far what has poles may lie to be drawn, in metres: beyond, it is on its way to infinity and back.
-const FAR: f64 = 5.0;
+/// Whether a curve goes from one side of a pole to the other: between two places by much of all that it spans.
+fn jumps(values: &[Option<f64>]) -> bool {
+    const MUCH: f64 = 0.25;
+    let there: Vec<f64> = values.iter().copied().flatten().collect();
+    let span = |values: &[f64]| {
+        let [low, high] = [f64::min, f64::max].map(|end| values.iter().copied().reduce(end));
+        high.zip(low).map_or(0.0, |(high, low)| high - low)
+    };
+    let whole = span(&there);
+    let is_constant = whole <= f64::EPSILON;
+    !is_constant && there.windows(2).any(|pair| span(pair) > MUCH * whole)
+}
 
-/// Whether it has poles: instant centres lie at infinity where the carrier moves parallel, the roll centre where the
+/// Whether it may have poles: instant centres lie at infinity where the carrier moves parallel, the roll centre where the
 /// normals of both wheels do.
 fn has_poles(column: &Column) -> bool {
     const WITH_POLES: [&Quantity; 5] = [

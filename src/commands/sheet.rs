@@ -71,6 +71,7 @@ impl Arguments {
         let page = Page {
             file: name,
             mechanism,
+            points: mechanism.points(),
             drawings: drawings(mechanism, loaded.listing(), &ways),
             drives: mechanism
                 .names
@@ -113,6 +114,9 @@ position, that of the file's points, and faintly at both ends of the travel; all
 derivatives with respect to travel and steering, bump camber, bump steer and motion ratios among them; curves over
 travel and steering; and the definitions. The [vehicle] table of the file (suspension motion --help) names the drives of
 travel and steering and gives the wheel radius, which all quantities at the ground need, and the car's data for anti-dive.
+
+A browser makes a PDF of it, of a few A4 pages: chromium --headless --print-to-pdf=sheet.pdf out/NAME_sheet.html; and a
+picture: chromium --headless --screenshot=sheet.png --window-size=1250,4000 out/NAME_sheet.html.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (the page is
 written), 130 interrupted.

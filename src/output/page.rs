@@ -68,7 +68,8 @@ pub fn charts(heading: &str, charts: &[Chart]) -> Markup {
     }
 }
 
-/// The cells of a column of numbers, their decimal points in a line; empty where there is none.
+/// The cells of a column of numbers, their decimal points in a line; a dash where a number does not exist, nothing where
+/// there is none.
 pub fn numbers(values: impl Iterator<Item = Option<f64>>) -> Vec<Markup> {
     /// As wide as a digit, and as a point.
     const SPACES: [char; 2] = ['\u{2007}', '\u{2008}'];
@@ -86,6 +87,6 @@ pub fn in_digits(value: f64) -> String {
     if value.is_finite() {
         rounded(if value.abs() < ROUNDING { 0.0 } else { value }, DIGITS)
     } else {
-        String::new()
+        "\u{2013}".to_owned()
     }
 }

@@ -24,7 +24,7 @@ pub struct Chart {
 pub struct Curve {
     /// In the legend, which is left out where no curve has a name.
     pub name: String,
-    /// Points of the line: across and up.
+    /// Points of the line: across and up; where one is not finite the line is broken.
     pub line: Vec<(f64, f64)>,
     /// Points that are marked.
     pub marks: Vec<(f64, f64)>,
@@ -134,8 +134,10 @@ impl Chart {
     fn draw_curves(&self, plane: &mut Plane<'_, '_>) -> Drawn {
         for (curve, colour) in self.curves.iter().zip(COLOURS.iter().cycle()) {
             let stroke = colour.stroke_width(2 * FINE);
+            let runs = curve.line.split(|point| !is_finite(point));
+            let drawn = runs.map(|run| PathElement::new(run.to_vec(), stroke));
             plane
-                .draw_series(LineSeries::new(curve.line.iter().copied(), stroke))?
+                .draw_series(drawn)?
                 .label(&curve.name)
                 .legend(move |(x, y)| {
                     PathElement::new([(x, y), (x + 24 * FINE as i32, y)], stroke)
@@ -146,18 +148,23 @@ impl Chart {
         Ok(())
     }
 
-    /// Time and value: all points and a margin.
+    /// Time and value: all points and a margin, above them the legend.
     fn axes(&self) -> Option<[Axis; 2]> {
-        let all = || {
-            self.curves
-                .iter()
-                .flat_map(|c| c.line.iter().chain(&c.marks))
-        };
-        let time = Axis::around(all().map(|point| point.0), [0.02, 0.02])?;
-        // The legend is above the curves.
-        let value = Axis::around(all().map(|point| point.1), [0.08, 0.2])?;
+        const MARGIN: f64 = 0.08;
+        const LEGEND_LINE: f64 = 0.17;
+        let curves = self.curves.iter();
+        let all = curves.flat_map(|curve| curve.line.iter().chain(&curve.marks));
+        let all: Vec<_> = all.copied().filter(is_finite).collect();
+        let named = self.curves.iter().filter(|curve| !curve.name.is_empty());
+        let above = MARGIN + LEGEND_LINE * named.count() as f64;
+        let time = Axis::around(all.iter().map(|point| point.0), [0.02, 0.02])?;
+        let value = Axis::around(all.iter().map(|point| point.1), [MARGIN, above])?;
         Some([time, value])
     }
+}
+
+fn is_finite((across, up): &(f64, f64)) -> bool {
+    across.is_finite() && up.is_finite()
 }
 
 /// The width of a digit in a label, as shown.

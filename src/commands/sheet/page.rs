@@ -1,9 +1,10 @@
 //! The page.
 
 use maud::{Markup, PreEscaped, html};
+use nalgebra::Vector3;
 
 use crate::characteristics::{Curves, Derivative, Line, Parameter, Way};
-use crate::mechanism::Description;
+use crate::mechanism::{Description, Names};
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
 
@@ -11,6 +12,8 @@ use crate::output::plot::{Chart, Curve};
 pub(super) struct Page<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
+    /// Where all points are at the design position.
+    pub(super) points: Vec<Vector3<f64>>,
     pub(super) drawings: Vec<String>,
     /// The drives at the design position, in words.
     pub(super) drives: String,
@@ -27,12 +30,19 @@ impl Page<'_> {
             linkage,
             unit,
             axes,
+            names,
             ..
         } = self.mechanism;
         let body = html! {
             p {
                 "Motion file " code { (self.file) } ". Axes of " (axes.in_words()) "; lengths in "
                 (unit.symbol()) ", angles in degrees. Angles and offsets of a wheel have the same sign on both sides of the vehicle."
+            }
+            @if names.wheels.iter().any(|wheel| wheel.radius.is_none()) {
+                p {
+                    "The motion file states no " code { "wheel_radius" } ": contact point, scrub radius, mechanical trail and \
+                     roll centre are left out, and the wheel is drawn with 0.3 m."
+                }
             }
             div.drawings {
                 @for drawing in &self.drawings { (PreEscaped(drawing)) }
@@ -45,6 +55,8 @@ impl Page<'_> {
             @for curves in &self.curves {
                 (charts(&format!("Over {}", curves.drive), &self.charts(curves)))
             }
+            h2 { "Points at the design position (" (unit.symbol()) ")" }
+            (self.hardpoints())
         };
         page(&format!("Kinematics of {linkage}"), &body)
     }
@@ -100,6 +112,33 @@ impl Page<'_> {
                     @if !next.is_some_and(|next| std::ptr::eq(next, group[0].quantity)) {
                         tr.definition { td colspan=(columns) { (definition(group[0])) } }
                     }
+                }
+            }
+        }
+    }
+
+    /// All points, in the file's coordinates.
+    fn hardpoints(&self) -> Markup {
+        let Names {
+            points,
+            chassis,
+            free,
+            ..
+        } = &self.mechanism.names;
+        let is = |point: usize| match point {
+            point if point < *chassis => "on the chassis",
+            point if point < chassis + free => "moves",
+            _ => "carried by a body",
+        };
+        let coordinate = |axis: usize| numbers(self.points.iter().map(|at| Some(at[axis])));
+        let [x, y, z] = [0, 1, 2].map(coordinate);
+        html! {
+            table {
+                thead {
+                    tr { th { "point" } th { "" } th.number { "x" } th.number { "y" } th.number { "z" } }
+                }
+                @for (point, name) in points.iter().enumerate() {
+                    tr.first { td { (name) } td.unit { (is(point)) } (x[point]) (y[point]) (z[point]) }
                 }
             }
         }

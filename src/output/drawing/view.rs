@@ -26,8 +26,8 @@ impl Seen {
         match self {
             Self::Oblique => "",
             Self::Front => "from the front",
-            Self::Side => "from outboard",
-            Self::Top => "from above",
+            Self::Side => "from the side",
+            Self::Top => "from above, forward down",
         }
     }
 
