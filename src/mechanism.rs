@@ -26,7 +26,7 @@ pub use derivatives::Order;
 pub use description::Description;
 pub use drives::{DriveLaws, Law, follow};
 pub use end::{End, Stop};
-pub use grid::{From, Grid, evenly_spaced};
+pub use grid::{Axis, From, Grid, evenly_spaced};
 pub use instants::Instants;
 pub use lead::Lead;
 pub use locking::Lock;

@@ -10,10 +10,12 @@ use crate::quantities::{
 
 /// The curves along a drive.
 pub struct Curves {
-    /// The drive's name.
-    pub drive: String,
-    /// What it does: see [`Way`](crate::characteristics::Way).
+    /// What moves: see [`Along`].
+    pub title: String,
+    /// What it does, in any listing.
     pub way: String,
+    /// What moves, in words.
+    pub moved: String,
     /// What it is.
     pub kind: Kind,
     /// Its changes from the design position, for people.
@@ -40,7 +42,7 @@ impl Curves {
     /// What stands below an axis of the drive.
     pub fn across(&self, unit: Unit) -> String {
         let (_, symbol) = self.kind.for_people(unit);
-        format!("change of {} ({symbol})", self.drive)
+        format!("{} ({symbol})", self.moved)
     }
 
     /// The points of a line; where there is none its height is NaN.
@@ -52,14 +54,13 @@ impl Curves {
     }
 }
 
-/// All quantities along a drive, with lengths in `unit`; of measures their derivatives too, which are motion ratios. Of
+/// All quantities along a drive, or along several, with lengths in `unit`; of measures their derivatives too, which are motion ratios. Of
 /// several axles, what stays as it is where another moves is left out.
 pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
-    let drive = &mechanism.names.drives[along.way.drive];
-    let kind = Kind::from(drive.kind);
-    let values = |value: &dyn Fn(&State, &Option<State>) -> Option<f64>| -> Vec<Option<f64>> {
+    let kind = Kind::from(along.kind);
+    let values = |value: &dyn Fn(&State, &[Option<State>]) -> Option<f64>| -> Vec<Option<f64>> {
         let places = along.visited.places.iter();
-        let value = |place: &Option<(State, Option<State>)>| {
+        let value = |place: &Option<(State, Vec<Option<State>>)>| {
             let (state, per) = place.as_ref()?;
             value(state, per).filter(|value| value.is_finite())
         };
@@ -76,13 +77,13 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
         let title = name(&column);
         if column.is(&MEASURES) {
             let scale = scale / kind.conversion(mechanism.unit, unit);
-            let title = format!("motion ratio: {title} per {}", drive.name);
+            let title = format!("motion ratio: {title} per {}", along.title);
             lines.push(Line {
                 of_wheel: title.clone(),
                 wheel: None,
                 title,
                 symbol: symbol_per(&symbol, kind, unit),
-                values: values(&|_, per| Some(column.along(per.as_ref()?).rate * scale)),
+                values: values(&|_, per| Some(rate(&column, along, per)? * scale)),
             });
         }
         let values = values(&|state, _| Some(column.value(state) * scale));
@@ -103,8 +104,9 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
         lines.retain(varies);
     }
     Curves {
-        drive: drive.name.clone(),
-        way: along.way.name.clone(),
+        title: along.title.clone(),
+        way: along.way.clone(),
+        moved: along.moved.clone(),
         kind,
         changes: along
             .changes
@@ -113,6 +115,14 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
             .collect(),
         lines,
     }
+}
+
+/// The derivative of a number with respect to the change, from those with respect to the drives.
+fn rate(column: &Column, along: &Along, per: &[Option<State>]) -> Option<f64> {
+    let mut drives = along.drives.iter().zip(per);
+    drives.try_fold(0.0, |sum, ((_, part), state)| {
+        Some(sum + part * column.along(state.as_ref()?).rate)
+    })
 }
 
 /// Whether it is not the same everywhere, as what one axle has is where another moves.

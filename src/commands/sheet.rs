@@ -110,9 +110,9 @@ fn drawings(mechanism: &dyn Kinematics, listing: &Listing, ways: &[Along]) -> Ve
 
 const NOTES: &str = "\
 One HTML page without anything from elsewhere, which any browser shows and prints: drawings at the design
-position, that of the file's points, and faintly at both ends of the travel; all quantities there with their
+position, that of the file's points, and faintly at both ends of the travel; all quantities there with their definitions and their
 derivatives with respect to travel and steering, bump camber, bump steer and motion ratios among them; curves over
-travel and steering; and the definitions. The [vehicle] table of the file (suspension motion --help) names the drives of
+travel, or over heave and roll of an axle, and over steering; and all points. The [vehicle] table of the file (suspension motion --help) names the drives of
 travel and steering and gives the wheel radius, which all quantities at the ground need, and the car's data for anti-dive.
 
 A browser makes a PDF of it, of a few A4 pages: chromium --headless --print-to-pdf=sheet.pdf out/NAME_sheet.html; and a

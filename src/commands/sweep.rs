@@ -26,7 +26,8 @@ pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
     /// A drive and COUNT values of it, evenly spaced from FROM to TO, both included, or one value; from where it is at
-    /// the design position, in rad (angles) or the file's unit. Given several times: a grid.
+    /// the design position, in rad (angles) or the file's unit. Given several times: a grid. Several drives with commas move
+    /// together, one behind a minus the opposite way: bump_left,-bump_right is roll.
     #[arg(long = "drive", value_name = "NAME=FROM:TO:COUNT", required = true)]
     drives: Vec<Swept>,
     /// The values are the drives' own, as the file has them.

@@ -13,6 +13,8 @@ use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source};
 use crate::kinematics::Kinematics;
 use crate::layouts;
+use crate::load::included;
+use crate::load::points::points;
 use crate::load::prepare::{Request, prepare};
 use crate::mechanism::{Axes, Mechanism, Unit};
 
@@ -39,7 +41,7 @@ impl Chosen {
         let (name, listing) = match (&file.linkage, &file.listing, &file.statements) {
             (Some(name), ..) => (name.get_ref().clone(), of_catalogue(source, file, name)?),
             (None, Some(path), _) => of_file(source, file, path)?,
-            (None, None, Some(text)) => ("statements".to_owned(), of_text(source, text)?),
+            (None, None, Some(text)) => ("statements".to_owned(), of_text(source, file, text)?),
             (None, None, None) => return Err(source.refuse(place, "no listing")),
         };
         let listing = with_points(listing, file, place);
@@ -110,11 +112,14 @@ fn of_file(
     file: &MotionFile,
     path: &Spanned<String>,
 ) -> Result<(String, Listing), Failure> {
+    let place = path.span();
     let folder = Path::new(source.name()).parent().unwrap_or(Path::new(""));
     let path = folder.join(path.get_ref());
     let text = Source::read(&path)?;
-    let listing = Listing::parse_file(text.text(), text.name())
-        .map_err(|mistakes| refused(&text, &mistakes))?;
+    let parsed = included::parsed(text.text(), text.name());
+    let parsed = parsed.map_err(|mistakes| refused(&text, &mistakes))?;
+    included::check_unit(source, file, place, &parsed)?;
+    let (listing, _) = parsed;
     check_places(&text, &listing, file)?;
     let name = path
         .file_stem()
@@ -155,8 +160,8 @@ fn statement_of(text: &str, name: &str) -> Range<usize> {
 }
 
 /// The statements in the motion file itself; mistakes have its lines.
-fn of_text(source: &Source, text: &Spanned<String>) -> Result<Listing, Failure> {
-    Listing::parse_file(text.get_ref(), source.name()).map_err(|mut mistakes| {
+fn of_text(source: &Source, file: &MotionFile, text: &Spanned<String>) -> Result<Listing, Failure> {
+    let parsed = included::parsed(text.get_ref(), source.name()).map_err(|mut mistakes| {
         let before = source.text().get(..text.span().start).unwrap_or_default();
         let quoted = source.text().get(text.span()).unwrap_or_default();
         // A line break right behind the quotes is not of the text.
@@ -168,7 +173,9 @@ fn of_text(source: &Source, text: &Spanned<String>) -> Result<Listing, Failure> 
             mistake.line += lines;
         }
         refused(source, &mistakes)
-    })
+    })?;
+    included::check_unit(source, file, text.span(), &parsed)?;
+    Ok(parsed.0)
 }
 
 /// All mistakes in a text.
@@ -183,13 +190,6 @@ fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
         } = mistake;
         (*line, *column, *length, message.as_str())
     }))
-}
-
-/// The points' names, in the order of the listing.
-pub(crate) fn points(listing: &Listing) -> impl Iterator<Item = &str> {
-    let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
-    let count: usize = kinds.into_iter().map(|kind| listing.count(kind)).sum();
-    (0..count).map(|point| listing.name(Part::Point(point)))
 }
 
 /// Adds to the file the points that the listing alone states, those of the catalogue turned to the file's axes, and

@@ -8,10 +8,32 @@ const MOST_PLACES: usize = 1_000_000;
 /// Drives and the values that they take, in local coordinates.
 #[derive(Clone, Debug, Default)]
 pub struct Grid {
-    /// Each drive that is swept, by number, with its values; the last changes fastest.
-    pub(super) axes: Vec<(usize, Vec<f64>)>,
+    /// The places along each axis; the last changes fastest.
+    pub(super) axes: Vec<Vec<AxisPlace>>,
     /// All drives where the mechanism starts.
     pub(super) start: Vec<f64>,
+}
+
+/// The drives that an axis moves, by number, with their values at one of its places.
+pub(super) type AxisPlace = Vec<(usize, f64)>;
+
+/// An axis of a grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// The drives that move together, by number, each with what a unit along the axis moves it by.
+    pub drives: Vec<(usize, f64)>,
+    /// The values along the axis.
+    pub values: Vec<f64>,
+}
+
+impl Axis {
+    /// Of one drive.
+    pub fn of(drive: usize, values: Vec<f64>) -> Self {
+        Self {
+            drives: vec![(drive, 1.0)],
+            values,
+        }
+    }
 }
 
 /// So many values, evenly spaced from the first to the last: exact at both ends, and at zero in the middle.
@@ -34,28 +56,27 @@ pub enum From {
 }
 
 impl Grid {
-    /// Drives of a mechanism, by number, each with its values.
+    /// Of a mechanism.
     ///
     /// # Errors
     ///
     /// In words, where the places are too many.
-    pub fn new(
-        mechanism: &Description,
-        axes: Vec<(usize, Vec<f64>)>,
-        from: From,
-    ) -> Result<Self, String> {
+    pub fn new(mechanism: &Description, axes: Vec<Axis>, from: From) -> Result<Self, String> {
         let start = mechanism.first_drives();
-        let local = |(drive, values): (usize, Vec<f64>)| {
-            let from = match from {
-                From::Start => start[drive],
-                From::Zero => -mechanism.drive_offsets[drive],
-            };
-            (
-                drive,
-                values.into_iter().map(|value| from + value).collect(),
-            )
+        let from = |drive: usize| match from {
+            From::Start => start[drive],
+            From::Zero => -mechanism.drive_offsets[drive],
         };
-        let axes = axes.into_iter().map(local).collect();
+        let places = |Axis { drives, values }: Axis| -> Vec<AxisPlace> {
+            let place = |value: f64| {
+                let moved = drives.iter();
+                moved
+                    .map(|(drive, part)| (*drive, from(*drive) + part * value))
+                    .collect()
+            };
+            values.into_iter().map(place).collect()
+        };
+        let axes = axes.into_iter().map(places).collect();
         let grid = Self { axes, start };
         match grid.places() {
             Some(1..=MOST_PLACES) => Ok(grid),
@@ -67,7 +88,7 @@ impl Grid {
 
     /// How many places there are; `None` where they are too many to count.
     pub fn places(&self) -> Option<usize> {
-        let mut counts = self.axes.iter().map(|(_, values)| values.len());
+        let mut counts = self.axes.iter().map(Vec::len);
         counts.try_fold(1_usize, usize::checked_mul)
     }
 }

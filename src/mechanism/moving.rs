@@ -102,7 +102,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         Lock::of(&self.model, laws, stopped, asked, &last.position, given)
     }
 
-    /// Drives the mechanism, the drives being at `drives`, to a value of one of them, in local coordinates: the way takes a second.
+    /// Drives the mechanism, the drives being at `drives`, to values of some of them, in local coordinates: the way takes a second.
     ///
     /// # Errors
     ///
@@ -110,22 +110,23 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     pub(crate) fn drive_to(
         &self,
         drives: &[f64],
-        drive: usize,
-        value: f64,
+        to: &[(usize, f64)],
         motion: &mut Motion<f64, N>,
     ) -> Result<Report<f64>, (DriveLaws, Stopped<f64>)> {
         let ends = drives.iter().enumerate();
         let laws = DriveLaws::new(ends.map(|(index, from)| {
-            Polynomial::line(*from, if index == drive { value } else { *from })
+            let moved = to.iter().find(|(drive, _)| *drive == index);
+            Polynomial::line(*from, moved.map_or(*from, |(_, value)| *value))
         }));
         let followed = follow(&self.model, &laws, [0.0, 1.0], motion);
         followed.map_err(|stopped| (laws, stopped))
     }
+
     /// Where the mechanism locks on the way of one drive from the first instant to a value, in local coordinates,
     /// the others held; `None` where it gets there.
     pub(crate) fn lock_before(&self, drive: usize, value: f64) -> Option<Lock> {
         let mut motion = self.start;
-        let driven = self.drive_to(&self.first_drives(), drive, value, &mut motion);
+        let driven = self.drive_to(&self.first_drives(), &[(drive, value)], &mut motion);
         let (laws, stopped) = driven.err()?;
         Some(self.lock(&laws, &stopped, 1.0, &motion))
     }

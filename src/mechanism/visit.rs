@@ -131,13 +131,18 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
     /// Visits the places along the axes from `level` on, both ways from `here`.
     fn along_axes(&mut self, level: usize, here: &Place<N>) {
         let grid = self.grid;
-        let Some((drive, values)) = grid.axes.get(level) else {
+        let Some(axis) = grid.axes.get(level) else {
             self.read_at(here);
             return;
         };
-        let mut order: Vec<usize> = (0..values.len()).collect();
-        order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
-        let is_below = |index: &usize| values[*index] < here.drives[*drive];
+        // The drives of an axis move together: the first tells the way.
+        let above_here = |index: &usize| {
+            let first = axis[*index].first();
+            first.map_or(0.0, |(drive, value)| value - here.drives[*drive])
+        };
+        let mut order: Vec<usize> = (0..axis.len()).collect();
+        order.sort_by(|a, b| above_here(a).total_cmp(&above_here(b)));
+        let is_below = |index: &usize| above_here(index) < 0.0;
         let (mut below, above): (Vec<usize>, Vec<usize>) = order.into_iter().partition(is_below);
         below.reverse();
         for (upwards, way) in [(true, above), (false, below)] {
@@ -151,8 +156,8 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
                     self.end.interrupted = true;
                     return;
                 }
-                let (mechanism, value) = (self.mechanism, values[index]);
-                match mechanism.drive_to(&place.drives, *drive, value, &mut place.motion) {
+                let mechanism = self.mechanism;
+                match mechanism.drive_to(&place.drives, &axis[index], &mut place.motion) {
                     Ok(report) => place.residual = report.residual(),
                     Err((laws, stopped)) => {
                         self.end.add(level, upwards, || {
@@ -162,8 +167,10 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
                         break;
                     }
                 }
-                place.drives[*drive] = value;
-                place.index = here.index * values.len() + index;
+                for (drive, value) in &axis[index] {
+                    place.drives[*drive] = *value;
+                }
+                place.index = here.index * axis.len() + index;
                 self.along_axes(level + 1, &place);
             }
         }

@@ -5,6 +5,7 @@
 
 mod compiles {
     mod in_a_file;
+    mod include;
     mod minimal;
     mod order_of_bodies;
 }

@@ -26,7 +26,7 @@ pub(super) fn html(sides: [&Side; 2], comparison: &Comparison) -> String {
             (table(part))
         }
         @for [a, b] in ways {
-            (charts(&format!("Over {}", a.drive), &both(sides, a, b)))
+            (charts(&format!("Over {}", a.title), &both(sides, a, b)))
         }
     };
     page("Two suspensions compared", &body)

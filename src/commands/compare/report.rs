@@ -71,14 +71,14 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
         .into_iter()
         .filter(|[a, b]| a.kind != b.kind);
     let unlike = unlike.map(|[a, b]| {
-        let (a, b) = (&a.drive, &b.drive);
+        let (a, b) = (&a.title, &b.title);
         format!("`{a}` and `{b}` are a length and an angle: nothing along them is compared")
     });
     let [a, b] = sides;
     let alone = |side, other, name| {
         let curves = unmatched(side, other).into_iter();
-        curves.map(move |Curves { drive, way, .. }| {
-            format!("{name} has no drive of {way} to compare `{drive}` with: nothing along it is compared")
+        curves.map(move |Curves { title, way, .. }| {
+            format!("{name} has no drive of {way} to compare `{title}` with: nothing along it is compared")
         })
     };
     let alone = alone(a, b, "B").chain(alone(b, a, "A"));

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::characteristics::{Curves, Parameter, Span, curves, parameters, ways};
+use crate::characteristics::{Curves, Parameter, Span, Way, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -44,7 +44,10 @@ impl Side {
             own_unit: mechanism.unit,
             unit,
             missing: missing.collect(),
-            ways: along.iter().map(|along| along.way.name.clone()).collect(),
+            ways: Way::all(&mechanism.names)
+                .into_iter()
+                .map(|way| way.name)
+                .collect(),
             parameters: parameters(mechanism, unit, interrupted),
             curves: curves.collect(),
         })

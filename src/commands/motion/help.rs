@@ -75,7 +75,8 @@ const FILE: &str = r#"The file:
   [design]                           # optional: the drives' values at which the mechanism is
   theta = 1.5707963267948966         # assembled and markers are attached; else as the points are
   [vehicle]                          # optional: what more quantities need
-  wheel_radius = 0.3                 # in the unit: contact point, scrub radius, mechanical trail, roll centre
+  wheel_radius = 0.3                 # in the unit: contact point, scrub radius, mechanical trail, roll centre;
+                                     # of several axles { front = 0.30, rear = 0.31 }
   travel = "bump"                    # the drive that moves the wheel up and down; of several wheels one each,
                                      # { left = "bump_left", right = "bump_right" }; if left out, the drive
                                      # named bump_left for the wheel left, or the one named bump
@@ -83,7 +84,8 @@ const FILE: &str = r#"The file:
   wheelbase = 2.6                    # in the unit: Ackermann, turning circle
   axle = "front"                     # or "rear": with wheelbase and the next three anti-dive, anti-lift, anti-squat
   cg_height = 0.5                    # of the car's centre of gravity above the ground, in the unit
-  brake_share = 0.6                  # the axle's share of the brake force, from 0 to 1
+  brake_share = 0.6                  # the axle's share of the brake force, from 0 to 1; of several axles, whose wheels
+                                     # are named front_left and so on, { front = 0.6, rear = 0.4 } and no `axle`
   drive_share = 1.0                  # the axle's share of the drive force, where the axle is driven
   [time]                             # in seconds; or: instants = [0.0, 0.25, 0.5]
   start = 0.0
@@ -103,7 +105,8 @@ the file's unit:
 
 const AXLE: &str = "
 Where a listing names its wheels, all columns of a wheel are there for each, with its name before them: left_camber_rad,
-right_camber_rad. A linkage with two wheels, one on each side, as steered_axle, has behind these:
+right_camber_rad. A linkage with two wheels, one on each side, as steered_axle, has behind these what follows; one with
+several axles, whose wheels are named front_left, front_right, rear_left and so on, has it of each, as front_track_m:
 
 ";
 

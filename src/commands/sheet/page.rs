@@ -53,7 +53,7 @@ impl Page<'_> {
             h2 { "At the design position: " (self.drives) }
             (self.table())
             @for curves in &self.curves {
-                (charts(&format!("Over {}", curves.drive), &self.charts(curves)))
+                (charts(&format!("Over {}", curves.title), &self.charts(curves)))
             }
             h2 { "Points at the design position (" (unit.symbol()) ")" }
             (self.hardpoints())

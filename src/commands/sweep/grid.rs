@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use crate::mechanism::{Description, From, Grid, evenly_spaced};
+use crate::mechanism::{Axis, Description, From, Grid, evenly_spaced};
 
 /// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +46,15 @@ impl FromStr for Swept {
 }
 
 impl Swept {
+    /// The drives that move together, each with 1 or, behind a minus, with -1.
+    fn drives(&self) -> impl Iterator<Item = (&str, f64)> {
+        let names = self.name.split(',').map(str::trim);
+        names.map(|name| match name.strip_prefix('-') {
+            Some(name) => (name.trim(), -1.0),
+            None => (name, 1.0),
+        })
+    }
+
     fn values(&self) -> Vec<f64> {
         evenly_spaced([self.from, self.to], self.count)
     }
@@ -57,13 +66,21 @@ pub(super) fn grid(
     swept: &[Swept],
     absolute: bool,
 ) -> Result<Grid, String> {
-    let mut axes: Vec<(usize, Vec<f64>)> = Vec::new();
+    let mut axes: Vec<Axis> = Vec::new();
     for of_one in swept {
-        let drive = mechanism.names.chosen_drive(Some(&of_one.name))?;
-        if axes.iter().any(|(other, _)| *other == drive) {
-            return Err(format!("--drive {} is given twice", of_one.name));
+        let mut drives = Vec::new();
+        for (name, part) in of_one.drives() {
+            let drive = mechanism.names.chosen_drive(Some(name))?;
+            let mut given = axes.iter().flat_map(|axis| &axis.drives).chain(&drives);
+            if given.any(|(other, _)| *other == drive) {
+                return Err(format!("--drive {name} is given twice"));
+            }
+            drives.push((drive, part));
         }
-        axes.push((drive, of_one.values()));
+        axes.push(Axis {
+            drives,
+            values: of_one.values(),
+        });
     }
     let from = if absolute { From::Zero } else { From::Start };
     Grid::new(mechanism, axes, from)

@@ -36,7 +36,10 @@ pub(crate) const INCLUDE: Word = Word {
 };
 
 /// Words that stand where names do.
-const WORDS: [&str; 8] = ["at", "on", "along", "length", "angle", "x", "y", "z"];
+const WORDS: [&str; 5] = ["at", "on", "along", "length", "angle"];
+
+/// Axes, which stand behind a point's full stop, or last in parentheses: `angle(a -> b, z)`.
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 pub(crate) struct Include {
     pub(crate) name: Ident,
@@ -164,12 +167,18 @@ impl Include {
         names: &BTreeSet<String>,
     ) -> TokenStream {
         let mut renamed = before;
-        for token in tokens {
+        let mut tokens = tokens.peekable();
+        while let Some(token) = tokens.next() {
             let before = renamed.last();
-            let is_component = before.is_some_and(|before| is_punct(before, '.'));
+            let is_last = tokens.peek().is_none();
+            let is_behind = |mark| before.is_some_and(|before| is_punct(before, mark));
+            let is_axis = |name: &Ident| {
+                let is_axis = AXES.iter().any(|axis| name == axis);
+                is_behind('.') || (is_axis && is_last && is_behind(','))
+            };
             let is_position = matches!(before, Some(TokenTree::Ident(at)) if at == "at");
             renamed.push(match token {
-                TokenTree::Ident(name) if !is_component && names.contains(&name.to_string()) => {
+                TokenTree::Ident(name) if !is_axis(&name) && names.contains(&name.to_string()) => {
                     self.prefixed(&name).into()
                 }
                 TokenTree::Group(group) => {

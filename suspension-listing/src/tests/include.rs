@@ -12,7 +12,7 @@ free:  /// The end of an arm.
        ball at [0.0, 0.7, 0.2], hub at [0.0, 0.8, 0.3];
 hinge arm: front, rear -> ball, hub;
 drive bump: ball along [0.0, 0.6, 0.8];
-measure spring: length(middle -> ball);
+measure z: angle(middle -> ball, z);
 point centre: arm at [0.0, 0.75, 0.3];
 wheel: centre -> hub;
 kingpin: front -> ball;
@@ -35,13 +35,13 @@ free:  /// The end of an arm.
        rear_right_ball at [-2.5, -0.7, 0.2], rear_right_hub at [-2.5, -0.8, 0.3];
 hinge rear_left_arm: rear_left_front, rear_left_rear -> rear_left_ball, rear_left_hub;
 drive rear_left_bump: rear_left_ball along [0.0, 0.6, 0.8];
-measure rear_left_spring: length(rear_middle -> rear_left_ball);
+measure rear_left_z: angle(rear_middle -> rear_left_ball, z);
 point rear_left_centre: rear_left_arm at [-2.5, 0.75, 0.3];
 wheel rear_left: rear_left_centre -> rear_left_hub;
 kingpin rear_left: rear_left_front -> rear_left_ball;
 hinge rear_right_arm: rear_right_front, rear_right_rear -> rear_right_ball, rear_right_hub;
 drive rear_right_bump: rear_right_ball along [0.0, -0.6, 0.8];
-measure rear_right_spring: length(rear_middle -> rear_right_ball);
+measure rear_right_z: angle(rear_middle -> rear_right_ball, z);
 point rear_right_centre: rear_right_arm at [-2.5, -0.75, 0.3];
 wheel rear_right: rear_right_centre -> rear_right_hub;
 kingpin rear_right: rear_right_front -> rear_right_ball;

@@ -133,3 +133,51 @@ fn what_is_said_of_wheels_that_are_not_there_is_refused() {
         assert!(message.contains(expected), "{message}");
     }
 }
+
+/// A corner in a file in millimetres, twice by `mirror`, beside its motion file.
+#[test]
+fn a_corner_in_a_file_makes_an_axle() {
+    let folder = folder();
+    let write =
+        |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("written");
+    write(
+        "corner.linkage",
+        "fixed: front at [200.0, 350.0, 300.0], rear at [-200.0, 350.0, 310.0];\n\
+         free: hub at [0.0, 700.0, 300.0];\nhinge arm: front, rear -> hub;\npoint axle: arm at [0.0, 600.0, 300.0];\n\
+         drive bump: hub.z;\nwheel: axle -> hub;\n",
+    );
+    write(
+        "axle.linkage",
+        "mirror: left -> right;\ninclude left: \"corner.linkage\";\n",
+    );
+    write(
+        "axle.toml",
+        "listing = \"axle.linkage\"\nunit = \"mm\"\nvehicle = { wheel_radius = 300.0 }\ntime = { instants = [0.0] }\n\
+         drives = { left_bump = 320.0, right_bump = 280.0 }\n",
+    );
+    let output = run(folder.path(), &["motion", "axle.toml", "--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let row = &rows(&output.stdout)[0];
+    assert!(
+        row["left_camber_rad"] < 0.0 && row["right_camber_rad"] > 0.0,
+        "{row:?}"
+    );
+    assert!((row["track_mm"] - 1400.0).abs() < 60.0);
+    write("car.linkage", "include front: steered_axle;\n");
+    let car = std::fs::read_to_string(folder.path().join("axle.toml")).expect("written");
+    write("car.toml", &car.replace("axle.linkage", "car.linkage"));
+    let output = run(folder.path(), &["motion", "car.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let message = text(&output.stderr);
+    let expected = "car.toml:1:11: the listing includes `steered_axle` of the catalogue, whose hardpoints are in metres";
+    assert!(message.starts_with(expected), "{message}");
+    write("corner.linkage", "fixed: front;\nlink rod front -> hub;\n");
+    let output = run(folder.path(), &["motion", "axle.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let message = text(&output.stderr);
+    assert!(
+        message
+            .contains("axle.linkage:2:15: corner.linkage:2:10: expected `:`; a `link` is written"),
+        "{message}"
+    );
+}

@@ -1,7 +1,7 @@
 //! What motion files say of wheels, and what sheets and comparisons show of them.
 
 use super::super::program::{folder, run, text};
-use super::{DESIGN, file, steered, table};
+use super::{DESIGN, assert_near, file, steered, table};
 
 #[test]
 fn drives_of_wheels_are_named_in_a_table() {
@@ -70,7 +70,7 @@ fn sheets_and_comparisons_have_both_wheels() {
         1
     );
     assert_eq!(page.matches("ISO 8855; Attia 2003, angle beta").count(), 1);
-    for heading in ["Over bump_left", "Over bump_right", "Over steer"] {
+    for heading in ["Over heave", "Over roll", "Over steer"] {
         assert_eq!(page.matches(heading).count(), 1, "{heading}");
     }
     let output = run(folder.path(), &["compare", "axle.toml", "axle.toml"]);
@@ -90,4 +90,41 @@ fn sheets_and_comparisons_have_both_wheels() {
         let cells: Vec<&str> = line.expect("compared").split_whitespace().collect();
         assert_eq!(cells[3..], ["0", "0", "0", "deg"]);
     }
+}
+
+/// In heave both wheels do the same; in roll one does at some travel what the other does at the opposite.
+#[test]
+fn drives_that_are_named_together_move_together() {
+    let heave = table(
+        &steered(DESIGN),
+        &["sweep", "--drive", "bump_left,bump_right=-0.04:0.04:3"],
+    );
+    for row in &heave {
+        assert_near(
+            row["left_camber_rad"],
+            row["right_camber_rad"],
+            1e-12,
+            "camber",
+        );
+        assert_near(row["bump_left_m"], row["bump_right_m"], 1e-15, "heave");
+    }
+    let roll = table(
+        &steered(DESIGN),
+        &["sweep", "--drive", "bump_left,-bump_right=-0.04:0.04:3"],
+    );
+    for (row, other) in roll.iter().zip(roll.iter().rev()) {
+        assert_near(row["bump_left_m"] + row["bump_right_m"], 0.6, 1e-15, "roll");
+        assert_near(
+            row["left_camber_rad"],
+            other["right_camber_rad"],
+            1e-12,
+            "camber",
+        );
+    }
+    let folder = folder();
+    std::fs::write(folder.path().join("axle.toml"), steered(DESIGN)).expect("written");
+    let twice = ["sweep", "axle.toml", "--drive", "bump_left,bump_left=0:1:2"];
+    let output = run(folder.path(), &twice);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(text(&output.stderr).contains("--drive bump_left is given twice"));
 }

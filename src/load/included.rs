@@ -1,0 +1,60 @@
+//! What the listing of a motion file includes.
+
+use std::cell::RefCell;
+use std::ops::Range;
+
+use suspension_runtime::{Library, Listing, Mistakes, Shelf, Wanted};
+
+use crate::failure::Failure;
+use crate::file::{MotionFile, Source};
+use crate::load::points::points;
+use crate::mechanism::{Axes, Unit};
+
+/// The listings that one may include, and the first of the catalogue that it does.
+struct Included {
+    shelf: Shelf,
+    of_catalogue: RefCell<Option<String>>,
+}
+
+impl Library for Included {
+    fn text(&self, wanted: Wanted<'_>) -> Result<String, String> {
+        if let Wanted::OfCatalogue(name) = wanted {
+            let mut first = self.of_catalogue.borrow_mut();
+            first.get_or_insert_with(|| name.to_owned());
+        }
+        self.shelf.text(wanted)
+    }
+}
+
+/// A listing, and the first layout of the catalogue that it includes.
+pub(super) fn parsed(text: &str, file: &str) -> Result<(Listing, Option<String>), Mistakes> {
+    let library = Included {
+        shelf: Shelf::beside(file),
+        of_catalogue: RefCell::default(),
+    };
+    let listing = Listing::parse_with(text, file, &library)?;
+    Ok((listing, library.of_catalogue.into_inner()))
+}
+
+/// Checks that the motion file is in metres and in the axes of the catalogue, where its listing includes a layout of it, or
+/// states all points itself.
+pub(super) fn check_unit(
+    source: &Source,
+    file: &MotionFile,
+    place: Range<usize>,
+    (listing, included): &(Listing, Option<String>),
+) -> Result<(), Failure> {
+    let Some(included) = included else {
+        return Ok(());
+    };
+    let stated = file.points.get_ref();
+    let is_as_there = file.unit == Unit::Metre && file.axes == Axes::Iso;
+    if is_as_there || points(listing).all(|point| stated.contains_key(point)) {
+        return Ok(());
+    }
+    let message = format!(
+        "the listing includes `{included}` of the catalogue, whose hardpoints are in metres and in the axes of ISO 8855; state \
+         all points, or unit = \"m\" and no axes, or include a copy with your own: suspension list {included}"
+    );
+    Err(source.refuse(&place, message))
+}
