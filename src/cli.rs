@@ -7,6 +7,7 @@ use clap::{Parser, Subcommand};
 
 use crate::commands::{
     assemblies, bake, check, compare, draw, import, list, motion, published, range, sheet, sweep,
+    tables,
 };
 use crate::failure::Failure;
 use crate::interrupt;
@@ -72,6 +73,10 @@ pub enum Command {
     ///
     /// Writes all quantities with their derivatives with respect to each drive.
     Sweep(sweep::Arguments),
+    /// Writes the kinematics of a wheel as tables for vehicle models.
+    ///
+    /// Camber, toe and movement of the wheel over jounce for CarSim, or a linear suspension for CarMaker.
+    Tables(tables::Arguments),
 }
 
 impl Options {
@@ -94,6 +99,7 @@ impl Options {
             Some(Command::Range(arguments)) => arguments.run(interrupted),
             Some(Command::Sheet(arguments)) => arguments.run(interrupted),
             Some(Command::Sweep(arguments)) => arguments.run(interrupted),
+            Some(Command::Tables(arguments)) => arguments.run(interrupted),
         }
     }
 }

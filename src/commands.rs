@@ -12,3 +12,4 @@ pub mod published;
 pub mod range;
 pub mod sheet;
 pub mod sweep;
+pub mod tables;

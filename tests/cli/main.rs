@@ -29,6 +29,7 @@ mod stops;
 mod support;
 mod support_angles;
 mod sweep;
+mod tables;
 mod units;
 
 /// The program that is run.

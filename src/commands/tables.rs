@@ -1,0 +1,156 @@
+//! `suspension tables`: the kinematics of a wheel as the tables of vehicle models.
+
+mod carmaker;
+mod carsim;
+mod wheel;
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use clap::{Args, ValueEnum};
+
+use crate::characteristics::{Span, ways};
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::kinematics::Kinematics;
+use crate::load::load;
+use crate::output::files::{announce, print, refuse_input, write_file};
+use crate::output::target::Target;
+use wheel::Wheel;
+
+/// What `suspension tables` is given.
+#[derive(Args, Clone, Debug)]
+#[command(after_long_help = NOTES)]
+pub struct Arguments {
+    /// The motion file (TOML), see suspension motion --help.
+    file: PathBuf,
+    /// The program whose tables are written.
+    #[arg(long = "as", value_name = "PROGRAM")]
+    program: Program,
+    /// The wheel, where the listing names several; without it the first.
+    #[arg(long, value_name = "NAME")]
+    wheel: Option<String>,
+    /// The travel, from the design position, in the file's unit; without it 60 mm down and up.
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
+    travel: Option<Span>,
+    /// Write to PATH, or to standard output for `-`; without it to out/NAME_carsim.par or out/NAME_carmaker.txt, NAME being
+    /// that of the motion file.
+    #[arg(long, value_name = "PATH")]
+    out: Option<PathBuf>,
+}
+
+/// A program that takes tables of kinematics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Program {
+    /// Tables over jounce: camber, toe, dive, longitudinal and lateral movement, in mm and deg.
+    Carsim,
+    /// `Kind = Linear2D`: values and derivatives by compression and steering at the design position, in m and rad.
+    Carmaker,
+}
+
+impl Arguments {
+    /// Writes the tables.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`]. Where the mechanism locks, tables end there, and what there is is written.
+    pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
+        let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
+        let name = match self.program {
+            Program::Carsim => format!("{stem}_carsim.par"),
+            Program::Carmaker => format!("{stem}_carmaker.txt"),
+        };
+        let beside = || Path::new("out").join(name);
+        let target = Target::from(self.out.clone().unwrap_or_else(beside));
+        if let Target::File(path) = &target {
+            refuse_input(path, &self.file, "--out")?;
+        }
+        let source = Source::read(&self.file)?;
+        let loaded = load(&source)?;
+        let mechanism = loaded.at_design()?;
+        let (text, missing) = self.tables(&*mechanism, source.name(), interrupted)?;
+        match target {
+            Target::Stdout => print(&text)?,
+            Target::File(path) => {
+                write_file(&path, &text)?;
+                announce(&[path]);
+            }
+        }
+        missing.map_or(Ok(()), Err)
+    }
+
+    /// The text, and what could not be solved.
+    fn tables(
+        &self,
+        mechanism: &dyn Kinematics,
+        file: &str,
+        interrupted: &AtomicBool,
+    ) -> Result<(String, Option<Failure>), Failure> {
+        let number = self.number(mechanism)?;
+        let spans = [self.travel, None];
+        let ways = ways(mechanism, file, spans, mechanism.unit, interrupted)?;
+        let drive = mechanism.names.wheels[number].travel;
+        let mut of_wheel = ways.into_iter().filter(|way| way.way.starts_with("travel"));
+        let moves = |drives: &[(usize, f64)]| drives.iter().any(|(other, _)| Some(*other) == drive);
+        let Some(travel) = of_wheel.find(|way| moves(&way.drives)) else {
+            return Err(Failure::Input(format!(
+                "{file}: no drive moves this wheel up and down; name it in [vehicle]: travel = {{ ... }}"
+            )));
+        };
+        let locked = || {
+            Failure::Solver(format!(
+                "{file}: the mechanism is singular at its design position"
+            ))
+        };
+        let wheel = Wheel::of(mechanism, number, &travel, interrupted).ok_or_else(locked)?;
+        let text = match self.program {
+            Program::Carsim => carsim::text(file, mechanism, &wheel),
+            Program::Carmaker => carmaker::text(file, mechanism, &wheel),
+        };
+        Ok((text, travel.visited.failure(file)))
+    }
+
+    /// The number of the wheel.
+    fn number(&self, mechanism: &dyn Kinematics) -> Result<usize, Failure> {
+        let wheels = &mechanism.names.wheels;
+        if wheels.is_empty() {
+            let message = "the listing states no wheel; write `wheel: inner -> centre;`";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        let Some(name) = &self.wheel else {
+            return Ok(0);
+        };
+        wheels
+            .iter()
+            .position(|wheel| wheel.name == *name)
+            .ok_or_else(|| {
+                let known: Vec<&str> = wheels.iter().map(|wheel| wheel.name.as_str()).collect();
+                Failure::Input(match known.as_slice() {
+                    [""] => "--wheel: the listing has one wheel, without a name; leave it out"
+                        .to_owned(),
+                    known => format!("unknown wheel `{name}`; known are {}", known.join(", ")),
+                })
+            })
+    }
+}
+
+const NOTES: &str = "\
+Of the wheel in travel, the others of its axle moving with it. Compression, or jounce, is the rise of the wheel centre from the
+design position. Angles of the carrier are rotations about the axes of ISO 8855, x forward, y left, z up.
+
+CarSim: CAMBER_TABLE, TOE_TABLE, SUSP_DIVE_TABLE, SUSP_X_TABLE and SUSP_LAT_TABLE, changes from the design position over jounce,
+in mm and deg, and the static angles A_CAMBER and A_TOE. Camber is positive where the top leans outboard, toe where the
+front points inboard, dive where the top moves forward, X forward; LAT is positive inboard. The form is that of the library files of
+CarSim 2021; hold the signs of toe and dive against your version.
+
+CarMaker: a suspension of Kind = Linear2D, each row its value at the design position and its derivatives by compression and by the
+rack, in m and rad; tx, ty, tz are the movement of the wheel centre, rx, ry, rz rotations. Measures whose names have
+the word spring, damper, or bar are lSpring, lDamp, lStabi.
+
+Neither has compliance: bushings and forces are outside the model.
+
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (what there is is
+written), 130 interrupted.
+
+Example:
+  suspension tables examples/double_wishbone.toml --as carsim --travel -0.08:0.08";

@@ -1,0 +1,66 @@
+//! A linear suspension of CarMaker: values and derivatives at the design position.
+
+use std::fmt::Write;
+
+use nalgebra::Vector3;
+use suspension_core::MeasureKind;
+
+use crate::commands::tables::wheel::{Rates, Wheel, exact_zero};
+use crate::mechanism::{Axle, Description, is_within};
+use crate::number::exact;
+
+/// The lengths of force elements, each with the words that measures of them have.
+const LENGTHS: [(&str, &[&str]); 3] = [
+    ("lSpring", &["spring"]),
+    ("lDamp", &["damper"]),
+    ("lStabi", &["bar", "stabi"]),
+];
+
+/// The lines of an infofile.
+pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String {
+    let of_rear =
+        |wheel: &crate::mechanism::Wheel| wheel.axle.or(Axle::of(&wheel.name)) == Some(Axle::Rear);
+    let axle = if mechanism.names.wheels.iter().all(of_rear) {
+        "SuspR"
+    } else {
+        "SuspF"
+    };
+    let side = if wheel.side < 0.0 { "right" } else { "left" };
+    let mut text = format!(
+        "## Kinematics of {}, {side} wheel, of {file}, by suspension {}\n\
+         ## Each row: at the design position, per compression, per unit of steering; m and rad\n\
+         {axle}.Kin.N = 1\n{axle}.Kin.0.Kind = Linear2D 1\n{axle}.Kin.0.ValidSide = left+right\n\
+         {axle}.Kin.0.InputSide = {side}\n",
+        mechanism.linkage,
+        env!("CARGO_PKG_VERSION"),
+    );
+    // A wheel that leans outboard, or points inboard, is turned so about the axes.
+    let turned = Vector3::new(wheel.camber, 0.0, wheel.toe) * -wheel.side;
+    let steer = wheel.per_steer.as_ref();
+    let mut row = |name: &str, value: f64, of: &dyn Fn(&Rates) -> f64| {
+        let numbers = [value, of(&wheel.per_compression), steer.map_or(0.0, of)];
+        let [value, per_compression, per_steer] = numbers.map(|number| exact(exact_zero(number)));
+        // Writing into a string has no way to fail.
+        let _ = writeln!(
+            text,
+            "{axle}.Kin.0.L.{name} = {value} {per_compression} {per_steer}"
+        );
+    };
+    for (index, name) in ["tx", "ty", "tz"].into_iter().enumerate() {
+        row(name, 0.0, &|rates| rates.velocity[index]);
+    }
+    for (index, name) in ["rx", "ry", "rz"].into_iter().enumerate() {
+        row(name, turned[index], &|rates| rates.omega[index]);
+    }
+    for (name, words) in LENGTHS {
+        let measures = mechanism.names.measures.iter().enumerate();
+        let mut lengths = measures.filter(|(_, measure)| measure.kind == MeasureKind::Length);
+        // Of several wheels, that of this one.
+        let is_own = |name: &str| wheel.name.is_empty() || is_within(&wheel.name, name);
+        let is_named = |name: &str| is_own(name) && words.iter().any(|word| is_within(word, name));
+        if let Some((measure, _)) = lengths.find(|(_, measure)| is_named(&measure.name)) {
+            row(name, 0.0, &|rates| rates.measures[measure]);
+        }
+    }
+    text
+}

@@ -1,0 +1,176 @@
+//! How a wheel moves, as vehicle models take it: in metres and radians, in the axes of ISO 8855.
+
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::Vector3;
+use suspension_core::DriveKind;
+use suspension_core::body::{angular_velocity, pose};
+use suspension_core::wheel::{camber, toe};
+
+use crate::characteristics::Along;
+use crate::kinematics::Kinematics;
+use crate::mechanism::{self, From, Grid, Order, State};
+
+/// How a wheel moves.
+pub(super) struct Wheel {
+    /// Its name, where it has one.
+    pub(super) name: String,
+    /// 1 on the left, -1 on the right.
+    pub(super) side: f64,
+    /// At the design position.
+    pub(super) camber: f64,
+    pub(super) toe: f64,
+    /// Places of the travel, from below.
+    pub(super) places: Vec<Place>,
+    pub(super) per_compression: Rates,
+    /// Where a drive steers the wheel: per its metre or radian, the wheel held at its height.
+    pub(super) per_steer: Option<Rates>,
+}
+
+/// The changes from the design position at a place of the travel.
+pub(super) struct Place {
+    /// Of the wheel centre.
+    pub(super) moved: Vector3<f64>,
+    pub(super) camber: f64,
+    pub(super) toe: f64,
+    /// How far an upright line of the carrier leans forward.
+    pub(super) dive: f64,
+}
+
+/// Derivatives at the design position.
+#[derive(Clone, Debug)]
+pub(super) struct Rates {
+    /// Of the wheel centre.
+    pub(super) velocity: Vector3<f64>,
+    /// Of the carrier.
+    pub(super) omega: Vector3<f64>,
+    /// Of the measures.
+    pub(super) measures: Vec<f64>,
+}
+
+impl Rates {
+    /// Multiplied, and others added.
+    fn times(&self, factor: f64) -> Self {
+        Self {
+            velocity: self.velocity * factor,
+            omega: self.omega * factor,
+            measures: self.measures.iter().map(|rate| rate * factor).collect(),
+        }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        let measures = self.measures.iter().zip(&other.measures);
+        Self {
+            velocity: self.velocity + other.velocity,
+            omega: self.omega + other.omega,
+            measures: measures.map(|(a, b)| a + b).collect(),
+        }
+    }
+}
+
+/// Points of the wheel in a state.
+struct Points {
+    carrier: [Vector3<f64>; 3],
+    axis: Vector3<f64>,
+    centre: Vector3<f64>,
+}
+
+impl Points {
+    fn of(wheel: &mechanism::Wheel, state: &State, metre: f64) -> Self {
+        let at = |point: usize| state.axes.turned(state.position(point)) / metre;
+        let [inner, centre] = wheel.points.axis.map(at);
+        Self {
+            carrier: wheel.points.carrier.map(at),
+            axis: centre - inner,
+            centre,
+        }
+    }
+}
+
+impl Wheel {
+    /// A wheel of a mechanism along its travel; `None` where the mechanism is singular at its design position.
+    pub(super) fn of(
+        mechanism: &dyn Kinematics,
+        number: usize,
+        travel: &Along,
+        interrupted: &AtomicBool,
+    ) -> Option<Self> {
+        let wheel = &mechanism.names.wheels[number];
+        let metre = mechanism.unit.metre();
+        let in_metres = |drive: usize| match mechanism.names.drives[drive].kind {
+            DriveKind::Coordinate => metre,
+            DriveKind::Angle => 1.0,
+        };
+        let mut read = |state: &State, per: &dyn Fn(usize) -> Option<State>| {
+            let rates = |drive: usize| rates(wheel, &per(drive)?, state, drive, metre);
+            let of_travel = travel
+                .drives
+                .iter()
+                .map(|(drive, part)| Some(rates(*drive)?.times(*part)));
+            let of_travel = of_travel.reduce(|sum, next| Some(sum?.plus(&next?)))??;
+            let of_steer = match wheel.steer {
+                Some(drive) => Some(rates(drive)?.times(in_metres(drive))),
+                None => None,
+            };
+            Some((state.clone(), of_travel, of_steer))
+        };
+        let here = Grid::new(mechanism, Vec::new(), From::Start).unwrap_or_default();
+        let visited = mechanism.visit(&here, Order::First, interrupted, &mut read);
+        let (design, of_travel, of_steer) = visited.places.into_iter().flatten().next()??;
+        let per_compression = of_travel.times(1.0 / of_travel.velocity.z);
+        let at_height = |steer: Rates| steer.plus(&per_compression.times(-steer.velocity.z));
+        let design = Points::of(wheel, &design, metre);
+        let reached = travel.visited.places.iter().flatten();
+        let places =
+            reached.filter_map(|(state, _)| Place::of(&design, &Points::of(wheel, state, metre)));
+        Some(Self {
+            name: wheel.name.clone(),
+            side: design.axis.y.signum(),
+            camber: exact_zero(camber(&design.axis)),
+            toe: exact_zero(toe(&design.axis)),
+            places: places.collect(),
+            per_steer: of_steer.map(at_height),
+            per_compression,
+        })
+    }
+}
+
+impl Place {
+    fn of(design: &Points, now: &Points) -> Option<Self> {
+        let upright = pose(&design.carrier, &now.carrier)?.rotation * Vector3::z();
+        Some(Self {
+            moved: now.centre - design.centre,
+            camber: camber(&now.axis) - camber(&design.axis),
+            toe: toe(&now.axis) - toe(&design.axis),
+            dive: upright.x.atan2(upright.z),
+        })
+    }
+}
+
+/// The derivatives with respect to a drive.
+fn rates(
+    wheel: &mechanism::Wheel,
+    per: &State,
+    state: &State,
+    drive: usize,
+    metre: f64,
+) -> Option<Rates> {
+    let velocities = &state.moved_by(drive)?.value;
+    let [_, centre] = wheel.points.axis;
+    let turned = |vectors: &[Vector3<f64>], point: usize| state.axes.turned(vectors[point]);
+    let carrier = wheel.points.carrier;
+    let at = carrier.map(|point| turned(&state.points.value, point));
+    let moving = carrier.map(|point| turned(velocities, point));
+    let omega = angular_velocity(&at, &moving)?;
+    Some(Rates {
+        velocity: turned(velocities, centre) / metre,
+        omega,
+        measures: per.measures.rate.iter().map(|rate| rate / metre).collect(),
+    })
+}
+
+/// What is rounding is zero.
+pub(super) fn exact_zero(value: f64) -> f64 {
+    const ROUNDING: f64 = 1e-12;
+    if value.abs() < ROUNDING { 0.0 } else { value }
+}

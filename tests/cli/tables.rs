@@ -1,0 +1,161 @@
+//! Tables for vehicle models, against what a sweep says of the same file.
+
+use std::collections::BTreeMap;
+
+use super::program::{CORNER, Rows, folder, rows, run, text};
+
+/// The text that the command prints.
+fn tables(file: &str, options: &[&str]) -> String {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(
+        folder.path(),
+        &[&["tables", "a.toml", "--out", "-", "--as"], options].concat(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    text(&output.stdout).to_owned()
+}
+
+fn swept(file: &str, drive: &str) -> Rows {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(
+        folder.path(),
+        &["sweep", "a.toml", "--drive", drive, "--csv", "-"],
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
+
+/// The rows of a table of CarSim: jounce and value.
+fn carsim_table(text: &str, keyword: &str) -> Vec<[f64; 2]> {
+    let (_, table) = text
+        .split_once(&format!("{keyword} SPLINE\n"))
+        .expect(keyword);
+    let (table, _) = table.split_once("ENDTABLE").expect("an end");
+    let row = |line: &str| {
+        let (jounce, value) = line.split_once(", ").expect("two numbers");
+        [jounce, value].map(|number| number.parse().expect("a number"))
+    };
+    table.lines().map(row).collect()
+}
+
+/// The rows of a suspension of CarMaker: value, per compression, per steering.
+fn carmaker_rows(text: &str) -> BTreeMap<String, [f64; 3]> {
+    let lines = text.lines().filter_map(|line| line.split_once(" = "));
+    let rows = lines.filter_map(|(key, value)| {
+        let numbers: Result<Vec<f64>, _> = value.split(' ').map(str::parse).collect();
+        let numbers: [f64; 3] = numbers.ok()?.try_into().ok()?;
+        Some((key.rsplit('.').next()?.to_owned(), numbers))
+    });
+    rows.collect()
+}
+
+#[test]
+fn tables_over_jounce_are_the_changes_that_a_sweep_has() {
+    let text = tables(CORNER, &["carsim", "--travel", "-0.04:0.05"]);
+    let swept = swept(CORNER, "bump=-0.04:0.05:61");
+    let design = &self::swept(CORNER, "bump=0")[0];
+    assert!(
+        text.starts_with("PARSFILE\n") && text.ends_with("END\n"),
+        "{text}"
+    );
+    for (keyword, name, factor) in [
+        ("CAMBER_TABLE", "camber_rad", 1_f64.to_degrees()),
+        ("TOE_TABLE", "toe_rad", 1_f64.to_degrees()),
+        ("SUSP_X_TABLE", "wheel_centre_x", 1e3),
+        ("SUSP_LAT_TABLE", "wheel_centre_y", -1e3),
+        // Here the kingpin is of the carrier, so that its caster loses what the carrier leans forward.
+        ("SUSP_DIVE_TABLE", "caster_rad", -1_f64.to_degrees()),
+    ] {
+        let table = carsim_table(&text, keyword);
+        assert_eq!(table.len(), 61, "{keyword}");
+        for (row, [jounce, value]) in swept.iter().zip(table) {
+            let expected = factor * (row[name] - design[name]);
+            let rise = 1e3 * (row["wheel_centre_z"] - design["wheel_centre_z"]);
+            assert!((jounce - rise).abs() < 1e-5, "{keyword} {jounce} {rise}");
+            // Caster is of a line that leans inboard too.
+            let off = if keyword == "SUSP_DIVE_TABLE" {
+                0.03
+            } else {
+                1e-5
+            };
+            assert!(
+                (value - expected).abs() < off,
+                "{keyword} at {jounce}: {value} {expected}"
+            );
+        }
+    }
+}
+
+/// On both sides, against differences.
+#[test]
+fn a_linear_suspension_has_the_derivatives_of_differences() {
+    let axle = "linkage = \"steered_axle\"\nunit = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nbump_left = 0.3\nbump_right = 0.3\nsteer = 0.34\n";
+    const STEP: f64 = 1e-4;
+    let around = |drive: &str| {
+        let table = swept(axle, &format!("{drive}=-{STEP}:{STEP}:3"));
+        move |name: &str| (table[2][name] - table[0][name]) / (2.0 * STEP)
+    };
+    let (heave, steer) = (around("bump_left,bump_right"), around("steer"));
+    for (wheel, side) in [("left", 1.0), ("right", -1.0)] {
+        let found = carmaker_rows(&tables(axle, &["carmaker", "--wheel", wheel]));
+        let point = |axis: &str| format!("{wheel}_wheel_centre_{axis}");
+        let angle = |name: &str| format!("{wheel}_{name}_rad");
+        for (row, name, sign) in [
+            ("tx", point("x"), 1.0),
+            ("ty", point("y"), 1.0),
+            ("tz", point("z"), 1.0),
+            ("rx", angle("camber"), -side),
+            ("rz", angle("toe"), -side),
+        ] {
+            let [_, per_compression, per_steer] = found[row];
+            let expected = [sign * heave(&name), sign * steer(&name)];
+            assert!(
+                (per_compression - expected[0]).abs() < 1e-5,
+                "{wheel} {row}: {found:?} {expected:?}"
+            );
+            assert!(
+                (per_steer - expected[1]).abs() < 1e-4,
+                "{wheel} {row}: {found:?} {expected:?}"
+            );
+        }
+    }
+    let metres = carmaker_rows(&tables(CORNER, &["carmaker"]));
+    assert!(
+        metres["lDamp"][1] < -0.5 && metres["rz"][2].abs() > 1.0,
+        "{metres:?}"
+    );
+    let left = "linkage = \"twist_beam\"\nunit = \"m\"\n[vehicle]\naxle = \"rear\"\nwheelbase = 2.5\ncg_height = 0.5\n[time]\ninstants = [0.0]\n[drives]\nbump_left = 0.29\nbump_right = 0.29\n";
+    assert!(
+        tables(left, &["carmaker", "--wheel", "right"]).contains("SuspR.Kin.0.InputSide = right\n")
+    );
+}
+
+#[test]
+fn what_cannot_be_tabled_is_refused() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let no_wheel = "statements = \"fixed: a at [0.0, 0.0, 0.0]; free: p at [0.0, 0.4, 0.3]; link rod: a -> p; drive x: p.x; drive bump: p.z;\"\n\
+                    unit = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nx = 0.0\nbump = 0.3\n";
+    std::fs::write(folder.path().join("b.toml"), no_wheel).expect("written");
+    for (arguments, expected) in [
+        (
+            vec!["a.toml", "--as", "carsim", "--wheel", "left"],
+            "the listing has one wheel, without a name; leave it out",
+        ),
+        (vec!["a.toml", "--as", "simpack"], "invalid value 'simpack'"),
+        (
+            vec!["a.toml", "--as", "carsim", "--out", "a.toml"],
+            "--out would overwrite",
+        ),
+        (
+            vec!["b.toml", "--as", "carsim"],
+            "the listing states no wheel",
+        ),
+    ] {
+        let output = run(folder.path(), &[vec!["tables"], arguments].concat());
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(text(&output.stderr).contains(expected), "{output:?}");
+    }
+}
