@@ -22,7 +22,8 @@ impl FromStr for Span {
         let ends = ends.and_then(|(from, to)| Some([number(from)?, number(to)?]));
         match ends {
             Some([from, to]) if from < to => Ok(Self([from, to])),
-            _ => Err("write FROM:TO, as -0.06:0.06".to_owned()),
+            Some(_) => Err("FROM is less than TO, as in -0.06:0.06".to_owned()),
+            None => Err("write FROM:TO, as -0.06:0.06".to_owned()),
         }
     }
 }
@@ -120,5 +121,24 @@ fn along(mechanism: &dyn Kinematics, way: Way, span: [f64; 2], interrupted: &Ato
         way,
         changes,
         visited,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_span_is_refused_with_what_is_wrong() {
+        assert_eq!("-0.03 : 0.04".parse(), Ok(Span([-0.03, 0.04])));
+        for (text, expected) in [
+            ("0.03", "write FROM:TO, as -0.06:0.06"),
+            ("a:1", "write FROM:TO, as -0.06:0.06"),
+            ("0:inf", "write FROM:TO, as -0.06:0.06"),
+            ("0.03:-0.03", "FROM is less than TO, as in -0.06:0.06"),
+            ("0:0", "FROM is less than TO, as in -0.06:0.06"),
+        ] {
+            assert_eq!(text.parse::<Span>(), Err(expected.to_owned()));
+        }
     }
 }

@@ -87,7 +87,7 @@ fn what_is_missing_or_wrong_is_said() {
         ),
         (
             vec!["sheet", "a.toml", "--travel", "1:0"],
-            "write FROM:TO, as -0.06:0.06",
+            "FROM is less than TO, as in -0.06:0.06",
         ),
         (
             vec!["sheet", "a.toml", "--out", "a.toml"],
