@@ -111,8 +111,12 @@ fn of_file(
     path: &Spanned<String>,
 ) -> Result<(String, Listing), Failure> {
     let folder = Path::new(source.name()).parent().unwrap_or(Path::new(""));
+    let place = path.span();
     let path = folder.join(path.get_ref());
-    let text = Source::read(&path)?;
+    let text = Source::read(&path).map_err(|failure| match failure {
+        Failure::Input(message) => source.refuse(&place, message),
+        other => other,
+    })?;
     let listing = Listing::parse_file(text.text(), text.name())
         .map_err(|mistakes| refused(&text, &mistakes))?;
     check_places(&text, &listing, file)?;

@@ -120,6 +120,19 @@ fn a_mistake_of_a_listing_is_told_at_its_place_there() {
 }
 
 #[test]
+fn a_listing_that_cannot_be_read_is_told_with_the_line_that_names_it() {
+    let motion = CORNER.replace(
+        "linkage = \"double_wishbone_pushrod\"",
+        "listing = \"y.linkage\"",
+    );
+    let said = refusal("motion", &[("x.toml", &motion)], &[]);
+    assert!(
+        said.starts_with("x.toml:1:11: y.linkage: cannot be read: "),
+        "{said}"
+    );
+}
+
+#[test]
 fn a_measure_is_not_listed_among_the_drives() {
     let said = refusal("sweep", &[("a.toml", CORNER)], &["--drive", "damper=0:1:3"]);
     assert_eq!(
