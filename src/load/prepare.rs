@@ -139,7 +139,7 @@ fn check_names(task: &Task<'_>) -> Result<Option<StandIn>, Failure> {
         names,
         ..
     } = task;
-    check::names(source, &file.points, "point", &names.points)?;
+    check::point_names(source, file, &names.points)?;
     check::points(source, file, names.markers())?;
     if let Some(lengths) = &file.lengths {
         check::names(source, lengths, "length", &names.lengths)?;

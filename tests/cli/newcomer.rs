@@ -64,6 +64,28 @@ fn all_lengths_that_are_missing_are_named() {
 }
 
 #[test]
+fn a_point_without_position_is_told_where_to_write_it() {
+    let motion = "listing = \"a.linkage\"\nunit = \"m\"\ntime = { instants = [0.0] }\ndrives = { lift = 0.0 }\n";
+    let listing = "fixed: fore at [0.3, 0.0, 0.0], aft;\nfree: tip;\nlink front: fore -> tip;\n\
+                   link rear: aft -> tip;\ndrive lift: tip.z;\n";
+    for (tip, expected) in [
+        (
+            "",
+            "points `aft`, `tip` have no position; write `aft at [x, y, z]` in the listing, or aft = [x, y, z] under [points]",
+        ),
+        (
+            "points = { tip = [0.0, 0.4, 0.0] }\n",
+            "point `aft` has no position; write `aft at [x, y, z]` in the listing, or aft = [x, y, z] under [points]",
+        ),
+    ] {
+        let motion = format!("{motion}{tip}");
+        let files = [("a.toml", motion.as_str()), ("a.linkage", listing)];
+        let said = refusal("motion", &files, &[]);
+        assert!(said.ends_with(expected), "{said}");
+    }
+}
+
+#[test]
 fn a_file_of_another_kind_is_named_as_what_it_is() {
     let listing = "//! An arm.\nfixed: hinge at [0.0, 0.0, 0.0];\n";
     for (name, content, expected) in [
