@@ -8,6 +8,7 @@ use suspension_core::DriveKind;
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{From, Grid, Names, Order, State, Unit, Visited, evenly_spaced};
+use crate::number::number;
 
 /// From where to where, from the design position, as `-0.06:0.06`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,6 +76,9 @@ const PLACES: usize = 61;
 const USUAL: [f64; 2] = [0.06, 0.03];
 const USUAL_ANGLE: f64 = 0.2;
 
+/// No drive of a wheel goes further from end to end, in metres.
+const LONGEST: f64 = 1.0;
+
 /// The states along travel, of several wheels along each drive, and along steering where a drive steers; spans are in `unit`.
 ///
 /// # Errors
@@ -99,7 +103,10 @@ pub fn ways(
         let (span, metres) = (spans[of], USUAL[of]);
         let metre = mechanism.unit.metre();
         let span = match (span, names.drives[way.drive].kind) {
-            (Some(Span(ends)), DriveKind::Coordinate) => ends.map(|end| end / unit.metre() * metre),
+            (Some(span), DriveKind::Coordinate) => {
+                note_length(file, &way.name, span, unit);
+                span.0.map(|end| end / unit.metre() * metre)
+            }
             (Some(Span(ends)), DriveKind::Angle) => ends,
             (None, DriveKind::Coordinate) => [-metres, metres].map(|end| end * metre),
             (None, DriveKind::Angle) => [-USUAL_ANGLE, USUAL_ANGLE],
@@ -107,6 +114,17 @@ pub fn ways(
         along(mechanism, way, span, interrupted)
     };
     Ok(Way::all(names).into_iter().map(along).collect())
+}
+
+/// Says so where a span is in another unit, as it seems.
+fn note_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) {
+    if to - from > LONGEST * unit.metre() {
+        let symbol = unit.symbol();
+        let [from, to] = [from, to].map(number);
+        eprintln!(
+            "note: {file}: {way} is from {from} {symbol} to {to} {symbol}: is it in another unit?"
+        );
+    }
 }
 
 fn along(mechanism: &dyn Kinematics, way: Way, span: [f64; 2], interrupted: &AtomicBool) -> Along {

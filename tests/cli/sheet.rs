@@ -99,3 +99,21 @@ fn what_is_missing_or_wrong_is_said() {
         assert!(text(&output.stderr).contains(expected), "{output:?}");
     }
 }
+
+#[test]
+fn a_travel_in_another_unit_is_remarked() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    for (travel, expected) in [
+        ("-0.03:0.03", None),
+        (
+            "-30:30",
+            Some("note: a.toml: travel is from -30 m to 30 m: is it in another unit?"),
+        ),
+    ] {
+        let output = run(folder.path(), &["sheet", "a.toml", "--travel", travel]);
+        let said = text(&output.stderr);
+        let note = said.lines().find(|line| line.starts_with("note: "));
+        assert_eq!(note, expected, "{said}");
+    }
+}
