@@ -35,6 +35,14 @@ impl Unit {
         }
     }
 
+    /// What it is called in a sentence.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Self::Inch => "inches",
+            metric => metric.symbol(),
+        }
+    }
+
     /// A metre in this unit.
     pub fn metre(self) -> f64 {
         match self {
