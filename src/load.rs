@@ -6,6 +6,7 @@ mod listing;
 mod loaded;
 mod notes;
 mod off;
+mod outlier;
 mod prepare;
 mod start;
 mod task;

@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use suspension_core::Values;
 
 use crate::load::off::Off;
+use crate::load::outlier::Outlier;
 use crate::load::task::Task;
 use crate::mechanism::{Unit, Wheel};
 use crate::number::{number, rounded};
@@ -27,10 +28,14 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     given: &P,
     placed: &P,
     off: Option<Off>,
+    outlier: Option<&Outlier>,
 ) -> Vec<String> {
     let placed_points: Vec<_> = placed.values().collect();
     let of_points = [
-        size(task, given),
+        outlier.map_or_else(
+            || size(task, given),
+            |outlier| Some(outlier.in_words.clone()),
+        ),
         moved(task, given, placed),
         assembled(task, given, placed, off),
     ];
