@@ -5,9 +5,9 @@ mod instants;
 use std::borrow::Borrow;
 
 use suspension_core::parts;
+use suspension_listing::did_you_mean::did_you_mean;
 use toml::Spanned;
 
-use crate::did_you_mean::did_you_mean;
 use crate::failure::Failure;
 use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position, Table};
 use crate::file::source::Source;

@@ -23,12 +23,35 @@ fn a_mistyped_name_is_told_the_one_that_was_meant() {
             "; did you mean `double_wishbone_pushrod`?",
         ),
         ("steer =", "ster =", "; did you mean `steer`?"),
+        (
+            "wheel_radius",
+            "tyre_radius",
+            "; did you mean `wheel_radius`?",
+        ),
+        (
+            "wheel_radius = 0.3",
+            "travel = \"bumb\"",
+            "; did you mean `bump`?",
+        ),
     ] {
         let said = refusal("motion", &[("a.toml", &CORNER.replace(from, to))], &[]);
         assert!(
             said.starts_with("a.toml:") && said.ends_with(expected),
             "{said}"
         );
+    }
+}
+
+#[test]
+fn a_mistyped_drive_of_an_option_is_told_the_one_that_was_meant() {
+    for (command, options) in [
+        ("sweep", ["--drive", "bumb=0:0.01:2"].as_slice()),
+        ("assemblies", &["--drive", "bumb", "--at", "0.3"]),
+        ("bake", &["--drive", "bumb=0.29:0.31"]),
+    ] {
+        let said = refusal(command, &[("a.toml", CORNER)], options);
+        let expected = "unknown drive `bumb`; known are bump, steer; did you mean `bump`?";
+        assert!(said.ends_with(expected), "{said}");
     }
 }
 
