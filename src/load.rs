@@ -1,5 +1,6 @@
 //! From a motion file to a mechanism in the configuration of the first instant.
 
+mod across;
 mod design;
 mod led;
 mod listing;
@@ -12,5 +13,6 @@ mod start;
 mod task;
 mod vehicle;
 
+pub(crate) use across::only_across;
 pub(crate) use listing::points;
 pub use loaded::{Loaded, load, load_own};

@@ -7,6 +7,7 @@ mod format;
 mod hardpoints;
 mod names;
 mod orientation;
+mod remarks;
 mod row;
 mod shark;
 mod stand_in;

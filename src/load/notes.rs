@@ -5,6 +5,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use suspension_core::Values;
 
+use crate::load::across::only_across;
 use crate::load::off::Off;
 use crate::load::outlier::Outlier;
 use crate::load::task::Task;
@@ -38,6 +39,7 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
         ),
         moved(task, given, placed),
         assembled(task, given, placed, off),
+        across(task, given),
     ];
     let wheels = task.names.wheels.iter();
     let of_wheels = wheels.flat_map(|wheel| {
@@ -110,6 +112,25 @@ fn assembled<P: Values<Vector3<f64>>>(
     let off = task.off_in_words(off);
     Some(format!(
         "the points do not satisfy {off}; results are of the assembled mechanism, in which `{point}` has moved by {moved}"
+    ))
+}
+
+/// A free point of a corner is on the other side of the vehicle than its wheel.
+fn across<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
+    let names = task.names;
+    let [wheel] = names.wheels.as_slice() else {
+        return None;
+    };
+    let [_, centre] = wheel.points.axis;
+    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
+    let y = given.values().map(|point| point.y + task.middle);
+    let y: Vec<f64> = y.collect();
+    let points = names.points.iter().zip(y.iter().copied());
+    let free = points.skip(names.chassis).take(names.free);
+    let point = only_across(free, y[centre]).filter(|_| wheel.name.is_empty())?;
+    let centre = &names.points[centre];
+    Some(format!(
+        "`{point}` is on the other side of the vehicle than `{centre}`: is the sign of its y right?"
     ))
 }
 

@@ -85,21 +85,6 @@ fn what_is_not_used_and_what_is_not_there_is_noted() {
     );
 }
 
-#[test]
-fn a_pushrod_on_the_upper_wishbone_is_doubted() {
-    let folder = folder();
-    let pulled = table(&CORNER).replace(
-        "prod_outboard, 2, -520, 150",
-        "prod_outboard, 12, -500, 325",
-    );
-    let imported = import(folder.path(), "a.csv", &pulled, &[]);
-    let doubt =
-        "`prod_outboard` is on the part of `lca_outer` in this layout, but nearer to `uca_outer`";
-    assert!(imported.notes.contains(doubt), "{}", imported.notes);
-    let imported = import(folder.path(), "a.csv", &table(&CORNER), &[]);
-    assert!(!imported.notes.contains("nearer"), "{}", imported.notes);
-}
-
 /// File, its content, options, and how the last line of the message begins or what it has.
 #[test]
 fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
