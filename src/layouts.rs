@@ -1,8 +1,7 @@
 //! The catalogue of layouts, in words.
 
 use suspension_core::linkages::LISTINGS;
-
-use crate::did_you_mean::did_you_mean;
+use suspension_listing::did_you_mean::did_you_mean;
 
 /// That the catalogue has no such linkage, what it has, and what there is besides.
 pub fn unknown(name: &str, besides: &str) -> String {

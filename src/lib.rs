@@ -17,7 +17,6 @@ pub mod characteristics;
 pub mod cli;
 pub mod commands;
 pub mod detail;
-pub mod did_you_mean;
 pub mod failure;
 pub mod file;
 pub mod interrupt;

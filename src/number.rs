@@ -19,6 +19,12 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
+/// So many things, as `1 segment` and `2 segments`.
+pub fn counted(count: usize, thing: &str) -> String {
+    let ending = if count == 1 { "" } else { "s" };
+    format!("{count} {thing}{ending}")
+}
+
 /// Numbers below each other: their decimal points are in a line where spaces are as wide as a digit and as a point.
 pub fn aligned(numbers: Vec<String>, [space, point]: [char; 2]) -> Vec<String> {
     let whole = |number: &String| number.find('.').unwrap_or(number.len());
@@ -84,6 +90,12 @@ mod tests {
         ] {
             assert_eq!(fixed(value, 5), expected);
         }
+    }
+
+    #[test]
+    fn one_thing_has_no_plural() {
+        let told = [0, 1, 2].map(|count| counted(count, "place"));
+        assert_eq!(told, ["0 places", "1 place", "2 places"]);
     }
 
     #[test]

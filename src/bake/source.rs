@@ -9,7 +9,7 @@ use std::path::Path;
 use crate::bake::driven::Output;
 use crate::bake::fit::Baked;
 use crate::bake::surface::BakedSurface;
-use crate::number::rounded;
+use crate::number::{counted, rounded};
 
 pub use about::{About, Ranged};
 
@@ -64,7 +64,7 @@ impl Table {
     /// How many polynomials there are, in words.
     pub fn count_in_words(&self) -> String {
         match self {
-            Self::Curve(baked) => format!("{} segments", baked.segments.len()),
+            Self::Curve(baked) => counted(baked.segments.len(), "segment"),
             Self::Surface(BakedSurface { counts, .. }) => {
                 format!("{} x {} patches", counts[0], counts[1])
             }

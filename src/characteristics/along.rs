@@ -10,6 +10,7 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{
     Axis, From, Grid, Names, Order, Pair, State, Unit, Visited, Wheel, evenly_spaced,
 };
+use crate::number::number;
 
 /// From where to where, from the design position, as `-0.06:0.06`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,7 +25,8 @@ impl FromStr for Span {
         let ends = ends.and_then(|(from, to)| Some([number(from)?, number(to)?]));
         match ends {
             Some([from, to]) if from < to => Ok(Self([from, to])),
-            _ => Err("write FROM:TO, as -0.06:0.06".to_owned()),
+            Some(_) => Err("FROM is less than TO, as in -0.06:0.06".to_owned()),
+            None => Err("write FROM:TO, as -0.06:0.06".to_owned()),
         }
     }
 }
@@ -166,6 +168,9 @@ const PLACES: usize = 61;
 const USUAL: [f64; 2] = [0.06, 0.03];
 const USUAL_ANGLE: f64 = 0.2;
 
+/// No drive of a wheel goes further from end to end, in metres.
+const LONGEST: f64 = 1.0;
+
 /// The states in heave and roll of axles, along travel of single wheels, and along steering where a drive steers; spans are in
 /// `unit`, that of travel is also that of heave and roll.
 ///
@@ -193,7 +198,10 @@ pub fn ways(
         let (span, metres) = (spans[of], USUAL[of]);
         let metre = mechanism.unit.metre();
         let span = match (span, kind) {
-            (Some(Span(ends)), DriveKind::Coordinate) => ends.map(|end| end / unit.metre() * metre),
+            (Some(span), DriveKind::Coordinate) => {
+                note_length(file, &course.title, span, unit);
+                span.0.map(|end| end / unit.metre() * metre)
+            }
             (Some(Span(ends)), DriveKind::Angle) => ends,
             (None, DriveKind::Coordinate) => [-metres, metres].map(|end| end * metre),
             (None, DriveKind::Angle) => [-USUAL_ANGLE, USUAL_ANGLE],
@@ -203,6 +211,17 @@ pub fn ways(
         ways.push(along(mechanism, course, number, (kind, span), interrupted));
     }
     Ok(ways)
+}
+
+/// Says so where a span is in another unit, as it seems.
+fn note_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) {
+    if to - from > LONGEST * unit.metre() {
+        let symbol = unit.symbol();
+        let [from, to] = [from, to].map(number);
+        eprintln!(
+            "note: {file}: {way} is from {from} {symbol} to {to} {symbol}: is it in another unit?"
+        );
+    }
 }
 
 fn along(
@@ -246,5 +265,24 @@ fn numbered(kind: &str, number: usize) -> String {
     match number {
         1 => kind.to_owned(),
         number => format!("{kind} {number}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_span_is_refused_with_what_is_wrong() {
+        assert_eq!("-0.03 : 0.04".parse(), Ok(Span([-0.03, 0.04])));
+        for (text, expected) in [
+            ("0.03", "write FROM:TO, as -0.06:0.06"),
+            ("a:1", "write FROM:TO, as -0.06:0.06"),
+            ("0:inf", "write FROM:TO, as -0.06:0.06"),
+            ("0.03:-0.03", "FROM is less than TO, as in -0.06:0.06"),
+            ("0:0", "FROM is less than TO, as in -0.06:0.06"),
+        ] {
+            assert_eq!(text.parse::<Span>(), Err(expected.to_owned()));
+        }
     }
 }

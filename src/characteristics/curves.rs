@@ -54,11 +54,14 @@ impl Curves {
     }
 }
 
+/// Reads a number of a state, and of the same with derivatives with respect to each drive.
+type OfPlace<'a> = dyn Fn(&State, &[Option<State>]) -> Option<f64> + 'a;
+
 /// All quantities along a drive, or along several, with lengths in `unit`; of measures their derivatives too, which are motion ratios. Of
 /// several axles, what stays as it is where another moves is left out.
 pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     let kind = Kind::from(along.kind);
-    let values = |value: &dyn Fn(&State, &[Option<State>]) -> Option<f64>| -> Vec<Option<f64>> {
+    let values = |value: &OfPlace<'_>| -> Vec<Option<f64>> {
         let places = along.visited.places.iter();
         let value = |place: &Option<(State, Vec<Option<State>>)>| {
             let (state, per) = place.as_ref()?;

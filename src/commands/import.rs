@@ -7,6 +7,7 @@ mod format;
 mod hardpoints;
 mod names;
 mod orientation;
+mod remarks;
 mod row;
 mod shark;
 mod stand_in;
@@ -93,7 +94,7 @@ impl Arguments {
         let source = stated.source;
         let refuse = |message: String| Failure::Input(format!("{}: {message}", source.name()));
         let points = stated.of_side(self.side)?;
-        let choice = choose(&points, names, self.linkage.as_deref()).map_err(refuse)?;
+        let choice = choose(stated, &points, names, self.linkage.as_deref()).map_err(refuse)?;
         let found = orientation(&choice, &names.order, self.axes, stated.usual);
         let found = found.map_err(refuse)?;
         let corner = Corner::of(&choice, found.axes, self.side).map_err(refuse)?;

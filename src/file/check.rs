@@ -1,19 +1,19 @@
 //! What a motion file may say, beyond its grammar. Each refusal names its place.
 
+mod instants;
+
 use std::borrow::Borrow;
 
 use suspension_core::parts;
+use suspension_listing::did_you_mean::did_you_mean;
 use toml::Spanned;
 
-use crate::did_you_mean::did_you_mean;
 use crate::failure::Failure;
-use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position, Table, Time};
+use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position, Table};
 use crate::file::source::Source;
-use crate::mechanism::Instants;
-use crate::number::{exact, rounded};
+use crate::number::exact;
 
-/// More instants than this are taken for a mistyped step.
-const MOST_INSTANTS: f64 = 1e7;
+pub use instants::instants;
 
 /// Checks that a table has an entry for each known name and no other.
 ///
@@ -28,16 +28,49 @@ pub fn names<V>(
 ) -> Result<(), Failure> {
     let has = format!("the linkage has {}", known.join(", "));
     known_names(source, table, kind, known, &has)?;
-    let entries = table.get_ref();
-    let missing = known.iter().map(Borrow::borrow);
-    let missing = missing.filter(|name| !entries.contains_key(*name));
-    let missing: Vec<String> = missing.map(|name| format!("`{name}`")).collect();
+    let missing = missing(table, known);
     let message = match missing.as_slice() {
         [] => return Ok(()),
-        [name] => format!("{kind} {name} is missing"),
-        names => format!("{kind}s {} are missing", names.join(", ")),
+        [name] => format!("{kind} `{name}` is missing"),
+        names => format!("{kind}s {} are missing", quoted(names)),
     };
     Err(source.refuse(&table.span(), message))
+}
+
+/// Checks that the points have the known names and no other, and that each has a position.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first unknown name, or at the table where a position is missing.
+pub fn point_names(source: &Source, file: &MotionFile, known: &[String]) -> Result<(), Failure> {
+    let table = &file.points;
+    let has = format!("the linkage has {}", known.join(", "));
+    known_names(source, table, "point", known, &has)?;
+    let missing = missing(table, known);
+    let (points, first) = match missing.as_slice() {
+        [] => return Ok(()),
+        [name] => (format!("point `{name}` has"), name),
+        [name, ..] => (format!("points {} have", quoted(&missing)), name),
+    };
+    let in_the_listing = match file.linkage {
+        Some(_) => String::new(),
+        None => format!("`{first} at [x, y, z]` in the listing, or "),
+    };
+    let message =
+        format!("{points} no position; write {in_the_listing}{first} = [x, y, z] under [points]");
+    Err(source.refuse(&table.span(), message))
+}
+
+/// The known names for which a table has no entry.
+fn missing<'a, V>(table: &Table<V>, known: &'a [impl Borrow<str>]) -> Vec<&'a str> {
+    let entries = table.get_ref();
+    let known = known.iter().map(Borrow::borrow);
+    known.filter(|name| !entries.contains_key(*name)).collect()
+}
+
+fn quoted(names: &[&str]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    quoted.join(", ")
 }
 
 /// Checks that a table has no entry but for known names; `has` says in words what they are.
@@ -196,92 +229,4 @@ pub fn drives(source: &Source, table: &Table<Coefficients>) -> Result<(), Failur
         return Err(source.refuse(&coefficients.span(), format!("drive `{name}` {fault}")));
     }
     Ok(())
-}
-
-/// The instants that the file asks for.
-///
-/// # Errors
-///
-/// [`Failure::Input`] where there are none, too many, or they do not run one way.
-pub fn instants(source: &Source, time: &Spanned<Time>) -> Result<Instants, Failure> {
-    match time.get_ref() {
-        Time {
-            start: Some(start),
-            stop: Some(stop),
-            step: Some(step),
-            instants: None,
-        } => stepped(source, [start, stop, step]),
-        Time {
-            start: None,
-            stop: None,
-            step: None,
-            instants: Some(instants),
-        } => listed(source, instants),
-        _ => Err(source.refuse(
-            &time.span(),
-            "[time] needs either start, stop and step, or instants",
-        )),
-    }
-}
-
-fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Failure> {
-    for value in values {
-        finite_time(source, value)?;
-    }
-    let [first, stop, step] = values.map(|value| *value.get_ref());
-    let refuse = |message: String| Err(source.refuse(&values[2].span(), message));
-    if step == 0.0 {
-        return refuse("the time step is zero".into());
-    }
-    if (stop - first) / step < 0.0 {
-        return refuse(format!(
-            "the time step {} s leads away from the stop at {} s",
-            exact(step),
-            exact(stop)
-        ));
-    }
-    let count = Instants::count_stepped(first, stop, step);
-    if count.is_nan() || count > MOST_INSTANTS {
-        return refuse(format!(
-            "the time step {} s makes {} instants; at most {MOST_INSTANTS} are allowed",
-            exact(step),
-            rounded(count, 12)
-        ));
-    }
-    Ok(Instants::stepped(first, stop, step))
-}
-
-fn listed(source: &Source, list: &Spanned<Vec<Spanned<f64>>>) -> Result<Instants, Failure> {
-    for instant in list.get_ref() {
-        finite_time(source, instant)?;
-    }
-    let times: Vec<f64> = list.get_ref().iter().map(|t| *t.get_ref()).collect();
-    if times.is_empty() {
-        return Err(source.refuse(&list.span(), "the list of instants is empty"));
-    }
-    let backwards = times.len() > 1 && times[1] < times[0];
-    for (pair, at) in times.windows(2).zip(&list.get_ref()[1..]) {
-        let onwards = if backwards {
-            pair[1] < pair[0]
-        } else {
-            pair[1] > pair[0]
-        };
-        if !onwards {
-            let message = format!(
-                "the instants must run one way, but {} s follows {} s",
-                exact(pair[1]),
-                exact(pair[0])
-            );
-            return Err(source.refuse(&at.span(), message));
-        }
-    }
-    Ok(Instants::Listed(times))
-}
-
-fn finite_time(source: &Source, time: &Spanned<f64>) -> Result<(), Failure> {
-    if time.get_ref().is_finite() {
-        Ok(())
-    } else {
-        Err(source.refuse(&time.span(), "a time is not a finite number"))
-    }
 }

@@ -1,6 +1,7 @@
 //! What the reader of TOML says of a motion file, with what to do about it.
 
-use crate::did_you_mean::did_you_mean;
+use suspension_listing::did_you_mean::did_you_mean;
+
 use crate::file::source::Source;
 
 /// A mistake in words.

@@ -112,10 +112,13 @@ fn of_file(
     file: &MotionFile,
     path: &Spanned<String>,
 ) -> Result<(String, Listing), Failure> {
-    let place = path.span();
     let folder = Path::new(source.name()).parent().unwrap_or(Path::new(""));
+    let place = path.span();
     let path = folder.join(path.get_ref());
-    let text = Source::read(&path)?;
+    let text = Source::read(&path).map_err(|failure| match failure {
+        Failure::Input(message) => source.refuse(&place, message),
+        other => other,
+    })?;
     let parsed = included::parsed(text.text(), text.name());
     let parsed = parsed.map_err(|mistakes| refused(&text, &mistakes))?;
     included::check_unit(source, file, place, &parsed)?;

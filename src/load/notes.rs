@@ -1,12 +1,16 @@
 //! What a file says that its author may not have meant.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 use suspension_core::Values;
 
+use crate::load::across::only_across;
 use crate::load::off::Off;
+use crate::load::outlier::Outlier;
 use crate::load::task::Task;
 use crate::mechanism::{Unit, Wheel};
-use crate::number::rounded;
+use crate::number::{number, rounded};
 
 /// No suspension is so large, in metres, nor so small.
 const LARGEST: f64 = 10.0;
@@ -25,12 +29,17 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     given: &P,
     placed: &P,
     off: Option<Off>,
+    outlier: Option<&Outlier>,
 ) -> Vec<String> {
     let placed_points: Vec<_> = placed.values().collect();
     let of_points = [
-        size(task, given),
+        outlier.map_or_else(
+            || size(task, given),
+            |outlier| Some(outlier.in_words.clone()),
+        ),
         moved(task, given, placed),
         assembled(task, given, placed, off),
+        across(task, given),
     ];
     let wheels = task.names.wheels.iter();
     let of_wheels = wheels.flat_map(|wheel| {
@@ -40,8 +49,8 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
         ]
     });
     let name = task.source.name();
-    let notes = of_points.into_iter().chain(of_wheels).chain([radius(task)]);
-    let notes = notes.flatten();
+    let notes = of_points.into_iter().chain(of_wheels).flatten();
+    let notes = notes.chain(lengths(task));
     notes.map(|note| format!("{name}: {note}")).collect()
 }
 
@@ -56,9 +65,10 @@ fn size<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
     if (SMALLEST..LARGEST).contains(&(apart / unit.metre())) || other == unit {
         return None;
     }
-    let (apart, unit, other) = (rounded(apart, 3), unit.symbol(), other.symbol());
+    let (apart, unit) = (rounded(apart, 3), unit.symbol());
+    let (other, symbol) = (other.in_words(), other.symbol());
     Some(format!(
-        "the points are up to {apart} {unit} apart: is the file in {other}? (unit = \"{other}\")"
+        "the points are up to {apart} {unit} apart: is the file in {other}? (unit = \"{symbol}\")"
     ))
 }
 
@@ -105,6 +115,25 @@ fn assembled<P: Values<Vector3<f64>>>(
     ))
 }
 
+/// A free point of a corner is on the other side of the vehicle than its wheel.
+fn across<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
+    let names = task.names;
+    let [wheel] = names.wheels.as_slice() else {
+        return None;
+    };
+    let [_, centre] = wheel.points.axis;
+    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
+    let y = given.values().map(|point| point.y + task.middle);
+    let y: Vec<f64> = y.collect();
+    let points = names.points.iter().zip(y.iter().copied());
+    let free = points.skip(names.chassis).take(names.free);
+    let point = only_across(free, y[centre]).filter(|_| wheel.name.is_empty())?;
+    let centre = &names.points[centre];
+    Some(format!(
+        "`{point}` is on the other side of the vehicle than `{centre}`: is the sign of its y right?"
+    ))
+}
+
 /// The kingpin is stated from top to bottom.
 fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
     let names = task.names;
@@ -131,12 +160,35 @@ fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<
     })
 }
 
-/// The wheel radius is in another unit, as it seems.
-fn radius(task: &Task<'_>) -> Option<String> {
-    let radius = task.names.wheels.iter().find_map(|wheel| wheel.radius)?;
-    let (unit, metres) = (task.file.unit, radius / task.file.unit.metre());
-    (!(0.05..5.0).contains(&metres)).then(|| {
-        let (radius, unit) = (rounded(radius, 3), unit.symbol());
-        format!("wheel_radius is {radius} {unit}: it is in the unit of the file")
-    })
+/// Lengths of the vehicle that are in another unit, as it seems.
+fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
+    let names = task.names;
+    let radii = names.wheels.iter().filter_map(|wheel| wheel.radius);
+    let radius = radii.map(|radius| length(task, "wheel_radius", radius, 0.05..5.0));
+    let of_car = [
+        ("wheelbase", names.vehicle.wheelbase, 0.5..20.0),
+        ("cg_height", names.vehicle.cg_height, 0.05..5.0),
+    ];
+    let of_car = of_car
+        .into_iter()
+        .filter_map(|(name, stated, usual)| length(task, name, stated?, usual));
+    radius.flatten().take(1).chain(of_car)
+}
+
+/// A length that is outside what is usual, in metres.
+fn length(task: &Task<'_>, name: &str, stated: f64, usual: Range<f64>) -> Option<String> {
+    let unit = task.file.unit;
+    if usual.contains(&(stated / unit.metre())) {
+        return None;
+    }
+    let (length, symbol) = (number(stated), unit.symbol());
+    let doubt = match Unit::of_size(stated) {
+        other if other == unit => "it is in the unit of the file".to_owned(),
+        other => format!(
+            "is it in {}? The file is in {}",
+            other.in_words(),
+            unit.in_words()
+        ),
+    };
+    Some(format!("{name} is {length} {symbol}: {doubt}"))
 }

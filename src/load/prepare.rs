@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
 use crate::load::design::at_design;
 use crate::load::notes::notes;
+use crate::load::outlier::Outlier;
 use crate::load::task::Task;
 use crate::load::vehicle::with_vehicle;
 use crate::load::{led, start};
@@ -56,6 +57,11 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let given: L::Points = guess(&task);
     parts::finite(given.values().take(names.points.len()))
         .map_err(|error| task.refuse_geometry(&error))?;
+    let outlier = Outlier::among(&task, &given);
+    let outlier_first = |failure| match &outlier {
+        Some(outlier) => outlier.before(failure, source),
+        None => failure,
+    };
     let origin = LocalOrigin::among(given.values().take(names.points.len()));
     let file = file.seen_from(origin.position().into());
     let task = Task {
@@ -65,7 +71,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     };
     let guess = guess(&task);
     let model = L::of(listing, &guess).and_then(|model| with_lengths(&task, model));
-    let model = model.map_err(|error| task.refuse_geometry(&error))?;
+    let model = model.map_err(|error| outlier_first(task.refuse_geometry(&error)))?;
     let names = with_vehicle(&task)?;
     let task = Task {
         names: &names,
@@ -79,8 +85,8 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         file: &file,
         ..task
     };
-    let design = at_design(&task, model, origin, &guess)?;
-    let mut notes = notes(&task, &guess, &design.points, design.off);
+    let design = at_design(&task, model, origin, &guess).map_err(outlier_first)?;
+    let mut notes = notes(&task, &guess, &design.points, design.off, outlier.as_ref());
     let drives = task.drive_laws(design.drives.values());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &file.drives)?;
@@ -96,10 +102,11 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
                 notes.push(format!("{unreached}; it stays at the design position"));
                 at_design()
             }
-            Err(unreached) => return Err(unreached),
+            Err(unreached) => return Err(outlier_first(unreached)),
         },
         Some(stand_in) => {
-            let lead = led::to_first_instant(&task, &design, &drives, &stand_in)?;
+            let lead =
+                led::to_first_instant(&task, &design, &drives, &stand_in).map_err(outlier_first)?;
             let there = lead.inputs(&design.model, &drives.inputs(task.first), &lead.start);
             let drives = task.drive_laws(there.drives.value.values());
             (lead.start.motion(), drives, Some(lead))
@@ -139,7 +146,7 @@ fn check_names(task: &Task<'_>) -> Result<Option<StandIn>, Failure> {
         names,
         ..
     } = task;
-    check::names(source, &file.points, "point", &names.points)?;
+    check::point_names(source, file, &names.points)?;
     check::points(source, file, names.markers())?;
     if let Some(lengths) = &file.lengths {
         check::names(source, lengths, "length", &names.lengths)?;

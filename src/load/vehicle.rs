@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use suspension_listing::did_you_mean::did_you_mean;
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -82,7 +83,11 @@ fn of_each<T: Clone>(
                 "unknown wheel `{unknown}`; the listing names no wheels: write what stands behind `=` alone"
             )
         } else {
-            format!("unknown wheel `{unknown}`; known are {}", names.join(", "))
+            let hint = did_you_mean(unknown, names.iter().copied());
+            format!(
+                "unknown wheel `{unknown}`; known are {}{hint}",
+                names.join(", ")
+            )
         };
         return Err(task.source.refuse(&stated.span(), message));
     }
@@ -115,8 +120,9 @@ fn drives(
             continue;
         };
         let Some(drive) = known.iter().position(|drive| *drive == wanted) else {
+            let hint = did_you_mean(&wanted, known.iter().copied());
             let known = known.join(", ");
-            let message = format!("unknown drive `{wanted}`; known are {known}");
+            let message = format!("unknown drive `{wanted}`; known are {known}{hint}");
             return Err(task.source.refuse(&place, message));
         };
         *of(wheel) = Some(drive);

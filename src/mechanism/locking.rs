@@ -41,9 +41,9 @@ impl Lock {
         }
     }
 
-    /// The link that is in the way, where one is.
-    pub(crate) fn link(&self) -> Option<&str> {
-        self.misfit.as_ref().map(Misfit::link)
+    /// The link that is in the way, where one is, and whether it is too long or too short, in words.
+    pub(crate) fn fault(&self) -> Option<String> {
+        self.misfit.as_ref().map(Misfit::fault)
     }
 
     /// In words, `design` being the drives at the design position.

@@ -66,9 +66,14 @@ impl Misfit {
         Some(Self { name, has, needs })
     }
 
-    /// Its name.
-    pub(crate) fn link(&self) -> &str {
-        &self.name
+    /// Whether it is too long or too short, in words.
+    pub(crate) fn fault(&self) -> String {
+        let fault = if self.has > self.needs {
+            "long"
+        } else {
+            "short"
+        };
+        format!("`{}` is too {fault}", self.name)
     }
 
     /// In words; `None` where the digits shown do not differ.

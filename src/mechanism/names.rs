@@ -2,6 +2,7 @@
 
 use suspension_core::listing::Kind;
 use suspension_core::{Build, DriveKind, Linkage, Listing, MeasureKind, Part, Parts, WheelPlaces};
+use suspension_listing::did_you_mean::did_you_mean;
 
 use crate::mechanism::vehicle::{Vehicle, Wheel};
 
@@ -133,7 +134,10 @@ impl Names {
                 let found = names.iter().position(|name| *name == wanted);
                 found.ok_or_else(|| match self.of_measures().contains(&wanted) {
                     true => format!("`{wanted}` is a measure, no drive; the drives are {all}"),
-                    false => format!("unknown drive `{wanted}`; known are {all}"),
+                    false => {
+                        let hint = did_you_mean(wanted, names.iter().copied());
+                        format!("unknown drive `{wanted}`; known are {all}{hint}")
+                    }
                 })
             }
         }

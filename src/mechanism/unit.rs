@@ -18,11 +18,15 @@ pub enum Unit {
 }
 
 impl Unit {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Metre, Self::Millimetre, Self::Inch];
+
     /// The one in which something of the size of a suspension is so large.
     pub fn of_size(size: f64) -> Self {
         let off = |unit: &Self| (size / unit.metre()).ln().abs();
-        let units = [Self::Metre, Self::Millimetre, Self::Inch].into_iter();
-        let nearest = units.min_by(|a, b| off(a).total_cmp(&off(b)));
+        let nearest = Self::ALL
+            .into_iter()
+            .min_by(|a, b| off(a).total_cmp(&off(b)));
         nearest.unwrap_or(Self::Metre)
     }
 
@@ -32,6 +36,14 @@ impl Unit {
             Self::Metre => "m",
             Self::Millimetre => "mm",
             Self::Inch => "in",
+        }
+    }
+
+    /// What it is called in a sentence.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Self::Inch => "inches",
+            metric => metric.symbol(),
         }
     }
 

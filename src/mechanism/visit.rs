@@ -59,13 +59,15 @@ impl<R> Visited<R> {
     pub fn failure(&self, source: &str) -> Option<Failure> {
         let all = self.places.len();
         let missing = self.places.iter().filter(|place| place.is_none()).count();
+        let are = if missing == 1 { "is" } else { "are" };
         let written = match all - missing {
             0 => "none was written".to_owned(),
+            1 => "the other one was written".to_owned(),
             others => format!("the {others} others were written"),
         };
         if self.end.interrupted {
             return Some(Failure::Interrupted(format!(
-                "{source}: interrupted; {missing} of {all} places are missing, {written}"
+                "{source}: interrupted; {missing} of {all} places {are} missing, {written}"
             )));
         }
         if self.end.locks.is_empty() {
@@ -74,7 +76,7 @@ impl<R> Visited<R> {
         let locks = self.end.locks.iter().map(|end| end.in_words.as_str());
         let locks = locks.collect::<Vec<_>>().join("; also, ");
         Some(Failure::Solver(format!(
-            "{source}: {missing} of {all} places are out of reach from the design position: {locks}; {}; {written}",
+            "{source}: {missing} of {all} places {are} out of reach from the design position: {locks}; {}; {written}",
             advice(source)
         )))
     }

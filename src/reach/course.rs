@@ -7,7 +7,7 @@ use suspension_core::{DriveKind, Signal, Values};
 
 use crate::failure::Failure;
 use crate::mechanism::{Mechanism, State, Suspension};
-use crate::reach::limit::{Limit, RangeEnd, link_beyond};
+use crate::reach::limit::{Limit, RangeEnd, fault_beyond};
 use crate::reach::station::Station;
 
 /// Beyond this multiple of its least value in the range, the points' speed for a unit of the drive
@@ -183,7 +183,7 @@ impl Run {
         let limit = match self.turns.first() {
             Some((_, true)) => Limit::EndOfAngle,
             Some((_, false)) => Limit::Locks {
-                link: link_beyond(mechanism, drive, value),
+                fault: fault_beyond(mechanism, drive, value),
             },
             None => self.limit.clone(),
         };

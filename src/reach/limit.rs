@@ -17,8 +17,8 @@ pub struct RangeEnd {
 pub enum Limit {
     /// The drive turns: led by it, the mechanism locks.
     Locks {
-        /// The link that reaches no further, where one is known.
-        link: Option<String>,
+        /// The link that is too long or too short to go on, in words, where one is known.
+        fault: Option<String>,
     },
     /// The angle itself is 0 or pi.
     EndOfAngle,
@@ -34,12 +34,10 @@ impl Limit {
     /// What it is, in words.
     pub fn in_words(&self, unit: Unit) -> String {
         match self {
-            Self::Locks { link } => {
-                let link = link
-                    .as_ref()
-                    .map(|link| format!(": `{link}` reaches no further"));
+            Self::Locks { fault } => {
+                let fault = fault.as_ref().map(|fault| format!(": {fault}"));
                 let lock = "turning point of the drive, the mechanism locks";
-                format!("{lock}{}", link.unwrap_or_default())
+                format!("{lock}{}", fault.unwrap_or_default())
             }
             Self::EndOfAngle => {
                 "the end of the angle, beyond it the drive acts as before it".to_owned()
@@ -55,8 +53,8 @@ impl Limit {
     }
 }
 
-/// The link that keeps a drive from going beyond a value, in the file's coordinates.
-pub(super) fn link_beyond<L: Suspension<N>, const N: usize>(
+/// What is wrong with the link that keeps a drive from going beyond a value, in the file's coordinates.
+pub(super) fn fault_beyond<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     drive: usize,
     value: f64,
@@ -66,5 +64,5 @@ pub(super) fn link_beyond<L: Suspension<N>, const N: usize>(
     let start = mechanism.first_drives()[drive];
     let end = value - mechanism.drive_offsets[drive];
     let lock = mechanism.lock_before(drive, end + BEYOND * (end - start))?;
-    lock.link().map(str::to_owned)
+    lock.fault()
 }

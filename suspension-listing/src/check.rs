@@ -82,6 +82,17 @@ impl<'a> Check<'a> {
         self.taken.get(name) == Some(&kind)
     }
 
+    fn is_any(&self, name: &Ident, kinds: &[Kind]) -> bool {
+        kinds.iter().any(|kind| self.is(name, *kind))
+    }
+
+    /// Reports that there is no such point of the kinds that may stand there.
+    fn report_unknown(&mut self, point: &Ident, kinds: &[Kind]) {
+        let known = self.taken.iter().filter(|(_, kind)| kinds.contains(kind));
+        let error = errors::unknown_point(point, known.map(|(name, _)| name));
+        self.report_missing(error);
+    }
+
     /// The chassis points among some.
     pub(crate) fn anchors<'p>(
         &self,
@@ -95,12 +106,13 @@ impl<'a> Check<'a> {
 
     /// Checks that points exist, with unknowns or on the chassis, and are not repeated.
     pub(crate) fn sites<'p>(&mut self, points: impl IntoIterator<Item = &'p Ident>) {
+        let kinds = [Kind::FREE_POINT, Kind::CHASSIS_POINT];
         let mut seen = BTreeSet::new();
         for point in points {
             if self.is(point, Kind::MARKER) {
                 self.report(errors::marker_in_constraint(point));
-            } else if !self.is(point, Kind::FREE_POINT) && !self.is(point, Kind::CHASSIS_POINT) {
-                self.report_missing(errors::unknown_point(point));
+            } else if !self.is_any(point, &kinds) {
+                self.report_unknown(point, &kinds);
             } else if seen.contains(point) {
                 self.report(errors::same_point_twice(point));
             }
@@ -113,8 +125,8 @@ impl<'a> Check<'a> {
         let kinds = [Kind::FREE_POINT, Kind::CHASSIS_POINT, Kind::MARKER];
         let mut seen = BTreeSet::new();
         for point in points {
-            if !kinds.iter().any(|kind| self.is(point, *kind)) {
-                self.report_missing(errors::unknown_point(point));
+            if !self.is_any(point, &kinds) {
+                self.report_unknown(point, &kinds);
             }
             if !seen.insert(point) {
                 self.report(errors::same_point_twice(point));

@@ -6,6 +6,7 @@ use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{Attribute, Error, Ident};
 
+use crate::did_you_mean::did_you_mean;
 use crate::kind::Kind;
 
 /// Errors gathered so that all of them are reported at once.
@@ -81,11 +82,21 @@ pub(crate) fn reserved_name(name: &Ident) -> Error {
     )
 }
 
-pub(crate) fn unknown_point(name: &Ident) -> Error {
+pub(crate) fn unknown_point<'a>(name: &Ident, known: impl Iterator<Item = &'a Ident>) -> Error {
+    let hint = did_you_mean_name(name, known);
     at(
         name,
-        format!("there is no point `{name}`; declare it under `fixed:` or `free:`"),
+        format!("there is no point `{name}`; declare it under `fixed:` or `free:`{hint}"),
     )
+}
+
+/// `; did you mean ...?`, or nothing where no name of the listing is near.
+pub(crate) fn did_you_mean_name<'a>(
+    wanted: &Ident,
+    known: impl Iterator<Item = &'a Ident>,
+) -> String {
+    let known: Vec<String> = known.map(ToString::to_string).collect();
+    did_you_mean(&wanted.to_string(), known.iter().map(String::as_str))
 }
 
 pub(crate) fn marker_in_constraint(name: &Ident) -> Error {

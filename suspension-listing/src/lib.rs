@@ -5,6 +5,7 @@
 
 mod check;
 mod cluster;
+pub mod did_you_mean;
 pub mod eliminate;
 pub mod errors;
 pub mod form;

@@ -8,6 +8,7 @@ use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident, Token};
 
+use crate::did_you_mean::did_you_mean;
 use crate::errors::{self, Errors};
 use crate::lexed::{self, Mistake};
 use crate::library::Library;
@@ -216,9 +217,11 @@ fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
 fn unknown_statement(word: &Ident) -> syn::Error {
     let words = STATEMENTS.iter().map(|other| format!("`{}`", other.word));
     let words = words.collect::<Vec<_>>().join(", ");
+    let known = STATEMENTS.iter().map(|other| other.word);
+    let hint = did_you_mean(&word.to_string(), known);
     errors::at(
         word,
-        format!("unknown statement `{word}`; write one of {words}"),
+        format!("unknown statement `{word}`; write one of {words}{hint}"),
     )
 }
 

@@ -12,7 +12,7 @@ const BAD: [Case; 62] = [
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "`m`, `mm`, `in`"),
     ("linkage", "linkage = \"strut\"", ":6:11", "attia2003, five_link"),
-    ("p11", "", ":9:", "`p11` is missing"),
+    ("p11", "", ":9:", "point `p11` has no position; write p11 = [x, y, z] under [points]"),
     ("p2", "p2 = [-1.301, 0.1168, 0.106]\np12 = [0, 0, 0]", ":14:1", "unknown point `p12`"),
     ("p2", "p2 = [-1.301, 0.1168, 0.106]\np2 = [-1.301, 0.1168, 0.106]", ":14:1", "duplicate key"),
     ("p2", "p2 = [nan, 0.1, 0.1]", ":13:6", "`p2`"),

@@ -2,6 +2,7 @@
 
 mod formats;
 mod frames;
+mod noted;
 mod refused;
 
 use std::collections::BTreeMap;

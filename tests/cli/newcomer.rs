@@ -23,12 +23,35 @@ fn a_mistyped_name_is_told_the_one_that_was_meant() {
             "; did you mean `double_wishbone_pushrod`?",
         ),
         ("steer =", "ster =", "; did you mean `steer`?"),
+        (
+            "wheel_radius",
+            "tyre_radius",
+            "; did you mean `wheel_radius`?",
+        ),
+        (
+            "wheel_radius = 0.3",
+            "travel = \"bumb\"",
+            "; did you mean `bump`?",
+        ),
     ] {
         let said = refusal("motion", &[("a.toml", &CORNER.replace(from, to))], &[]);
         assert!(
             said.starts_with("a.toml:") && said.ends_with(expected),
             "{said}"
         );
+    }
+}
+
+#[test]
+fn a_mistyped_drive_of_an_option_is_told_the_one_that_was_meant() {
+    for (command, options) in [
+        ("sweep", ["--drive", "bumb=0:0.01:2"].as_slice()),
+        ("assemblies", &["--drive", "bumb", "--at", "0.3"]),
+        ("bake", &["--drive", "bumb=0.29:0.31"]),
+    ] {
+        let said = refusal(command, &[("a.toml", CORNER)], options);
+        let expected = "unknown drive `bumb`; known are bump, steer; did you mean `bump`?";
+        assert!(said.ends_with(expected), "{said}");
     }
 }
 
@@ -61,6 +84,28 @@ fn all_lengths_that_are_missing_are_named() {
         said.ends_with("lengths `d7_2`, `d7_6` are missing"),
         "{said}"
     );
+}
+
+#[test]
+fn a_point_without_position_is_told_where_to_write_it() {
+    let motion = "listing = \"a.linkage\"\nunit = \"m\"\ntime = { instants = [0.0] }\ndrives = { lift = 0.0 }\n";
+    let listing = "fixed: fore at [0.3, 0.0, 0.0], aft;\nfree: tip;\nlink front: fore -> tip;\n\
+                   link rear: aft -> tip;\ndrive lift: tip.z;\n";
+    for (tip, expected) in [
+        (
+            "",
+            "points `aft`, `tip` have no position; write `aft at [x, y, z]` in the listing, or aft = [x, y, z] under [points]",
+        ),
+        (
+            "points = { tip = [0.0, 0.4, 0.0] }\n",
+            "point `aft` has no position; write `aft at [x, y, z]` in the listing, or aft = [x, y, z] under [points]",
+        ),
+    ] {
+        let motion = format!("{motion}{tip}");
+        let files = [("a.toml", motion.as_str()), ("a.linkage", listing)];
+        let said = refusal("motion", &files, &[]);
+        assert!(said.ends_with(expected), "{said}");
+    }
 }
 
 #[test]
@@ -117,6 +162,62 @@ fn a_mistake_of_a_listing_is_told_at_its_place_there() {
     std::fs::write(folder.path().join("a.toml"), moved).expect("written");
     let output = run(folder.path(), &["motion", "a.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
+}
+
+#[test]
+fn a_listing_that_cannot_be_read_is_told_with_the_line_that_names_it() {
+    let motion = CORNER.replace(
+        "linkage = \"double_wishbone_pushrod\"",
+        "listing = \"y.linkage\"",
+    );
+    let said = refusal("motion", &[("x.toml", &motion)], &[]);
+    assert!(
+        said.starts_with("x.toml:1:11: y.linkage: cannot be read: "),
+        "{said}"
+    );
+}
+
+/// A corner whose statements are those of the catalogue, with some points in the motion file.
+fn corner_with(points: &str) -> String {
+    format!("{CORNER}[points]\n{points}\n")
+}
+
+#[test]
+fn a_point_in_another_unit_is_named_first_at_its_place() {
+    // The spin axis has no length: the marker is where the wheel centre is.
+    let flat = "axle = { from = \"wheel_centre\", offset = [0.0, 0.0, 0.0] }\n";
+    let said = refusal(
+        "motion",
+        &[(
+            "a.toml",
+            &corner_with(&format!("{flat}lower_ball = [0.005, 700.0, 0.17]")),
+        )],
+        &[],
+    );
+    let first = "a.toml:10:14: `lower_ball` lies 699 m from the other points: is it in mm?\n";
+    assert!(said.starts_with(first), "{said}");
+    assert_eq!(said.lines().count(), 2, "{said}");
+}
+
+#[test]
+fn a_point_in_another_unit_with_which_a_mechanism_can_be_built_is_remarked() {
+    let folder = folder();
+    for (points, expected) in [
+        ("lower_ball = [0.005, 0.71, 0.17]", ""),
+        (
+            "damper_inner = [0.02, 120.0, 0.54]",
+            "note: a.toml: `damper_inner` lies 119 m from the other points: is it in mm?\n",
+        ),
+        (
+            "damper_inner = [0.02, 12.0, 0.54]",
+            "note: a.toml: `damper_inner` lies 11.3 m from the other points: is it in inches?\n",
+        ),
+    ] {
+        std::fs::write(folder.path().join("a.toml"), corner_with(points)).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        assert_eq!(text(&output.stderr), expected);
+    }
 }
 
 #[test]

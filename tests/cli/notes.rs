@@ -65,7 +65,12 @@ fn axes_that_are_stated_the_other_way_round_are_remarked() {
             "0.3",
             "the spin axis points inboard; write `wheel: axle -> wheel_centre;`",
         ),
-        ("", "", "300.0", "wheel_radius is 300 m"),
+        (
+            "",
+            "",
+            "320.0",
+            "wheel_radius is 320 m: is it in mm? The file is in m",
+        ),
     ] {
         let turned = listing.replace(from, to);
         let turned = if from.is_empty() {
@@ -80,5 +85,38 @@ fn axes_that_are_stated_the_other_way_round_are_remarked() {
         let notes = super::program::text(&output.stderr);
         assert_eq!(notes.is_empty(), expected.is_empty(), "{notes}");
         assert!(notes.contains(expected), "{notes}");
+    }
+}
+
+#[test]
+fn lengths_of_the_vehicle_in_another_unit_are_remarked() {
+    let file = |vehicle: &str| {
+        example("five_link.toml").replace("[time]", &format!("[vehicle]\n{vehicle}\n[time]"))
+    };
+    let car = |wheelbase: &str, height: &str| {
+        format!(
+            "axle = \"rear\"\nwheel_radius = 320.0\nwheelbase = {wheelbase}\ncg_height = {height}\nbrake_share = 0.4"
+        )
+    };
+    assert_eq!(notes(&file(&car("2600.0", "500.0"))), "");
+    for (vehicle, expected) in [
+        (
+            car("2.6", "500.0"),
+            "note: a.toml: wheelbase is 2.6 mm: is it in m? The file is in mm\n",
+        ),
+        (
+            car("2600.0", "0.5"),
+            "note: a.toml: cg_height is 0.5 mm: is it in m? The file is in mm\n",
+        ),
+        (
+            "wheel_radius = 12.6".to_owned(),
+            "note: a.toml: wheel_radius is 12.6 mm: is it in inches? The file is in mm\n",
+        ),
+        (
+            "wheel_radius = 6000.0".to_owned(),
+            "note: a.toml: wheel_radius is 6000 mm: it is in the unit of the file\n",
+        ),
+    ] {
+        assert_eq!(notes(&file(&vehicle)), expected);
     }
 }

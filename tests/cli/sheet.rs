@@ -87,7 +87,7 @@ fn what_is_missing_or_wrong_is_said() {
         ),
         (
             vec!["sheet", "a.toml", "--travel", "1:0"],
-            "write FROM:TO, as -0.06:0.06",
+            "FROM is less than TO, as in -0.06:0.06",
         ),
         (
             vec!["sheet", "a.toml", "--out", "a.toml"],
@@ -97,5 +97,23 @@ fn what_is_missing_or_wrong_is_said() {
         let output = run(folder.path(), &arguments);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
         assert!(text(&output.stderr).contains(expected), "{output:?}");
+    }
+}
+
+#[test]
+fn a_travel_in_another_unit_is_remarked() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    for (travel, expected) in [
+        ("-0.03:0.03", None),
+        (
+            "-30:30",
+            Some("note: a.toml: bump is from -30 m to 30 m: is it in another unit?"),
+        ),
+    ] {
+        let output = run(folder.path(), &["sheet", "a.toml", "--travel", travel]);
+        let said = text(&output.stderr);
+        let note = said.lines().find(|line| line.starts_with("note: "));
+        assert_eq!(note, expected, "{said}");
     }
 }

@@ -91,6 +91,24 @@ fn places_beyond_a_lock_are_left_out_and_counted() {
 }
 
 #[test]
+fn one_place_is_told_in_the_singular() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let arguments = ["sweep", "a.toml", "--drive", "steer=0:0.2:2"];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr);
+    assert!(
+        message.contains("1 of 2 places is out of reach"),
+        "{message}"
+    );
+    assert!(
+        message.trim_end().ends_with("; the other one was written"),
+        "{message}"
+    );
+}
+
+#[test]
 fn what_is_wrong_is_said_in_a_sentence() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::bake::driven::Output;
-use crate::number::exact;
+use crate::number::{counted, exact};
 
 /// What the numbers of a baked file mean.
 #[derive(Clone, Debug)]
@@ -63,7 +63,7 @@ impl About {
     /// The first lines: what, from where, and over which ranges.
     pub(super) fn header(&self, outputs: &[Output]) -> Vec<String> {
         let what = match outputs.first() {
-            Some(Output::Point(_)) => format!("{} points", outputs.len()),
+            Some(Output::Point(_)) => counted(outputs.len(), "point"),
             _ => "wheel centre and spin axis (unit length, outboard)".to_owned(),
         };
         let names: Vec<&str> = self

@@ -9,7 +9,7 @@ use crate::bake::fit::Baked;
 use crate::bake::scheme::{Continuity, TERMS};
 use crate::bake::source::about::{About, Ranged, output_names, row};
 use crate::bake::source::{Language, bound};
-use crate::number::rounded;
+use crate::number::{counted, rounded};
 
 /// What is written of a curve.
 struct Sheet<'a> {
@@ -70,7 +70,7 @@ impl Sheet<'_> {
             format!("First derivative within {first} {unit}/{drive_unit}, second within {second} {unit}/{drive_unit}^2."),
             format!("The spin axis counts as a point 1 m from the wheel centre. Checked against the solver at {SAMPLES}"),
             "Chebyshev points a segment; a bound for smooth motions, not a proof.".to_owned(),
-            format!("{count} segments of degree {}, {bytes} bytes.", TERMS - 1),
+            format!("{} of degree {}, {bytes} bytes.", counted(count, "segment"), TERMS - 1),
         ]);
         lines
     }

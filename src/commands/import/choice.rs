@@ -1,9 +1,10 @@
 //! Which listing of the catalogue a file is of: the one that takes most of its points, and lacks none.
 
 use suspension_core::linkages::LISTINGS;
+use suspension_listing::did_you_mean::nearest;
 use suspension_runtime::{Listing, Mistakes};
 
-use super::hardpoints::Hardpoint;
+use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::Names;
 use super::stand_in::has_stand_in;
 use crate::layouts;
@@ -61,6 +62,7 @@ impl<'a> Choice<'a> {
         found.find_map(|(other, point)| (other == name).then_some(*point))
     }
 
+    /// The points that are missing, with the names that would do.
     fn lacks(&self, names: &Names) -> String {
         let each = self.missing.iter().map(|name| {
             let others: Vec<&str> = names.of_point(name).skip(1).collect();
@@ -71,6 +73,25 @@ impl<'a> Choice<'a> {
         });
         each.collect::<Vec<_>>().join("; ")
     }
+
+    /// The names of the file that are not known, each with the one of a missing point that may have been meant.
+    fn unknown(&self, points: &[&Hardpoint], names: &Names, stated: &Hardpoints<'_>) -> String {
+        let missing = self.missing.iter();
+        let wanted: Vec<&str> = missing.flat_map(|name| names.of_point(name)).collect();
+        let is_found = |key: &str| self.found.iter().any(|(_, found)| found.key == key);
+        let is_known = |key: &str| names.is_point(key) || is_found(key);
+        let unknown = points.iter().filter(|point| !is_known(&point.key));
+        let each = unknown.map(|point| {
+            let hint = nearest(&point.key, wanted.iter().copied());
+            let hint = hint.map(|name| format!(", did you mean {name}?"));
+            let line = stated.line(&point.place);
+            format!("`{}` ({line}){}", point.name, hint.unwrap_or_default())
+        });
+        match each.collect::<Vec<_>>().join("; ") {
+            none if none.is_empty() => none,
+            each => format!("; not known: {each}"),
+        }
+    }
 }
 
 /// The listing that is wanted, or else the one that takes most of the points.
@@ -79,6 +100,7 @@ impl<'a> Choice<'a> {
 ///
 /// What is missing, or that several listings take as many, in words.
 pub(super) fn choose<'a>(
+    stated: &Hardpoints<'_>,
     points: &[&'a Hardpoint],
     names: &Names,
     wanted: Option<&str>,
@@ -107,7 +129,8 @@ pub(super) fn choose<'a>(
                 best.linkage
             ),
         };
-        return Err(format!("{what} {}", best.lacks(names)));
+        let unknown = best.unknown(points, names, stated);
+        return Err(format!("{what} {}{unknown}", best.lacks(names)));
     }
     match choices.next() {
         Some(other) if other.missing.is_empty() && other.found.len() == best.found.len() => {

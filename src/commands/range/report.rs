@@ -5,7 +5,7 @@ use std::fmt::Write;
 use suspension_core::DriveKind;
 
 use crate::mechanism::{Description, Unit};
-use crate::number::rounded;
+use crate::number::{counted, rounded};
 use crate::reach::{CARRIED_ON, DriveRange, POOR, meeting};
 
 /// Digits of an end: all that are known of one in radians.
@@ -94,13 +94,13 @@ fn poor(range: &DriveRange, unit: Unit) -> String {
 }
 
 fn curve(range: &DriveRange, unit: Unit) -> String {
-    let turns = range.turns;
+    let turns = counted(range.turns, "turning point");
     match range.gap {
         Some(gap) => format!(
-            "closed to {} {}, with {turns} turning points of the drive",
+            "closed to {} {}, with {turns} of the drive",
             rounded(gap, 2),
             unit.symbol()
         ),
-        None => format!("open, with {turns} turning points of the drive"),
+        None => format!("open, with {turns} of the drive"),
     }
 }

@@ -30,9 +30,12 @@ impl FromStr for Swept {
         let (from, to, count) = match values.split(':').collect::<Vec<_>>().as_slice() {
             [value] => (number(value)?, number(value)?, 1),
             [from, to, count] => {
+                let (first, last) = (number(from)?, number(to)?);
                 let count = count.trim().parse().ok().filter(|count: &usize| *count > 1);
-                let count = count.ok_or("COUNT is a whole number, at least 2")?;
-                (number(from)?, number(to)?, count)
+                let count = count.ok_or_else(|| {
+                    format!("COUNT is a whole number, at least 2; one value is {name}={from}")
+                })?;
+                (first, last, count)
             }
             _ => return Err(wanted.to_owned()),
         };
@@ -107,7 +110,10 @@ mod tests {
             ("bump=1:2", "write NAME=FROM:TO:COUNT"),
             ("bump=a:2:3", "`a` is not a finite number"),
             ("bump=0:inf:3", "`inf` is not a finite number"),
-            ("bump=0:1:1", "COUNT is a whole number, at least 2"),
+            (
+                "bump=0:0:1",
+                "COUNT is a whole number, at least 2; one value is bump=0",
+            ),
         ] {
             let refused = text.parse::<Swept>().expect_err(text);
             assert!(refused.contains(expected), "{refused}");

@@ -8,7 +8,7 @@ use super::points::position;
 use super::word::{Head, Word};
 use crate::errors;
 use crate::kind::Kind;
-use crate::listing::{Check, Lowering, Named, Rank, Statement};
+use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
 use crate::name::Name;
 use crate::system;
 use crate::vector::Vector;
@@ -46,7 +46,7 @@ impl Statement for Marker {
         match self.carriers.as_slice() {
             [body] if check.listing.body(body).is_some_and(|body| body.len() >= 3) => {}
             [_, _, _] => check.sites(&self.carriers),
-            carriers => check.report_missing(bad_carriers(&self.named.name, carriers)),
+            _ => check.report_missing(self.bad_carriers(check.listing)),
         }
     }
 
@@ -75,13 +75,22 @@ impl Statement for Marker {
     }
 }
 
-fn bad_carriers(marker: &Ident, carriers: &[Ident]) -> Error {
-    let message = match carriers {
-        [one] => format!("there is no body `{one}` with three points or more to carry `{marker}`"),
-        _ => format!(
-            "`{marker}` is carried by one body or by three points; {} names are given",
-            carriers.len()
-        ),
-    };
-    errors::at(carriers.first().unwrap_or(marker), message)
+impl Marker {
+    fn bad_carriers(&self, listing: &Listing) -> Error {
+        let marker = &self.named.name;
+        let message = match self.carriers.as_slice() {
+            [one] => {
+                let bodies = listing.bodies().filter(|(_, points)| points.len() >= 3);
+                let hint = errors::did_you_mean_name(one, bodies.map(|(body, _)| body));
+                format!(
+                    "there is no body `{one}` with three points or more to carry `{marker}`{hint}"
+                )
+            }
+            carriers => format!(
+                "`{marker}` is carried by one body or by three points; {} names are given",
+                carriers.len()
+            ),
+        };
+        errors::at(self.carriers.first().unwrap_or(marker), message)
+    }
 }

@@ -7,6 +7,7 @@ use syn::{Error, Ident, Token, parenthesized};
 use super::operands::{arrow, in_brackets, name};
 use super::points::vector;
 use super::sum::{Sum, Term, axis_index};
+use crate::did_you_mean::did_you_mean;
 use crate::errors;
 use crate::form;
 use crate::listing::Check;
@@ -212,11 +213,12 @@ fn operands<T>(
 }
 
 fn unknown_quantity(function: &Ident) -> Error {
+    let hint = did_you_mean(&function.to_string(), ["angle", "length"]);
     errors::at(
         function,
         format!(
             "there is no quantity `{function}(..)`; write `p.z`, `0.5 p.z + 0.5 q.z`, `p along [0, 1, 0]`, \
-             `angle(p -> q, z)`, `angle(p -> q, r -> s)` or `length(p -> q)`"
+             `angle(p -> q, z)`, `angle(p -> q, r -> s)` or `length(p -> q)`{hint}"
         ),
     )
 }

@@ -146,11 +146,13 @@ fn mistakes_have_the_places_of_what_is_mirrored() {
         [
             (
                 11,
-                format!("there is no point `left_hob`; {remedy}").as_str()
+                format!("there is no point `left_hob`; {remedy}; did you mean `left_hub`?")
+                    .as_str()
             ),
             (
                 11,
-                format!("there is no point `right_hob`; {remedy}").as_str()
+                format!("there is no point `right_hob`; {remedy}; did you mean `right_hub`?")
+                    .as_str()
             ),
         ]
     );

@@ -147,3 +147,30 @@ fn a_damaged_listing_is_no_danger() {
         );
     }
 }
+
+#[test]
+fn a_mistyped_name_is_told_the_one_that_was_meant() {
+    let listing = "fixed: lca_front, lca_rear;\nfree: ball, hub, tie;\nlink fore: lca_front -> ball;\n\
+                   link aft: lca_rear -> ball;\nbody upright: ball, hub, tie;\ndrive bump: ball.z;\n";
+    for (from, to, expected) in [
+        (
+            "lca_rear ->",
+            "lca_reer ->",
+            "there is no point `lca_reer`; declare it under `fixed:` or `free:`; did you mean `lca_rear`?",
+        ),
+        ("link aft", "lnik aft", "`include`; did you mean `link`?"),
+        (
+            "ball.z",
+            "lenght(ball -> lca_rear)",
+            "`length(p -> q)`; did you mean `length`?",
+        ),
+        (
+            "drive bump",
+            "point axle: uprihgt;\ndrive bump",
+            "to carry `axle`; did you mean `upright`?",
+        ),
+    ] {
+        let told = only_message(&listing.replace(from, to));
+        assert!(told.ends_with(expected), "{told}");
+    }
+}

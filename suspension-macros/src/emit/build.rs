@@ -6,6 +6,7 @@ use quote::quote;
 use super::fields::point_index;
 use super::terms::{ident, parameter, value_of};
 use super::{clusters, form, lengths, quantity, readout};
+use suspension_listing::name::Name;
 use suspension_listing::system::{System, carried_name, frame_name};
 
 pub(super) fn build_impl(system: &System) -> TokenStream {
@@ -36,26 +37,35 @@ pub(super) fn build_impl(system: &System) -> TokenStream {
 
 /// `impl Designed`, where the listing states every point.
 fn designed(system: &System) -> Option<TokenStream> {
-    let n = Literal::usize_unsuffixed(system.size());
-    let points = system.fixed.iter().chain(&system.free);
-    let markers = system.markers.iter();
-    let points = points
-        .map(|point| (&point.named.name, point.at))
-        .chain(markers.map(|marker| (&marker.named.name, marker.at)));
-    let fields: Option<Vec<TokenStream>> = points
+    let fields: Option<Vec<TokenStream>> = positions(system)
         .map(|(name, at)| {
             let [x, y, z] = at?.map(Literal::f64_unsuffixed);
             Some(quote!(#name: Vector3::new(#x, #y, #z).map(T::constant)))
         })
         .collect();
     let fields = fields?;
-    Some(quote! {
+    Some(designed_as(system, &quote!(Points { #(#fields),* })))
+}
+
+/// Every point with its position, where that is stated.
+pub(super) fn positions(system: &System) -> impl Iterator<Item = (&Name, Option<[f64; 3]>)> {
+    let points = system.fixed.iter().chain(&system.free);
+    let markers = system.markers.iter();
+    points
+        .map(|point| (&point.named.name, point.at))
+        .chain(markers.map(|marker| (&marker.named.name, marker.at)))
+}
+
+/// The implementation, with the expression of the points.
+pub(super) fn designed_as(system: &System, points: &TokenStream) -> TokenStream {
+    let n = Literal::usize_unsuffixed(system.size());
+    quote! {
         impl<T: Real> Designed<#n> for Model<T> {
             fn design() -> Points<T> {
-                Points { #(#fields),* }
+                #points
             }
         }
-    })
+    }
 }
 
 fn check_pivots() -> TokenStream {

@@ -8,7 +8,7 @@ use quote::quote;
 
 use super::fields::{self, Field};
 use super::types;
-use super::{gather, indices};
+use super::{build, gather, indices};
 use crate::module::Module;
 use suspension_listing::Kind;
 use suspension_listing::name::Name;
@@ -165,6 +165,8 @@ fn linkage_impl(system: &System) -> TokenStream {
 
 fn build_impl(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
+    let is_stated = build::positions(system).all(|(_, at)| at.is_some());
+    let designed = is_stated.then(|| build::designed_as(system, &quote!(loop {})));
     quote! {
         impl<T: Real> Build<#n> for Model<T> {
             type Lengths = Lengths<T>;
@@ -177,6 +179,8 @@ fn build_impl(system: &System) -> TokenStream {
             fn drives_at(&self, _: &Points<T>) -> Drives<T> { loop {} }
             fn fit(&self, _: &SVector<T, #n>, _: &Fixed<T>) -> SVector<T, #n> { loop {} }
         }
+
+        #designed
     }
 }
 

@@ -20,6 +20,20 @@ fn without_options_the_motion_of_the_file_is_baked_under_out() {
 }
 
 #[test]
+fn one_segment_is_told_in_the_singular() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    let arguments = ["bake", "a.toml", "--from", "1", "--to", "1.0001"];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let message = text(&output.stderr).trim_end();
+    assert!(message.ends_with(": 1 segment"), "{message}");
+    let file = std::fs::read_to_string(folder.path().join("out/a_wheel_by_theta.rs"));
+    let file = file.expect("a file");
+    assert!(file.contains("// 1 segment of degree 5, "), "{file}");
+}
+
+#[test]
 fn a_range_that_is_refused_comes_with_one_that_is_possible() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");

@@ -48,6 +48,22 @@ fn what_is_missing_is_named_at_once_with_the_names_that_would_do() {
 }
 
 #[test]
+fn a_mistyped_name_is_told_with_its_line_and_the_one_that_was_meant() {
+    let said = refusal(
+        "a.csv",
+        &(table(&CORNER).replace("uca_outer", "hpl_uca_outr") + "ballast, 1, 2, 3\n"),
+        &["--linkage", "double_wishbone"],
+    );
+    assert!(
+        said.starts_with("a.csv: double_wishbone lacks `upper_ball` (or uca_outer, "),
+        "{said}"
+    );
+    let unknown =
+        "); not known: `hpl_uca_outr` (a.csv:6), did you mean uca_outer?; `ballast` (a.csv:16)";
+    assert!(said.ends_with(unknown), "{said}");
+}
+
+#[test]
 fn what_is_not_used_and_what_is_not_there_is_noted() {
     let folder = folder();
     let file = without(&["shock_to_chassis"]) + "hps_global, 0, 0, 0\n";
@@ -67,21 +83,6 @@ fn what_is_not_used_and_what_is_not_there_is_noted() {
         "{}",
         imported.notes
     );
-}
-
-#[test]
-fn a_pushrod_on_the_upper_wishbone_is_doubted() {
-    let folder = folder();
-    let pulled = table(&CORNER).replace(
-        "prod_outboard, 2, -520, 150",
-        "prod_outboard, 12, -500, 325",
-    );
-    let imported = import(folder.path(), "a.csv", &pulled, &[]);
-    let doubt =
-        "`prod_outboard` is on the part of `lca_outer` in this layout, but nearer to `uca_outer`";
-    assert!(imported.notes.contains(doubt), "{}", imported.notes);
-    let imported = import(folder.path(), "a.csv", &table(&CORNER), &[]);
-    assert!(!imported.notes.contains("nearer"), "{}", imported.notes);
 }
 
 /// File, its content, options, and how the last line of the message begins or what it has.

@@ -1,0 +1,117 @@
+//! What is assumed of hardpoints, and what is doubtful about them, a sentence each.
+
+use suspension_core::{Kind, Parts};
+
+use super::choice::Choice;
+use super::draft::Imported;
+use super::hardpoints::Hardpoint;
+use super::orientation::Orientation;
+use crate::layouts::first_sentence;
+use crate::load::only_across;
+use crate::mechanism::{Axes, Unit};
+use crate::number::rounded;
+
+impl Imported<'_> {
+    /// The unit of lengths, and how it is known.
+    pub(super) fn unit(&self) -> (Unit, String) {
+        match (self.unit, self.stated.unit) {
+            (Some(unit), _) => (unit, "as --unit says".to_owned()),
+            (None, Some(unit)) => (unit, "as the file says".to_owned()),
+            (None, None) => {
+                let apart = self.corner.apart();
+                let why = format!("as the points are up to {} apart", rounded(apart, 3));
+                (Unit::of_size(apart), why)
+            }
+        }
+    }
+
+    /// What was assumed and done.
+    pub(super) fn remarks(&self) -> Vec<String> {
+        let Self { choice, corner, .. } = self;
+        let (unit, why_unit) = self.unit();
+        let Orientation { axes, why, doubts } = self.orientation;
+        let axes = *axes;
+        let mut remarks = vec![
+            format!(
+                "the layout is {}: {}",
+                choice.linkage,
+                first_sentence(choice.text)
+            ),
+            format!("lengths are in {}, {why_unit}", unit.symbol()),
+            format!(
+                "axes are {} ({}), {why}; {}",
+                axes.name(),
+                axes.meaning(),
+                changed(axes)
+            ),
+        ];
+        let doubts = doubts.iter();
+        remarks.extend(doubts.map(|doubt| format!("that is doubtful, as {doubt}")));
+        remarks.extend(self.far_points());
+        let side = corner.side.name();
+        if corner.mirrored {
+            remarks.push(format!("the corner was mirrored, and is on the {side} now"));
+        } else if choice.point("wheel_centre").is_some() {
+            remarks.push(format!("the corner is on the {side}"));
+        }
+        remarks.extend(self.point_across());
+        let is_used = |point: &&&Hardpoint| {
+            let mut found = choice.found.iter();
+            found.any(|(_, used)| std::ptr::eq(*used, **point))
+        };
+        let unused = self.points.iter().filter(|point| !is_used(point));
+        let unused: Vec<&str> = unused.map(|point| point.name.as_str()).collect();
+        if !unused.is_empty() {
+            remarks.push(format!("not used: {}", unused.join(", ")));
+        }
+        remarks
+    }
+
+    /// Points that seem to be on another part than the layout has them on.
+    fn far_points(&self) -> impl Iterator<Item = String> {
+        let near = self.names.order.near.iter();
+        near.filter_map(|names| {
+            let [point, near, far] = names.each_ref().map(|name| self.choice.point(name));
+            let (point, near, far) = (point?, near?, far?);
+            let apart = |a: &Hardpoint, b: &Hardpoint| {
+                let squares = [0, 1, 2].map(|axis| (a.at[axis] - b.at[axis]).powi(2));
+                squares.iter().sum::<f64>()
+            };
+            (apart(point, far) < apart(point, near)).then(|| {
+                let [point, near, far] = [point, near, far].map(|point| &point.name);
+                format!("`{point}` is on the part of `{near}` in this layout, but nearer to `{far}`: is it another layout?")
+            })
+        })
+    }
+
+    /// A free point of a corner that is on the other side of the vehicle than its wheel.
+    fn point_across(&self) -> Option<String> {
+        let Choice { listing, found, .. } = self.choice;
+        let [chassis, free] = [Kind::ChassisPoint, Kind::FreePoint].map(|kind| listing.count(kind));
+        let free = chassis..chassis + free;
+        let is_free = |name: &str| {
+            listing
+                .point(name)
+                .is_some_and(|point| free.contains(&point))
+        };
+        let y = self.corner.at.iter().map(|[_, y, _]| *y);
+        let points = found.iter().zip(y);
+        let (_, centre) = points
+            .clone()
+            .find(|((name, _), _)| name == "wheel_centre")?;
+        let (_, point) = only_across(points.filter(|((name, _), _)| is_free(name)), centre)?;
+        let (name, line) = (&point.name, self.stated.line(&point.place));
+        Some(format!(
+            "`{name}` ({line}) is on the other side of the vehicle than the wheel centre: is the sign of its y right?"
+        ))
+    }
+}
+
+/// What was done to the coordinates, in words.
+fn changed(axes: Axes) -> &'static str {
+    match axes {
+        Axes::Iso => "coordinates are those of the file",
+        Axes::Adams => "x and y have changed their signs",
+        Axes::Sae => "y and z have changed their signs",
+    }
+}

@@ -1,0 +1,100 @@
+//! The instants of a motion file.
+
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::motion_file::Time;
+use crate::file::source::Source;
+use crate::mechanism::Instants;
+use crate::number::{exact, rounded};
+
+/// More instants than this are taken for a mistyped step.
+const MOST_INSTANTS: f64 = 1e7;
+
+/// The instants that the file asks for.
+///
+/// # Errors
+///
+/// [`Failure::Input`] where there are none, too many, or they do not run one way.
+pub fn instants(source: &Source, time: &Spanned<Time>) -> Result<Instants, Failure> {
+    match time.get_ref() {
+        Time {
+            start: Some(start),
+            stop: Some(stop),
+            step: Some(step),
+            instants: None,
+        } => stepped(source, [start, stop, step]),
+        Time {
+            start: None,
+            stop: None,
+            step: None,
+            instants: Some(instants),
+        } => listed(source, instants),
+        _ => Err(source.refuse(
+            &time.span(),
+            "[time] needs either start, stop and step, or instants",
+        )),
+    }
+}
+
+fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Failure> {
+    for value in values {
+        finite_time(source, value)?;
+    }
+    let [first, stop, step] = values.map(|value| *value.get_ref());
+    let refuse = |message: String| Err(source.refuse(&values[2].span(), message));
+    if step == 0.0 {
+        return refuse("the time step is zero".into());
+    }
+    if (stop - first) / step < 0.0 {
+        return refuse(format!(
+            "the time step {} s leads away from the stop at {} s",
+            exact(step),
+            exact(stop)
+        ));
+    }
+    let count = Instants::count_stepped(first, stop, step);
+    if count.is_nan() || count > MOST_INSTANTS {
+        return refuse(format!(
+            "the time step {} s makes {} instants; at most {MOST_INSTANTS} are allowed",
+            exact(step),
+            rounded(count, 12)
+        ));
+    }
+    Ok(Instants::stepped(first, stop, step))
+}
+
+fn listed(source: &Source, list: &Spanned<Vec<Spanned<f64>>>) -> Result<Instants, Failure> {
+    for instant in list.get_ref() {
+        finite_time(source, instant)?;
+    }
+    let times: Vec<f64> = list.get_ref().iter().map(|t| *t.get_ref()).collect();
+    if times.is_empty() {
+        return Err(source.refuse(&list.span(), "the list of instants is empty"));
+    }
+    let backwards = times.len() > 1 && times[1] < times[0];
+    for (pair, at) in times.windows(2).zip(&list.get_ref()[1..]) {
+        let onwards = if backwards {
+            pair[1] < pair[0]
+        } else {
+            pair[1] > pair[0]
+        };
+        if !onwards {
+            let message = format!(
+                "the instants must run one way, but {} s follows {} s",
+                exact(pair[1]),
+                exact(pair[0])
+            );
+            return Err(source.refuse(&at.span(), message));
+        }
+    }
+    Ok(Instants::Listed(times))
+}
+
+fn finite_time(source: &Source, time: &Spanned<f64>) -> Result<(), Failure> {
+    if time.get_ref().is_finite() {
+        Ok(())
+    } else {
+        Err(source.refuse(&time.span(), "a time is not a finite number"))
+    }
+}

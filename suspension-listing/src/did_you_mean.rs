@@ -1,0 +1,94 @@
+//! What a mistyped name may have been meant to be.
+
+/// Letters that may be wrong, left out, too many or in another order; of short names fewer than half.
+const MISTYPED: usize = 2;
+
+/// `; did you mean ...?`, or nothing where no known name is near.
+pub fn did_you_mean<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    let nearest = nearest(wanted, known);
+    nearest.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
+}
+
+/// The known name that is nearest, or else the only one that has a word in common.
+pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    // A name that is known may stand where another kind is wanted.
+    let known = known.into_iter().filter(|name| *name != wanted);
+    let known: Vec<&str> = known.collect();
+    let off = |name: &str| {
+        let mut letters = 1..=MISTYPED.min(name.len().min(wanted.len()).saturating_sub(1) / 2);
+        letters.find(|off| is_within(*off, wanted.as_bytes(), name.as_bytes()))
+    };
+    let near = known.iter().filter_map(|name| Some((off(name)?, *name)));
+    let nearest = near.min_by_key(|(off, _)| *off).map(|(_, name)| name);
+    nearest.or_else(|| {
+        let mut related = known.iter().filter(|name| share_a_word(wanted, name));
+        related.next().filter(|_| related.next().is_none()).copied()
+    })
+}
+
+/// Whether one text becomes the other where at most so many letters are changed.
+fn is_within(off: usize, a: &[u8], b: &[u8]) -> bool {
+    let same = a.iter().zip(b).take_while(|(a, b)| a == b).count();
+    match (&a[same..], &b[same..]) {
+        ([], []) => true,
+        _ if off == 0 => false,
+        ([], others) | (others, []) => others.len() <= off,
+        (a @ [first, rest_of_a @ ..], b @ [second, rest_of_b @ ..]) => {
+            let swapped = match (rest_of_a, rest_of_b) {
+                ([x, a @ ..], [y, b @ ..]) if x == second && y == first => is_within(off - 1, a, b),
+                _ => false,
+            };
+            swapped
+                || is_within(off - 1, rest_of_a, rest_of_b)
+                || is_within(off - 1, rest_of_a, b)
+                || is_within(off - 1, a, rest_of_b)
+        }
+    }
+}
+
+/// Whether two names have a word in common that is no mere letter or two.
+fn share_a_word(a: &str, b: &str) -> bool {
+    let mut words = a.split('_').filter(|word| word.len() > MISTYPED);
+    words.any(|word| b.split('_').any(|other| other == word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_is_near_where_a_letter_or_two_are_wrong_or_a_word_is_the_same() {
+        let known = ["linkage", "drives", "unit", "wheel_radius", "bump"];
+        for (wanted, expected) in [
+            ("drive", "; did you mean `drives`?"),
+            ("lnikage", "; did you mean `linkage`?"),
+            ("inkagee", "; did you mean `linkage`?"),
+            ("bumb", "; did you mean `bump`?"),
+            ("tyre_radius", "; did you mean `wheel_radius`?"),
+            ("points", ""),
+            ("pumb", ""),
+            ("m", ""),
+            ("bump", ""),
+            ("", ""),
+        ] {
+            assert_eq!(did_you_mean(wanted, known), expected, "{wanted}");
+        }
+    }
+
+    #[test]
+    fn of_several_the_nearest_and_a_word_of_several_says_nothing() {
+        let known = ["lower_rear", "lower_read", "lower_front"];
+        assert_eq!(nearest("lower_reat", known), Some("lower_rear"));
+        assert_eq!(nearest("lower_fr0nt", known), Some("lower_front"));
+        assert_eq!(nearest("lower_ball", known), None);
+    }
+
+    #[test]
+    fn letters_in_another_order_are_one_mistake() {
+        assert!(is_within(1, b"link", b"lnik"));
+        assert!(is_within(1, b"link", b"lik") && is_within(1, b"lik", b"link"));
+        assert!(is_within(1, b"link", b"lin") && is_within(1, b"link", b"lint"));
+        assert!(!is_within(1, b"link", b"lnki") && is_within(2, b"link", b"lnki"));
+        assert!(!is_within(0, b"link", b"lin") && is_within(0, b"link", b"link"));
+    }
+}

@@ -1,0 +1,41 @@
+//! What is remarked on hardpoints that may not be as they were meant.
+
+use super::super::program::folder;
+use super::{CORNER, import, table};
+
+#[test]
+fn a_pushrod_on_the_upper_wishbone_is_doubted() {
+    let folder = folder();
+    let pulled = table(&CORNER).replace(
+        "prod_outboard, 2, -520, 150",
+        "prod_outboard, 12, -500, 325",
+    );
+    let imported = import(folder.path(), "a.csv", &pulled, &[]);
+    let doubt =
+        "`prod_outboard` is on the part of `lca_outer` in this layout, but nearer to `uca_outer`";
+    assert!(imported.notes.contains(doubt), "{}", imported.notes);
+    let imported = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    assert!(!imported.notes.contains("nearer"), "{}", imported.notes);
+}
+
+#[test]
+fn a_point_on_the_other_side_of_the_vehicle_is_doubted() {
+    let folder = folder();
+    let doubt = "is on the other side of the vehicle than";
+    let turned = table(&CORNER).replace("lca_outer, -4, -560", "lca_outer, -4, 560");
+    let imported = import(folder.path(), "a.csv", &turned, &[]);
+    for expected in [
+        format!(
+            "a.csv: `lca_outer` (a.csv:3) {doubt} the wheel centre: is the sign of its y right?"
+        ),
+        format!("motion.toml: `lower_ball` {doubt} `wheel_centre`: is the sign of its y right?"),
+    ] {
+        assert!(imported.notes.contains(&expected), "{}", imported.notes);
+    }
+    // A chassis point may be anywhere.
+    let damper = table(&CORNER).replace("4, -20, 530", "4, 20, 530");
+    for file in [table(&CORNER), damper] {
+        let imported = import(folder.path(), "a.csv", &file, &[]);
+        assert!(!imported.notes.contains(doubt), "{}", imported.notes);
+    }
+}
