@@ -7,6 +7,11 @@ pub mod files;
 pub mod heading;
 mod json_file;
 pub mod page;
+#[cfg(not(feature = "parquet"))]
+#[path = "output/no_parquet.rs"]
+mod parquet_file;
+#[cfg(feature = "parquet")]
+mod parquet_file;
 pub mod plot;
 pub mod progress;
 pub mod record;

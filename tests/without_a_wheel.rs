@@ -62,7 +62,7 @@ fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
     let path = folder.path().join("a.csv");
     let forms = Forms {
         csv: Some(Target::File(path.clone())),
-        json: None,
+        ..Forms::default()
     };
     let never = AtomicBool::new(false);
     let outcome = record(mechanism, &mechanism.instants, &forms, 12, &never);

@@ -33,6 +33,10 @@ pub struct Arguments {
     /// under the same names.
     #[arg(long, value_name = "PATH")]
     json: Option<PathBuf>,
+    /// Write the rows as Parquet to PATH, units and axes as its metadata; needs a program built with the feature
+    /// `parquet`.
+    #[arg(long, value_name = "PATH")]
+    parquet: Option<PathBuf>,
     /// Draw wheel-centre height, kingpin and camber angle as SVG into the folder DIR.
     #[arg(long, value_name = "DIR")]
     plots: Option<PathBuf>,
@@ -52,6 +56,7 @@ impl Arguments {
         let forms = Forms {
             csv: self.csv.clone().map(Target::from),
             json: self.json.clone().map(Target::from),
+            parquet: self.parquet.clone().map(Target::from),
         };
         forms.check(&self.file)?;
         let loaded = load(&source)?;

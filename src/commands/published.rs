@@ -44,7 +44,7 @@ pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
     let csv = PathBuf::from(format!("{folder}/{stem}.csv"));
     let forms = Forms {
         csv: Some(Target::File(csv.clone())),
-        json: None,
+        ..Forms::default()
     };
     let instants = &mechanism.instants;
     let keep = instants.count();

@@ -44,6 +44,10 @@ pub struct Arguments {
     /// under the same names; then there is no CSV file unless --csv is given too.
     #[arg(long, value_name = "PATH")]
     json: Option<PathBuf>,
+    /// Write the rows as Parquet to PATH, units and axes as its metadata; needs a program built with the feature
+    /// `parquet`.
+    #[arg(long, value_name = "PATH")]
+    parquet: Option<PathBuf>,
 }
 
 impl Arguments {
@@ -59,10 +63,13 @@ impl Arguments {
         let beside = || Path::new("out").join(format!("{stem}_sweep.csv"));
         let json = self.json.clone().map(Target::from);
         let csv = self.csv.clone();
-        let csv = csv.or_else(|| json.is_none().then(beside));
+        let parquet = self.parquet.clone().map(Target::from);
+        let is_told = json.is_some() || parquet.is_some();
+        let csv = csv.or_else(|| (!is_told).then(beside));
         let forms = Forms {
             csv: csv.map(Target::from),
             json,
+            parquet,
         };
         forms.check(&self.file)?;
         let loaded = load(&source)?;

@@ -34,4 +34,16 @@ impl Header {
             axes: mechanism.axes.in_words(),
         }
     }
+
+    /// Its entries by name.
+    #[cfg(feature = "parquet")]
+    pub(super) fn entries(&self) -> [(&'static str, &str); 5] {
+        [
+            ("linkage", &self.linkage),
+            ("length", self.length),
+            ("angle", self.angle),
+            ("time", self.time),
+            ("axes", &self.axes),
+        ]
+    }
 }

@@ -7,6 +7,7 @@ use crate::output::csv_file::CsvFile;
 use crate::output::files::refuse_input;
 use crate::output::heading::{Header, Heading};
 use crate::output::json_file::JsonFile;
+use crate::output::parquet_file::{self, ParquetFile};
 use crate::output::target::Target;
 
 /// Where rows go, and in which form.
@@ -16,15 +17,17 @@ pub struct Forms {
     pub csv: Option<Target>,
     /// As JSON.
     pub json: Option<Target>,
+    /// As Parquet, which a feature of the package brings.
+    pub parquet: Option<Target>,
 }
 
 impl Forms {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
-        self.csv.is_none() && self.json.is_none()
+        self.csv.is_none() && self.json.is_none() && self.parquet.is_none()
     }
 
-    /// Refuses to write over the file that is read, and both forms to one place.
+    /// Refuses to write over the file that is read, two forms to one place, and what the program is built without.
     ///
     /// # Errors
     ///
@@ -33,17 +36,26 @@ impl Forms {
         for (path, option) in self.files() {
             refuse_input(path, input, option)?;
         }
-        if self.csv.is_some() && self.csv == self.json {
-            let message = "--csv and --json name the same place; give each its own";
-            return Err(Failure::Input(message.to_owned()));
+        if self.parquet.is_some() {
+            parquet_file::available()?;
         }
-        Ok(())
+        let all = self.all();
+        let same = |index: usize| {
+            all[..index]
+                .iter()
+                .find(|(form, _)| form.is_some() && *form == all[index].0)
+        };
+        match (1..all.len()).find_map(|index| Some((same(index)?.1, all[index].1))) {
+            Some((one, other)) => Err(Failure::Input(format!(
+                "{one} and {other} name the same place; give each its own"
+            ))),
+            None => Ok(()),
+        }
     }
 
     /// The files, each with the option that names it.
     pub fn files(&self) -> impl Iterator<Item = (&PathBuf, &'static str)> {
-        let forms = [(&self.csv, "--csv"), (&self.json, "--json")];
-        forms
+        self.all()
             .into_iter()
             .filter_map(|(target, option)| match target {
                 Some(Target::File(path)) => Some((path, option)),
@@ -52,10 +64,22 @@ impl Forms {
     }
 }
 
+impl Forms {
+    /// Each with the option that names it.
+    fn all(&self) -> [(&Option<Target>, &'static str); 3] {
+        [
+            (&self.csv, "--csv"),
+            (&self.json, "--json"),
+            (&self.parquet, "--parquet"),
+        ]
+    }
+}
+
 /// Rows being written.
 pub struct Rows {
     csv: Option<CsvFile>,
     json: Option<JsonFile>,
+    parquet: Option<ParquetFile>,
 }
 
 impl Rows {
@@ -65,13 +89,16 @@ impl Rows {
     ///
     /// See [`Failure::writing`].
     pub fn create(forms: &Forms, header: &Header, headings: &[Heading]) -> Result<Self, Failure> {
-        let Forms { csv, json } = forms;
+        let Forms { csv, json, parquet } = forms;
         let csv = csv.as_ref().map(|target| CsvFile::create(target, headings));
         let json = json.as_ref();
         let json = json.map(|target| JsonFile::create(target, header, headings));
+        let parquet = parquet.as_ref();
+        let parquet = parquet.map(|target| ParquetFile::create(target, header, headings));
         Ok(Self {
             csv: csv.transpose()?,
             json: json.transpose()?,
+            parquet: parquet.transpose()?,
         })
     }
 
@@ -84,6 +111,7 @@ impl Rows {
         Ok(Self {
             csv: Some(CsvFile::create(target, headings)?),
             json: None,
+            parquet: None,
         })
     }
 
@@ -99,6 +127,9 @@ impl Rows {
         if let Some(json) = &mut self.json {
             json.row(values)?;
         }
+        if let Some(parquet) = &mut self.parquet {
+            parquet.row(values)?;
+        }
         Ok(())
     }
 
@@ -109,6 +140,7 @@ impl Rows {
     /// See [`Failure::writing`].
     pub fn finish(self) -> Result<(), Failure> {
         self.csv.map_or(Ok(()), CsvFile::finish)?;
-        self.json.map_or(Ok(()), JsonFile::finish)
+        self.json.map_or(Ok(()), JsonFile::finish)?;
+        self.parquet.map_or(Ok(()), ParquetFile::finish)
     }
 }

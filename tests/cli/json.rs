@@ -81,3 +81,25 @@ fn json_goes_to_standard_output_and_to_a_place_of_its_own() {
         assert!(text(&output.stderr).contains(expected), "{output:?}");
     }
 }
+
+/// Before anything is solved.
+#[test]
+#[cfg(not(feature = "parquet"))]
+fn parquet_is_refused_where_the_program_is_built_without_it() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    for arguments in [
+        &["motion", "a.toml"][..],
+        &["sweep", "a.toml", "--drive", "bump=0"],
+    ] {
+        let output = run(
+            folder.path(),
+            &[arguments, &["--parquet", "a.parquet"]].concat(),
+        );
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert_eq!(
+            text(&output.stderr),
+            "this program is built without Parquet; build it with: cargo build --release --features parquet\n"
+        );
+    }
+}

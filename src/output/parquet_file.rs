@@ -1,0 +1,69 @@
+//! Rows as Parquet: a column each, units and axes as its metadata.
+
+use suspension_parquet::{ParquetError, Table};
+
+use crate::failure::Failure;
+use crate::output::heading::{Header, Heading};
+use crate::output::target::{Sink, Target};
+
+/// Whether Parquet can be written: here it can.
+///
+/// # Errors
+///
+/// None.
+#[expect(clippy::unnecessary_wraps, reason = "built without it, it cannot")]
+pub(super) fn available() -> Result<(), Failure> {
+    Ok(())
+}
+
+/// A table as Parquet being written.
+pub(super) struct ParquetFile {
+    name: String,
+    table: Table<Sink>,
+}
+
+impl ParquetFile {
+    /// Starts a table.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure::writing`].
+    pub(super) fn create(
+        target: &Target,
+        header: &Header,
+        headings: &[Heading],
+    ) -> Result<Self, Failure> {
+        let sink = Sink::create(target)?;
+        let name = sink.name.clone();
+        let columns = headings.iter().map(|heading| heading.name.as_str());
+        match Table::create(sink, columns, header.entries()) {
+            Ok(table) => Ok(Self { name, table }),
+            Err(error) => Err(failed(&name, &error)),
+        }
+    }
+
+    /// Adds a row.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure::writing`].
+    pub(super) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
+        let added = self.table.row(values);
+        added.map_err(|error| failed(&self.name, &error))
+    }
+
+    /// Ends the table; a file takes its name.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure::writing`].
+    pub(super) fn finish(self) -> Result<(), Failure> {
+        let Self { name, table } = self;
+        let sink = table.finish().map_err(|error| failed(&name, &error))?;
+        sink.finish()
+    }
+}
+
+fn failed(name: &str, error: &ParquetError) -> Failure {
+    Failure::Output(format!("{name}: cannot be written: {error}"))
+}

@@ -1,0 +1,140 @@
+//! Rows of numbers as Parquet: a column of `f64` each, and what they are about as the file's metadata.
+//!
+//! A crate of its own, so that the program is built without it unless it is asked for.
+#![forbid(unsafe_code)]
+
+use std::io::Write;
+use std::sync::Arc;
+
+use parquet::basic::{Repetition, Type as Physical};
+use parquet::data_type::DoubleType;
+use parquet::errors::Result;
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::Type;
+
+pub use parquet::errors::ParquetError;
+
+/// Rows that are written at once.
+const GROUP: usize = 65_536;
+
+/// A table being written.
+pub struct Table<W: Write + Send> {
+    writer: SerializedFileWriter<W>,
+    /// The rows that are not written yet, by columns.
+    columns: Vec<Vec<f64>>,
+}
+
+impl<W: Write + Send> Table<W> {
+    /// Starts a table: its columns by name, and what it is about.
+    ///
+    /// # Errors
+    ///
+    /// Where the writer fails, or a name is no column's.
+    pub fn create<'a>(
+        to: W,
+        columns: impl IntoIterator<Item = &'a str>,
+        about: impl IntoIterator<Item = (&'a str, &'a str)>,
+    ) -> Result<Self> {
+        let column = |name: &str| {
+            let column = Type::primitive_type_builder(name, Physical::DOUBLE);
+            let column = column.with_repetition(Repetition::REQUIRED).build();
+            column.map(Arc::new)
+        };
+        let columns: Vec<_> = columns.into_iter().map(column).collect::<Result<_>>()?;
+        let count = columns.len();
+        let schema = Type::group_type_builder("rows").with_fields(columns);
+        let about = about.into_iter();
+        let about = about.map(|(key, value)| KeyValue::new(key.to_owned(), value.to_owned()));
+        let properties = WriterProperties::builder().set_key_value_metadata(Some(about.collect()));
+        Ok(Self {
+            writer: SerializedFileWriter::new(
+                to,
+                Arc::new(schema.build()?),
+                Arc::new(properties.build()),
+            )?,
+            columns: vec![Vec::new(); count],
+        })
+    }
+
+    /// Adds a row, a number a column.
+    ///
+    /// # Errors
+    ///
+    /// Where the writer fails.
+    pub fn row(&mut self, values: &[f64]) -> Result<()> {
+        for (column, value) in self.columns.iter_mut().zip(values) {
+            column.push(*value);
+        }
+        match self.columns.first() {
+            Some(column) if column.len() == GROUP => self.write(),
+            _ => Ok(()),
+        }
+    }
+
+    /// Ends the table.
+    ///
+    /// # Errors
+    ///
+    /// Where the writer fails.
+    pub fn finish(mut self) -> Result<W> {
+        self.write()?;
+        self.writer.into_inner()
+    }
+
+    fn write(&mut self) -> Result<()> {
+        let mut group = self.writer.next_row_group()?;
+        let mut columns = self.columns.iter_mut();
+        while let Some(mut column) = group.next_column()? {
+            if let Some(values) = columns.next() {
+                column
+                    .typed::<DoubleType>()
+                    .write_batch(values, None, None)?;
+                values.clear();
+            }
+            column.close()?;
+        }
+        group.close()?;
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::RowAccessor;
+
+    use super::*;
+
+    #[test]
+    fn the_rows_of_several_groups_are_read_as_they_were_written() {
+        const ROWS: usize = GROUP + 3;
+        let value = |row: usize| [row as f64, (row as f64).sqrt()];
+        let columns = ["bump_m", "camber_rad"];
+        let mut table = Table::create(Vec::new(), columns, [("length", "m")]).expect("a table");
+        for row in 0..ROWS {
+            table.row(&value(row)).expect("a row");
+        }
+        let bytes = table.finish().expect("the whole");
+        let reader = SerializedFileReader::new(bytes::Bytes::from(bytes)).expect("Parquet");
+        let metadata = reader.metadata().file_metadata();
+        let about = metadata.key_value_metadata().expect("what it is about");
+        assert!(about.contains(&KeyValue::new("length".to_owned(), "m".to_owned())));
+        let names = metadata
+            .schema_descr()
+            .columns()
+            .iter()
+            .map(|column| column.name().to_owned());
+        assert_eq!(names.collect::<Vec<_>>(), columns);
+        let rows = reader.get_row_iter(None).expect("rows");
+        let mut count = 0;
+        for (number, row) in rows.enumerate() {
+            let row = row.expect("a row");
+            let found = [0, 1].map(|column| row.get_double(column).expect("a number"));
+            assert_eq!(found, value(number));
+            count += 1;
+        }
+        assert_eq!(count, ROWS);
+    }
+}
