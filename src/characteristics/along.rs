@@ -7,7 +7,7 @@ use suspension_core::DriveKind;
 
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{From, Grid, Names, Order, State, Unit, Visited, evenly_spaced};
+use crate::mechanism::{From, Grid, Names, Order, Place, State, Unit, Visited, evenly_spaced};
 
 /// From where to where, from the design position, as `-0.06:0.06`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,8 +113,7 @@ fn along(mechanism: &dyn Kinematics, way: Way, span: [f64; 2], interrupted: &Ato
     let axes = vec![(way.drive, changes.clone())];
     // So few places are never too many.
     let grid = Grid::new(mechanism, axes, From::Start).unwrap_or_default();
-    let mut read =
-        |state: &State, per: &dyn Fn(usize) -> Option<State>| (state.clone(), per(way.drive));
+    let mut read = |place: &dyn Place| (place.state(), place.per(way.drive));
     let visited = mechanism.visit(&grid, Order::First, interrupted, &mut read);
     Along {
         way,
