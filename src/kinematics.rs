@@ -15,7 +15,7 @@ use crate::bake::{
 };
 use crate::failure::Failure;
 use crate::mechanism::{
-    Description, End, Grid, Instants, Lock, Mechanism, OnPlace, OnState, Order, State, Suspension,
+    Description, End, Grid, Instants, Lock, Mechanism, OnPlace, OnState, Order, Place, Suspension,
     VisitEnd, Visited,
 };
 use crate::reach::{self, DriveRange};
@@ -86,9 +86,8 @@ pub trait Kinematics: Deref<Target = Description> {
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
 }
 
-/// Reads a state, given what gives the state with derivatives with respect to a drive; that is `None` where the
-/// mechanism locks.
-pub type Read<'a, R> = dyn FnMut(&State, &dyn Fn(usize) -> Option<State>) -> R + 'a;
+/// Reads a place of a grid.
+pub type Read<'a, R> = dyn FnMut(&dyn Place) -> R + 'a;
 
 impl dyn Kinematics + '_ {
     /// Solves the mechanism at each place of a grid; derivatives of quantities have the wanted order.
@@ -101,8 +100,8 @@ impl dyn Kinematics + '_ {
     ) -> Visited<R> {
         let mut places = Vec::new();
         places.resize_with(grid.places().unwrap_or_default(), || None);
-        let end = self.visit_each(grid, order, interrupted, &mut |place, state, per| {
-            places[place] = Some(read(state, per));
+        let end = self.visit_each(grid, order, interrupted, &mut |number, place| {
+            places[number] = Some(read(place));
         });
         Visited { places, end }
     }

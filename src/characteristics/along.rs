@@ -8,7 +8,7 @@ use suspension_core::DriveKind;
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
-    Axis, From, Grid, Names, Order, Pair, State, Unit, Visited, Wheel, evenly_spaced,
+    Axis, From, Grid, Names, Order, Pair, Place, State, Unit, Visited, Wheel, evenly_spaced,
 };
 use crate::number::number;
 
@@ -146,7 +146,8 @@ impl Course {
 /// Of each wheel, which way its drive of travel must change to raise it.
 fn upwards(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Vec<f64> {
     let wheels = &mechanism.names.wheels;
-    let mut read = |state: &State, _: &dyn Fn(usize) -> Option<State>| -> Vec<f64> {
+    let mut read = |place: &dyn Place| -> Vec<f64> {
+        let state = place.state();
         let rises = |wheel: &Wheel| {
             let velocities = state.moved_by(wheel.travel?)?;
             let [_, centre] = wheel.points.axis;
@@ -244,9 +245,9 @@ fn along(
     };
     // So few places are never too many.
     let grid = Grid::new(mechanism, vec![axis], From::Start).unwrap_or_default();
-    let mut read = |state: &State, per: &dyn Fn(usize) -> Option<State>| {
-        let per = drives.iter().map(|(drive, _)| per(*drive));
-        (state.clone(), per.collect())
+    let mut read = |place: &dyn Place| {
+        let per = drives.iter().map(|(drive, _)| place.per(*drive));
+        (place.state(), per.collect())
     };
     let visited = mechanism.visit(&grid, Order::First, interrupted, &mut read);
     Along {

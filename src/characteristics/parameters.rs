@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::characteristics::along::Way;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Description, From, Grid, Order, State, Unit};
+use crate::mechanism::{Description, From, Grid, Order, Place, State, Unit};
 use crate::quantities::{
     self, Column, DRIVES, Kind, MARKERS, POSITIONS, Quantity, RESIDUAL, catalogue,
 };
@@ -53,15 +53,16 @@ pub fn parameters(
 ) -> Vec<Parameter> {
     let ways = Way::all(&mechanism.names);
     let columns = columns(mechanism);
-    let mut read = |state: &State, per: &dyn Fn(usize) -> Option<State>| -> Vec<Parameter> {
+    let mut read = |place: &dyn Place| -> Vec<Parameter> {
+        let state = place.state();
         let per: Vec<PerDrive> = ways
             .iter()
             .map(|Way { drive, .. }| {
                 let kind = Kind::from(mechanism.names.drives[*drive].kind);
-                Some((kind, per(*drive)?))
+                Some((kind, place.per(*drive)?))
             })
             .collect();
-        let parameter = |column| parameter(column, [mechanism.unit, unit], state, &per);
+        let parameter = |column| parameter(column, [mechanism.unit, unit], &state, &per);
         columns.iter().map(parameter).collect()
     };
     let grid = Grid::new(mechanism, Vec::new(), From::Start).unwrap_or_default();

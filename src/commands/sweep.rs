@@ -84,15 +84,15 @@ impl Arguments {
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let grid = grid(mechanism, &self.drives, self.absolute).map_err(Failure::Input)?;
-        let columns = table::columns(&mechanism.names, self.derivatives);
+        let columns = table::columns(&mechanism.names, self.derivatives.into());
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let order = match self.derivatives {
             2 => Order::Second,
             _ => Order::First,
         };
-        let visited = mechanism.visit(&grid, order, interrupted, &mut |state, per| {
+        let visited = mechanism.visit(&grid, order, interrupted, &mut |place| {
             progress.step();
-            columns.row(state, per)
+            columns.row(place)
         });
         table::write(mechanism, &columns, &visited.places, forms)?;
         let written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();

@@ -1,11 +1,13 @@
 //! The mechanism about a place: derivatives with respect to its drives.
 
+use std::cell::OnceCell;
+
 use nalgebra::{SVector, Vector3};
 use suspension_core::{Directions, Signal, Values};
 
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
-use crate::mechanism::state::State;
+use crate::mechanism::state::{Points, State};
 
 /// Up to which order derivatives of quantities are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,9 +17,6 @@ pub enum Order {
     /// The second too.
     Second,
 }
-
-/// Points, or their velocities, with derivatives.
-type Moving = Signal<Vec<Vector3<f64>>>;
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// A state at a position with the velocities of travel and steering there.
@@ -31,14 +30,19 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     }
 }
 
-/// The mechanism about a place.
+/// The mechanism about a place. What several of its states need is computed once, where one asks for it.
 pub(crate) struct Around<'a, L: Suspension<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     drives: L::Drives,
+    /// `None` where the mechanism locks.
     directions: Option<Directions<'a, L, N>>,
-    /// All points with their derivatives with respect to each drive; `None` where the mechanism locks.
-    per: Vec<Option<Signal<L::Points>>>,
     order: Order,
+    /// The states with derivatives with respect to each drive, without the velocities of drives.
+    along: Vec<OnceCell<Option<State>>>,
+    /// The points' mixed second derivatives with respect to two drives, a row for each drive, up to itself.
+    mixed: Vec<OnceCell<Option<Points>>>,
+    /// Rates of all points that are not known.
+    unknown: Points,
 }
 
 impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
@@ -48,32 +52,25 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         position: &SVector<f64, N>,
         order: Order,
     ) -> Self {
-        let directions = Directions::new(&mechanism.model, drives, position).ok();
-        let of_each = 0..mechanism.names.drives.len();
-        let per = of_each.map(|drive| {
-            directions
-                .as_ref()?
-                .points(direction::<L, N>(&[drive]))
-                .ok()
-        });
-        let per = per.collect();
+        let count = mechanism.names.drives.len();
         Self {
             mechanism,
             drives,
-            directions,
-            per,
+            directions: Directions::new(&mechanism.model, drives, position).ok(),
             order,
+            along: vec![OnceCell::new(); count],
+            mixed: vec![OnceCell::new(); count * (count + 1) / 2],
+            unknown: vec![Vector3::repeat(f64::NAN); mechanism.names.points.len()].into(),
         }
     }
 
     /// A state with the velocities of travel and steering.
     pub(crate) fn with_velocities(&self, state: State) -> State {
         let velocities = |drive: usize| {
-            let unknown = vec![Vector3::repeat(f64::NAN); self.mechanism.names.points.len()];
             Some(Signal {
-                value: self.along(drive)?.rate,
-                rate: unknown.clone(),
-                second_rate: unknown,
+                value: self.along(drive)?.points.rate.clone(),
+                rate: self.unknown.clone(),
+                second_rate: self.unknown.clone(),
             })
         };
         State {
@@ -84,20 +81,17 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
 
     /// The state with derivatives with respect to a drive; `None` where the mechanism locks.
     pub(crate) fn per(&self, drive: usize) -> Option<State> {
-        let Self {
-            mechanism, drives, ..
-        } = self;
         Some(State {
             velocities: self.of_moving_drives(|of| self.velocities(of, drive)),
-            ..mechanism.state(0.0, drives, self.per[drive].as_ref()?)
+            ..self.along(drive)?.clone()
         })
     }
 
     /// The velocities of the drives that move wheels or steer them.
     fn of_moving_drives(
         &self,
-        velocities: impl Fn(usize) -> Option<Moving>,
-    ) -> Vec<Option<Moving>> {
+        velocities: impl Fn(usize) -> Option<Signal<Points>>,
+    ) -> Vec<Option<Signal<Points>>> {
         let vehicle = &self.mechanism.names.vehicle;
         let of_one = |drive| {
             vehicle
@@ -105,40 +99,52 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
                 .then(|| velocities(drive))
                 .flatten()
         };
-        (0..self.per.len()).map(of_one).collect()
+        (0..self.along.len()).map(of_one).collect()
     }
 
-    fn along(&self, drive: usize) -> Option<Moving> {
-        Some(self.mechanism.listed(self.per[drive].as_ref()?))
+    fn along(&self, drive: usize) -> Option<&State> {
+        let Self {
+            mechanism, drives, ..
+        } = self;
+        let state = || {
+            let points = self.directions.as_ref()?;
+            let points = points.points(direction::<L, N>(&[drive]));
+            Some(mechanism.state(0.0, drives, points.as_ref().ok()?))
+        };
+        self.along[drive].get_or_init(state).as_ref()
     }
 
     /// The velocities with respect to one drive, with their derivatives with respect to another or the same.
-    fn velocities(&self, of: usize, per: usize) -> Option<Moving> {
-        let [first, other] = [self.along(of)?, self.along(per)?];
+    fn velocities(&self, of: usize, per: usize) -> Option<Signal<Points>> {
+        let points = &self.along(of)?.points;
         let rate = if of == per {
-            first.second_rate
+            &points.second_rate
         } else {
-            let both = self
-                .directions
-                .as_ref()?
-                .points(direction::<L, N>(&[of, per]));
-            let both = self.mechanism.listed(&both.ok()?).second_rate;
-            let squares = first.second_rate.iter().zip(&other.second_rate);
-            let mixed = both
-                .iter()
-                .zip(squares)
-                .map(|(both, (a, b))| (both - a - b) / 2.0);
-            mixed.collect()
+            self.mixed(of.min(per), of.max(per))?
         };
-        let third = match self.order {
-            Order::First => SVector::repeat(f64::NAN),
-            Order::Second => self.third(of, per)?,
+        let second_rate = match self.order {
+            Order::First => self.unknown.clone(),
+            Order::Second => self.spread(&self.third(of, per)?),
         };
         Some(Signal {
-            value: first.rate,
-            rate,
-            second_rate: self.spread(&third),
+            value: points.rate.clone(),
+            rate: rate.clone(),
+            second_rate,
         })
+    }
+
+    /// The mixed second derivative of the points with respect to two drives.
+    fn mixed(&self, one: usize, other: usize) -> Option<&Points> {
+        let mixed = || {
+            let both = direction::<L, N>(&[one, other]);
+            let both = self.directions.as_ref()?.points(both);
+            let [a, b] = [one, other].map(|drive| Some(&self.along(drive)?.points.second_rate));
+            let squares = a?.iter().zip(b?.iter());
+            let points = both.as_ref().ok()?.second_rate.values().zip(squares);
+            Some(points.map(|(both, (a, b))| (both - a - b) / 2.0).collect())
+        };
+        let row = other * (other + 1) / 2;
+        self.mixed[row + one].get_or_init(mixed).as_ref()
     }
 
     /// The third derivative of the unknowns, once with respect to one drive and twice to another or the same.
@@ -156,13 +162,13 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
     }
 
     /// Rates of the unknowns as those of points: zero for the chassis, NaN for markers.
-    fn spread(&self, unknowns: &SVector<f64, N>) -> Vec<Vector3<f64>> {
+    fn spread(&self, unknowns: &SVector<f64, N>) -> Points {
         let names = &self.mechanism.names;
         let free = (0..names.free).map(|point| unknowns.fixed_rows::<3>(3 * point).into_owned());
         let mut points = vec![Vector3::zeros(); names.chassis];
         points.extend(free);
         points.resize(names.points.len(), Vector3::repeat(f64::NAN));
-        points
+        points.into()
     }
 }
 

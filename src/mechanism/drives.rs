@@ -81,6 +81,14 @@ impl DriveLaws {
 /// Steps that the way from one instant to the next may take.
 pub(super) const MAX_STEPS: usize = 10_000;
 
+/// How motions are followed.
+pub(super) fn tracker() -> Tracker<f64> {
+    Tracker {
+        max_steps: MAX_STEPS,
+        ..Tracker::default()
+    }
+}
+
 /// Follows the motion from one time to another, in as many steps as it takes.
 ///
 /// # Errors
@@ -92,9 +100,5 @@ pub fn follow<L: Linkage<N, Scalar = f64>, const N: usize>(
     [from, to]: [f64; 2],
     motion: &mut Motion<f64, N>,
 ) -> Result<Report<f64>, Stopped<f64>> {
-    let tracker = Tracker {
-        max_steps: MAX_STEPS,
-        ..Tracker::default()
-    };
-    tracker.advance(model, |t| drives.inputs(t), from, to, motion)
+    tracker().advance(model, |t| drives.inputs(t), from, to, motion)
 }

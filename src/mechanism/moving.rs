@@ -1,9 +1,9 @@
 //! A mechanism on its way, by its drives or by a measure in place of one.
 
 use suspension_core::path::Led;
-use suspension_core::{Inputs, Motion, Report, Still, Stopped};
+use suspension_core::{Inputs, Motion, Report, Signal, Still, Stopped, Values};
 
-use crate::mechanism::drives::{DriveLaws, follow};
+use crate::mechanism::drives::{DriveLaws, follow, tracker};
 use crate::mechanism::end::Stop;
 use crate::mechanism::lead::Lead;
 use crate::mechanism::locking::Lock;
@@ -113,13 +113,21 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         to: &[(usize, f64)],
         motion: &mut Motion<f64, N>,
     ) -> Result<Report<f64>, (DriveLaws, Stopped<f64>)> {
-        let ends = drives.iter().enumerate();
-        let laws = DriveLaws::new(ends.map(|(index, from)| {
-            let moved = to.iter().find(|(drive, _)| *drive == index);
-            Polynomial::line(*from, moved.map_or(*from, |(_, value)| *value))
-        }));
-        let followed = follow(&self.model, &laws, [0.0, 1.0], motion);
-        followed.map_err(|stopped| (laws, stopped))
+        let from = L::Drives::from_values(drives.iter().copied());
+        let of_one = |change: L::Drives, (drive, value): &(usize, f64)| {
+            change.with(*drive, value - drives[*drive])
+        };
+        let change = to.iter().fold(L::Drives::default(), of_one);
+        let inputs = |t| Inputs::still(Signal::line(from, change, t));
+        let followed = tracker().advance(&self.model, inputs, 0.0, 1.0, motion);
+        followed.map_err(|stopped| {
+            let ends = drives.iter().enumerate();
+            let laws = DriveLaws::new(ends.map(|(index, from)| {
+                let moved = to.iter().find(|(drive, _)| *drive == index);
+                Polynomial::line(*from, moved.map_or(*from, |(_, value)| *value))
+            }));
+            (laws, stopped)
+        })
     }
 
     /// Where the mechanism locks on the way of one drive from the first instant to a value, in local coordinates,

@@ -1,11 +1,16 @@
 //! The mechanism at one place of its motion, whatever its linkage.
 
+use std::rc::Rc;
+
 use nalgebra::Vector3;
 use suspension_core::{Signal, Values};
 
 use crate::mechanism::axes::Axes;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
+
+/// All points in a list, or their rates: states about one place share them.
+pub type Points = Rc<[Vector3<f64>]>;
 
 /// A mechanism at one place of its motion: positions and rates, from which all quantities follow.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +20,7 @@ pub struct State {
     /// The drives' values, in the file's coordinates.
     pub drives: Vec<f64>,
     /// All points with their velocities and accelerations, in local coordinates.
-    pub points: Signal<Vec<Vector3<f64>>>,
+    pub points: Signal<Points>,
     /// What to add to a position for the file's coordinates.
     pub origin: Vector3<f64>,
     /// The axes of all coordinates.
@@ -25,7 +30,7 @@ pub struct State {
     /// Velocities of all points as a drive moves them, the others held, by the number of the drive, with their
     /// derivatives along the rates of `points`, NaN where those are not known; `None` of drives that neither move a
     /// wheel up and down nor steer it, and where the mechanism locks.
-    pub velocities: Vec<Option<Signal<Vec<Vector3<f64>>>>>,
+    pub velocities: Vec<Option<Signal<Points>>>,
     /// Iterations of Newton's method, steps in between included.
     pub iterations: usize,
     /// The largest residual, in the unit of lengths.
@@ -39,7 +44,7 @@ impl State {
     }
 
     /// The velocities of all points as a drive moves them, where they are known.
-    pub fn moved_by(&self, drive: usize) -> Option<&Signal<Vec<Vector3<f64>>>> {
+    pub fn moved_by(&self, drive: usize) -> Option<&Signal<Points>> {
         self.velocities.get(drive)?.as_ref()
     }
 }
@@ -67,7 +72,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     }
 
     /// The points of the listing.
-    pub(crate) fn listed(&self, points: &Signal<L::Points>) -> Signal<Vec<Vector3<f64>>> {
+    pub(crate) fn listed(&self, points: &Signal<L::Points>) -> Signal<Points> {
         let count = self.names.points.len();
         points.map(|points: &L::Points| points.values().take(count).collect())
     }

@@ -50,9 +50,17 @@ impl VisitEnd {
     }
 }
 
-/// Takes the state at a place, by number, and what gives the state with derivatives with respect to a drive; that is
-/// `None` where the mechanism locks.
-pub type OnPlace<'a> = dyn FnMut(usize, &State, &dyn Fn(usize) -> Option<State>) + 'a;
+/// A place of a grid, of which states are made where one asks for them.
+pub trait Place {
+    /// The state.
+    fn state(&self) -> State;
+
+    /// The state with derivatives with respect to a drive; `None` where the mechanism locks.
+    fn per(&self, drive: usize) -> Option<State>;
+}
+
+/// Takes a place, by number.
+pub type OnPlace<'a> = dyn FnMut(usize, &dyn Place) + 'a;
 
 impl<R> Visited<R> {
     /// What remains to be said where places are missing.
@@ -99,7 +107,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             on_place,
             end: VisitEnd::default(),
         };
-        let start = Place {
+        let start = Reached {
             index: 0,
             drives: grid.start.clone(),
             motion: self.start,
@@ -110,9 +118,9 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     }
 }
 
-/// The mechanism at a place.
+/// The mechanism on its way, at a place.
 #[derive(Clone)]
-struct Place<const N: usize> {
+struct Reached<const N: usize> {
     /// The place's number, as far as the axes before tell it.
     index: usize,
     drives: Vec<f64>,
@@ -131,7 +139,7 @@ struct Visitor<'a, 'r, L: suspension_core::Linkage<N>, const N: usize> {
 
 impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
     /// Visits the places along the axes from `level` on, both ways from `here`.
-    fn along_axes(&mut self, level: usize, here: &Place<N>) {
+    fn along_axes(&mut self, level: usize, here: &Reached<N>) {
         let grid = self.grid;
         let Some(axis) = grid.axes.get(level) else {
             self.read_at(here);
@@ -178,18 +186,47 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
         }
     }
 
-    fn read_at(&mut self, place: &Place<N>) {
-        let mechanism = self.mechanism;
-        let drives = L::Drives::from_values(place.drives.iter().copied());
-        let position = &place.motion.position;
-        let inputs = Inputs::still(Signal::still(drives));
-        let points = Motion::at_rest(*position).points(&mechanism.model, &inputs);
-        let state = State {
-            residual: place.residual,
-            ..mechanism.at_rest(0.0, &drives, points.value)
+    fn read_at(&mut self, reached: &Reached<N>) {
+        let drives = L::Drives::from_values(reached.drives.iter().copied());
+        let position = &reached.motion.position;
+        let here = Here {
+            around: Around::new(self.mechanism, drives, position, self.order),
+            drives,
+            reached,
+            mechanism: self.mechanism,
         };
-        let around = Around::new(mechanism, drives, position, self.order);
-        let state = around.with_velocities(state);
-        (self.on_place)(place.index, &state, &|drive| around.per(drive));
+        (self.on_place)(reached.index, &here);
+    }
+}
+
+/// What is read of a place.
+struct Here<'a, L: Suspension<N>, const N: usize> {
+    around: Around<'a, L, N>,
+    drives: L::Drives,
+    reached: &'a Reached<N>,
+    mechanism: &'a Mechanism<L, N>,
+}
+
+impl<L: Suspension<N>, const N: usize> Place for Here<'_, L, N> {
+    fn state(&self) -> State {
+        let Self {
+            around,
+            drives,
+            reached,
+            mechanism,
+        } = self;
+        let inputs = Inputs::still(Signal::still(*drives));
+        let points = Motion::at_rest(reached.motion.position).points(&mechanism.model, &inputs);
+        around.with_velocities(State {
+            residual: reached.residual,
+            ..mechanism.at_rest(0.0, drives, points.value)
+        })
+    }
+
+    fn per(&self, drive: usize) -> Option<State> {
+        Some(State {
+            residual: self.reached.residual,
+            ..self.around.per(drive)?
+        })
     }
 }

@@ -1,14 +1,20 @@
 //! Rows as comma-separated values, each with as many digits as it takes to read the same number.
 
+use std::io::Write;
+
 use crate::failure::Failure;
 use crate::output::heading::Heading;
 use crate::output::target::{Sink, Target};
 
+/// How many bytes are gathered before they are written.
+const GATHERED: usize = 1 << 16;
+
 /// A table of comma-separated values being written.
 pub struct CsvFile {
-    name: String,
-    writer: csv::Writer<Sink>,
+    sink: Sink,
     counts: Vec<bool>,
+    /// Rows that are not written yet.
+    text: Vec<u8>,
 }
 
 impl CsvFile {
@@ -18,18 +24,16 @@ impl CsvFile {
     ///
     /// See [`Failure::writing`].
     pub fn create(target: &Target, headings: &[Heading]) -> Result<Self, Failure> {
-        let sink = Sink::create(target)?;
-        let name = sink.name.clone();
         let mut table = Self {
-            name,
-            writer: csv::Writer::from_writer(sink),
+            sink: Sink::create(target)?,
             counts: headings.iter().map(|heading| heading.counts).collect(),
+            text: Vec::with_capacity(GATHERED),
         };
         table.record(headings.iter().map(|heading| heading.name.as_str()))?;
         Ok(table)
     }
 
-    /// Adds a row.
+    /// Adds a row. Numbers need no quotes.
     ///
     /// # Errors
     ///
@@ -37,15 +41,17 @@ impl CsvFile {
     pub(super) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
         let mut buffer = zmij::Buffer::new();
         for (value, counts) in values.iter().zip(&self.counts) {
-            let written = if *counts {
-                self.writer.write_field(value.to_string())
+            if *counts {
+                self.text.extend_from_slice(value.to_string().as_bytes());
             } else {
-                self.writer.write_field(buffer.format(*value))
-            };
-            written.map_err(|error| failed(&self.name, error))?;
+                let number = buffer.format(*value);
+                self.text.extend_from_slice(number.as_bytes());
+            }
+            self.text.push(b',');
         }
-        // Without a field: the end of the row.
-        self.record(std::iter::empty())
+        self.text.pop();
+        self.text.push(b'\n');
+        self.write(GATHERED)
     }
 
     /// Ends the table; a file takes its name.
@@ -53,10 +59,9 @@ impl CsvFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub fn finish(self) -> Result<(), Failure> {
-        let sink = self.writer.into_inner();
-        let sink = sink.map_err(|error| Failure::writing(&self.name, error.error()))?;
-        sink.finish()
+    pub fn finish(mut self) -> Result<(), Failure> {
+        self.write(0)?;
+        self.sink.finish()
     }
 
     /// Adds a row of texts.
@@ -65,14 +70,26 @@ impl CsvFile {
     ///
     /// See [`Failure::writing`].
     pub fn record<'a>(&mut self, fields: impl Iterator<Item = &'a str>) -> Result<(), Failure> {
-        let written = self.writer.write_record(fields);
-        written.map_err(|error| failed(&self.name, error))
+        let mut writer = csv::Writer::from_writer(&mut self.text);
+        let quoted = writer.write_record(fields);
+        let quoted = quoted.and_then(|()| Ok(writer.flush()?));
+        drop(writer);
+        match quoted {
+            Ok(()) => self.write(GATHERED),
+            Err(error) => Err(Failure::Output(format!(
+                "{}: cannot be written: {error}",
+                self.sink.name
+            ))),
+        }
     }
-}
 
-fn failed(name: &str, error: csv::Error) -> Failure {
-    match error.into_kind() {
-        csv::ErrorKind::Io(error) => Failure::writing(name, &error),
-        other => Failure::Output(format!("{name}: cannot be written: {other:?}")),
+    /// Writes the rows that are gathered where they have so many bytes.
+    fn write(&mut self, least: usize) -> Result<(), Failure> {
+        if self.text.len() < least {
+            return Ok(());
+        }
+        let written = self.sink.write_all(&self.text);
+        self.text.clear();
+        written.map_err(|error| Failure::writing(&self.sink.name, &error))
     }
 }

@@ -46,7 +46,7 @@ fn of_kingpin_at(
             reading(Kind::Length, move |reader| {
                 let wheel = reader.wheel(rolling);
                 let kingpin = SteeringAxis::through([at(reader, lower), at(reader, upper)]);
-                offset(&kingpin, &point(wheel), &Heading::of(&wheel.axis))
+                offset(&kingpin, &point(wheel), &wheel.heading)
             })
         };
         ends.map(of).into_iter().collect()

@@ -7,7 +7,7 @@ use crate::mechanism::Names;
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Axis, Reading};
 use crate::quantities::reader::Reader;
-use crate::quantities::wheel::{Number, Rolling, at, from_to, origin};
+use crate::quantities::wheel::{Number, Rolling, from_to, origin};
 
 /// A number whose derivatives are not known.
 pub(super) fn alone(value: f64) -> Number {
@@ -105,7 +105,20 @@ pub(super) fn point(names: &Names, point: usize, kind: Kind) -> Vec<Reading> {
         Kind::Acceleration => vector(name, kind, &Axis::ALL, move |state| {
             state.points.second_rate[point]
         }),
-        _ => place(name, move |state| at(state, point)),
+        _ => Axis::ALL.map(|axis| coordinate(name, point, axis)).into(),
+    }
+}
+
+/// A coordinate of a point.
+fn coordinate(name: Option<&str>, point: usize, axis: Axis) -> Reading {
+    let of = move |vector: &Vector3<f64>| vector[axis as usize];
+    Reading {
+        name: name.map(str::to_owned),
+        axis: Some(axis),
+        ..reading(Kind::Length, move |state| {
+            let local = state.points.map(|points| of(&points[point]));
+            local + Signal::still(of(&state.origin))
+        })
     }
 }
 

@@ -1,11 +1,13 @@
 //! A wheel on the ground, and its carrier as one drive moves it.
 
+use std::cell::OnceCell;
+
 use nalgebra::Vector3;
 use suspension_core::Signal;
 use suspension_core::body::angular_velocity_and_rates;
 use suspension_core::wheel::{Carrier, Heading, InstantCentre, SteeringAxis, contact};
 
-use crate::mechanism::{Names, State, WheelPoints};
+use crate::mechanism::{Names, Points, State, WheelPoints};
 
 /// A number with its derivatives along the rates of a state.
 pub(super) type Number = Signal<f64>;
@@ -19,13 +21,13 @@ pub(super) const UNKNOWN: Number = Signal {
 
 /// A point in local coordinates, in the axes of ISO 8855.
 pub(super) fn at(state: &State, point: usize) -> Vector3<Number> {
-    let of = |points: &Vec<Vector3<f64>>| state.axes.turned(points[point]);
+    let of = |points: &Points| state.axes.turned(points[point]);
     state.points.map(of).components()
 }
 
 /// From one point to another, in those axes.
 pub(super) fn from_to(state: &State, [from, to]: [usize; 2]) -> Vector3<Number> {
-    let between = |points: &Vec<Vector3<f64>>| state.axes.turned(points[to] - points[from]);
+    let between = |points: &Points| state.axes.turned(points[to] - points[from]);
     state.points.map(between).components()
 }
 
@@ -82,6 +84,7 @@ pub(super) struct Wheel {
     pub(super) axis: Vector3<Number>,
     /// Not finite where the file has no wheel radius.
     pub(super) contact: Vector3<Number>,
+    pub(super) heading: Heading<Number>,
 }
 
 impl Wheel {
@@ -90,6 +93,7 @@ impl Wheel {
         let (centre, axis) = (at(state, centre), from_to(state, points.axis));
         Self {
             contact: contact(&centre, &axis, Signal::still(radius)),
+            heading: Heading::of(&axis),
             centre,
             axis,
         }
@@ -109,6 +113,8 @@ pub(super) struct Moving {
     pub(super) axis: Vector3<Number>,
     /// Not finite where the file has no wheel radius.
     pub(super) contact: Vector3<Number>,
+    pub(super) heading: Heading<Number>,
+    screw: OnceCell<SteeringAxis<Number>>,
 }
 
 impl Moving {
@@ -120,17 +126,19 @@ impl Moving {
         wheel: &Wheel,
     ) -> Option<Self> {
         let velocities = state.moved_by(drive)?;
-        let of = |all: &Vec<Vector3<f64>>, point: usize| state.axes.turned(all[point]);
-        let of_carrier = |all: &Vec<Vector3<f64>>| points.carrier.map(|point| of(all, point));
+        let of = |all: &Points, point: usize| state.axes.turned(all[point]);
+        let of_carrier = |all: &Points| points.carrier.map(|point| of(all, point));
         let (places, rates) = (state.points.map(of_carrier), velocities.map(of_carrier));
         let omega = angular_velocity_and_rates(&places, &rates)?.components();
         let [first, _, _] = points.carrier;
-        let of_first = |all: &Vec<Vector3<f64>>| of(all, first);
+        let of_first = |all: &Points| of(all, first);
         let to_centre = wheel.centre - at(state, first);
         let origin = origin(state);
         Some(Self {
             contact: wheel.contact + origin,
             axis: wheel.axis,
+            heading: wheel.heading,
+            screw: OnceCell::new(),
             carrier: Carrier {
                 centre: wheel.centre + origin,
                 velocity: velocities.map(of_first).components() + omega.cross(&to_centre),
@@ -169,13 +177,14 @@ impl Moving {
     }
 
     /// The axis about which the carrier turns.
-    pub(super) fn screw(&self) -> SteeringAxis<Number> {
+    pub(super) fn screw(&self) -> &SteeringAxis<Number> {
         let Carrier {
             centre,
             velocity,
             omega,
         } = &self.carrier;
-        SteeringAxis::of_screw(centre, velocity, omega)
+        let screw = || SteeringAxis::of_screw(centre, velocity, omega);
+        self.screw.get_or_init(screw)
     }
 
     /// How far the carrier moves along that axis for a radian about it.
@@ -184,10 +193,5 @@ impl Moving {
             velocity, omega, ..
         } = &self.carrier;
         omega.dot(velocity) / omega.dot(omega)
-    }
-
-    /// Horizontal directions of the wheel.
-    pub(super) fn heading(&self) -> Heading<Number> {
-        Heading::of(&self.axis)
     }
 }

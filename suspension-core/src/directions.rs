@@ -59,7 +59,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'a, L, N
         let prescribed = Prescribed::new(self.linkage, &inputs);
         let factors = self.factored.factors();
         let rates = rates_at::<_, _, Still, N>(self.linkage, &prescribed, &self.position, factors);
-        Ok(rates.motion()?.points(self.linkage, &inputs))
+        Ok(rates.motion()?.points_with(self.linkage, &prescribed.fixed))
     }
 
     /// The unknowns as a polynomial in the multiple of `change` that is added to the drives.

@@ -52,7 +52,15 @@ impl<T: Real, const N: usize> Motion<T, N> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        let fixed = Prescribed::new(linkage, inputs).fixed;
+        self.points_with(linkage, &Prescribed::new(linkage, inputs).fixed)
+    }
+
+    /// The same with the chassis points at hand.
+    #[inline(always)]
+    pub(crate) fn points_with<L>(&self, linkage: &L, fixed: &Signal<L::Fixed>) -> Signal<L::Points>
+    where
+        L: Linkage<N, Scalar = T>,
+    {
         let value = linkage.points(&self.position, &fixed.value);
         let rate = linkage.velocities(&value, &self.velocity, &fixed.rate);
         let second_rate =

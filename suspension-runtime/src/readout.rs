@@ -24,15 +24,24 @@ where
     ) -> Points<Vector3<T>, N> {
         let plan = self.plan();
         let sites = Sites::new(q, fixed);
+        let [free] = &q.data.0;
+        let (free, _) = free.as_chunks();
+        let mut points = Points::<Vector3<T>, N>::default();
+        let mut places = points.as_mut_slice().iter_mut();
         let chassis = fixed.as_slice().iter().take(plan.chassis.into());
-        let free = (0..plan.free).filter_map(|point| sites.get(Site::Free(3 * point)));
+        for (point, place) in chassis.zip(&mut places) {
+            *place = *point;
+        }
+        for (&[x, y, z], place) in free.iter().take(plan.free.into()).zip(&mut places) {
+            *place = Vector3::new(x, y, z);
+        }
         let markers = plan.markers.iter().zip(self.markers.as_slice());
-        let markers = markers.filter_map(|(carriers, constant)| {
-            let [a, b, c] = sites.get_each(*carriers)?;
-            Some(marker(constant, *carriers, &Frame::new(a, b, c)))
-        });
-        let points = chassis.copied().chain(free).chain(markers);
-        suspension_core::Values::from_values(points)
+        for ((carriers, constant), place) in markers.zip(&mut places) {
+            if let Some([a, b, c]) = sites.get_each(*carriers) {
+                *place = marker(constant, *carriers, &Frame::new(a, b, c));
+            }
+        }
+        points
     }
 
     /// The frame of three sites among all points.

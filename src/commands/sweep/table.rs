@@ -1,7 +1,9 @@
 //! The table of a sweep: quantities, then their derivatives with respect to each drive.
 
+use suspension_core::Signal;
+
 use crate::failure::Failure;
-use crate::mechanism::{Description, Names, State};
+use crate::mechanism::{Description, Names, Place, State};
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
 use crate::quantities::{self, Column, DRIVES, Reader, Shown, catalogue};
@@ -12,51 +14,60 @@ pub(super) type Row = Vec<f64>;
 /// What is read off a place.
 pub(super) struct Columns {
     quantities: Vec<Column>,
+    /// How many drives there are derivatives with respect to.
     drives: usize,
-    derivatives: u8,
+    /// Up to which order.
+    derivatives: usize,
 }
 
 /// All quantities that positions determine, with derivatives up to an order.
-pub(super) fn columns(names: &Names, derivatives: u8) -> Columns {
+pub(super) fn columns(names: &Names, derivatives: usize) -> Columns {
     let all = quantities::columns(catalogue(), names).into_iter();
     let of_positions = all.filter(|column| {
         column.kind.is_of_positions() && column.quantity.shown != Shown::InSummaries
     });
     Columns {
         quantities: of_positions.collect(),
-        drives: names.drives.len(),
+        drives: if derivatives == 0 {
+            0
+        } else {
+            names.drives.len()
+        },
         derivatives,
     }
 }
 
 impl Columns {
-    /// The numbers of a state; `per` is the state with derivatives with respect to a drive, `None` where the mechanism locks.
-    pub(super) fn row(&self, state: &State, per: impl Fn(usize) -> Option<State>) -> Row {
-        let reader = Reader::of(state);
-        let quantities = self.quantities.iter();
-        let mut row: Row = quantities
-            .map(|column| column.read(&reader).value)
-            .collect();
-        if self.derivatives == 0 {
-            return row;
-        }
-        let per: Vec<Option<State>> = (0..self.drives).map(per).collect();
-        let readers = per.iter().map(|state| state.as_ref().map(Reader::of));
-        let readers: Vec<Option<Reader<'_>>> = readers.collect();
-        for column in self.with_derivatives() {
-            for reader in &readers {
-                let along = reader.as_ref().map(|reader| column.read(reader));
-                let [first, second] =
-                    along.map_or([f64::NAN; 2], |along| [along.rate, along.second_rate]);
-                row.extend([first, second].iter().take(self.derivatives.into()));
+    /// The numbers of a place; derivatives are NaN where the mechanism locks.
+    pub(super) fn row(&self, place: &dyn Place) -> Row {
+        let read = |state: State| -> Vec<Signal<f64>> {
+            let reader = Reader::of(&state);
+            let quantities = self.quantities.iter();
+            quantities.map(|column| column.read(&reader)).collect()
+        };
+        let per = (0..self.drives).map(|drive| place.per(drive).map(read));
+        let per: Vec<Option<Vec<Signal<f64>>>> = per.collect();
+        // A state with derivatives has the same values as one without.
+        let alone = per.iter().all(Option::is_none).then(|| read(place.state()));
+        let values = per.iter().chain([&alone]).flatten().next();
+        let values = values.into_iter().flatten().map(|number| number.value);
+        let mut row =
+            Row::with_capacity(self.quantities.len() * (1 + per.len() * self.derivatives));
+        row.extend(values);
+        for (index, _) in self.with_derivatives() {
+            for numbers in &per {
+                let number = numbers.as_ref().map(|numbers| numbers[index]);
+                let both = number.map_or([f64::NAN; 2], |number| [number.rate, number.second_rate]);
+                row.extend(both.iter().take(self.derivatives));
             }
         }
         row
     }
 
-    fn with_derivatives(&self) -> impl Iterator<Item = &Column> {
-        let columns = self.quantities.iter();
-        columns.filter(|column| column.has_derivatives && !column.is(&DRIVES))
+    /// The columns with derivatives, by number.
+    fn with_derivatives(&self) -> impl Iterator<Item = (usize, &Column)> {
+        let columns = self.quantities.iter().enumerate();
+        columns.filter(|(_, column)| column.has_derivatives && !column.is(&DRIVES))
     }
 }
 
@@ -72,13 +83,13 @@ pub(super) fn write(
         .quantities
         .iter()
         .map(|column| column.csv_name(*unit));
-    let derivatives = columns.with_derivatives().flat_map(|column| {
+    let derivatives = columns.with_derivatives().flat_map(|(_, column)| {
         let name = column.csv_name(*unit);
         let drives = names.drives.iter();
         drives.flat_map(move |drive| {
             let first = format!("{name}_per_{}", drive.name);
             let second = format!("{first}2");
-            [first, second].into_iter().take(columns.derivatives.into())
+            [first, second].into_iter().take(columns.derivatives)
         })
     });
     let heading = |name| Heading {

@@ -9,7 +9,7 @@ use suspension_core::wheel::{camber, toe};
 
 use crate::characteristics::Along;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{self, From, Grid, Order, State};
+use crate::mechanism::{self, From, Grid, Order, Place as Visit, State};
 
 /// How a wheel moves.
 pub(super) struct Wheel {
@@ -101,8 +101,9 @@ impl Wheel {
             DriveKind::Coordinate => metre,
             DriveKind::Angle => 1.0,
         };
-        let mut read = |state: &State, per: &dyn Fn(usize) -> Option<State>| {
-            let rates = |drive: usize| rates(wheel, &per(drive)?, state, drive, metre);
+        let mut read = |place: &dyn Visit| {
+            let state = place.state();
+            let rates = |drive: usize| rates(wheel, &place.per(drive)?, &state, drive, metre);
             let of_travel = travel
                 .drives
                 .iter()
@@ -112,7 +113,7 @@ impl Wheel {
                 Some(drive) => Some(rates(drive)?.times(in_metres(drive))),
                 None => None,
             };
-            Some((state.clone(), of_travel, of_steer))
+            Some((state, of_travel, of_steer))
         };
         let here = Grid::new(mechanism, Vec::new(), From::Start).unwrap_or_default();
         let visited = mechanism.visit(&here, Order::First, interrupted, &mut read);

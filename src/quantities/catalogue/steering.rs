@@ -35,7 +35,7 @@ catalogue! {
         source: "as scrub_radius",
         shown: Shown::InTables,
         read: |names| of_moving(names, Along::Steer, Kind::Length, true, |moving| {
-            moving.screw().inboard_of(&moving.contact, &moving.heading())
+            moving.screw().inboard_of(&moving.contact, &moving.heading)
         }),
     }
     VIRTUAL_TRAIL: "mechanical trail of the virtual steering axis" {
@@ -45,7 +45,7 @@ catalogue! {
         source: "as mechanical_trail",
         shown: Shown::InTables,
         read: |names| of_moving(names, Along::Steer, Kind::Length, true, |moving| {
-            moving.screw().ahead_of(&moving.contact, &moving.heading())
+            moving.screw().ahead_of(&moving.contact, &moving.heading)
         }),
     }
     VIRTUAL_PITCH: "pitch of the virtual steering axis" {

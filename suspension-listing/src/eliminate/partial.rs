@@ -1,5 +1,7 @@
 //! One attempt: the matrix as it is eliminated step by step.
 
+use std::rc::Rc;
+
 use super::acceptance::{Acceptance, Positions};
 use super::preference::Preference;
 use super::{DIVISION, Entry, Order, Step};
@@ -7,8 +9,8 @@ use super::{DIVISION, Entry, Order, Step};
 /// What is known of an entry during elimination.
 #[derive(Clone, Debug)]
 struct Cell {
-    /// In each position; none where they are not known.
-    values: Vec<f64>,
+    /// In each position; none where they are not known. Attempts share what they have in common.
+    values: Rc<[f64]>,
     unit: bool,
     carried: bool,
     /// When it is ready, in operations from the start.
@@ -16,7 +18,7 @@ struct Cell {
 }
 
 /// Position by position; none where one of them is not known.
-fn combined(a: &[f64], b: &[f64], combine: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+fn combined(a: &[f64], b: &[f64], combine: impl Fn(f64, f64) -> f64) -> Rc<[f64]> {
     a.iter().zip(b).map(|(a, b)| combine(*a, *b)).collect()
 }
 
@@ -29,6 +31,8 @@ pub(super) struct Partial {
     columns_of: Vec<Vec<usize>>,
     /// Rows that have an entry in each column, of those not eliminated yet.
     rows_of: Vec<Vec<usize>>,
+    /// How large a pivot of each column must be, in each position.
+    least: Vec<Vec<f64>>,
     acceptance: Acceptance,
     order: Order,
 }
@@ -40,17 +44,21 @@ impl Partial {
             cells: vec![vec![None; n]; n],
             columns_of: vec![Vec::new(); n],
             rows_of: vec![Vec::new(); n],
+            least: vec![Vec::new(); n],
             acceptance: Acceptance::new(of, positions.unwrap_or_default()),
             order: Order::default(),
         };
         for entry in entries {
             let cell = Cell {
-                values: entry.values.clone(),
+                values: entry.values.as_slice().into(),
                 unit: entry.unit,
                 carried: entry.carried,
                 ready: 0,
             };
             partial.put(entry.row, entry.column, cell);
+        }
+        for column in 0..n {
+            partial.update_least(column);
         }
         partial
     }
@@ -75,8 +83,7 @@ impl Partial {
                 None => self.pivot(&mut preference)?,
             };
             let pivot = self.cells[row][column].clone()?;
-            let least = self.least(column);
-            self.acceptance.take(&pivot.values, &least);
+            self.acceptance.take(&pivot.values, &self.least[column]);
             self.step(row, column, pivot);
         }
         self.order.sort_substitution();
@@ -101,10 +108,10 @@ impl Partial {
     /// lowest.
     fn pivot(&self, preference: &mut Preference) -> Option<(usize, usize)> {
         let mut best = None;
-        for (column, rows) in self.rows_of.iter().enumerate() {
-            let least = self.least(column);
+        let columns = self.rows_of.iter().zip(&self.least).enumerate();
+        for (column, (rows, least)) in columns {
             for &row in rows {
-                let Some(lost) = self.acceptance.lost(self.values(row, column), &least) else {
+                let Some(lost) = self.acceptance.lost(self.values(row, column), least) else {
                     continue;
                 };
                 let markowitz = (rows.len() - 1) * (self.columns_of[row].len() - 1);
@@ -120,11 +127,10 @@ impl Partial {
         best.map(|(_, pivot)| pivot)
     }
 
-    /// How large a pivot of a column must be, in each position.
-    fn least(&self, column: usize) -> Vec<f64> {
+    fn update_least(&mut self, column: usize) {
         let rows = self.rows_of[column].iter();
-        self.acceptance
-            .least(rows.map(|&row| self.values(row, column)))
+        let values = rows.map(|&row| self.values(row, column));
+        self.least[column] = self.acceptance.least(values);
     }
 
     /// An entry's values.
@@ -160,6 +166,9 @@ impl Partial {
             self.order.chain = self.order.chain.max(multiplier.ready);
             self.order.grow(self.acceptance.known(&multiplier.values));
             self.subtract(&multiplier, row, other, &right);
+        }
+        for &column in &right {
+            self.update_least(column);
         }
         self.order.steps.push(Step {
             row,

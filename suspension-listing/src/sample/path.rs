@@ -126,13 +126,14 @@ fn solved(mut rows: Vec<Vec<f64>>, smallest_pivot: f64) -> Option<Vec<f64>> {
         let size = |row: &Vec<f64>| row[k].abs();
         let best = (k..n).max_by(|&a, &b| size(&rows[a]).total_cmp(&size(&rows[b])))?;
         rows.swap(k, best);
-        let pivot_row = rows[k].clone();
-        if pivot_row[k].abs() < smallest_pivot {
+        let (above, below) = rows.split_at_mut(k + 1);
+        let pivot_row = &above[k][k..];
+        if pivot_row[0].abs() < smallest_pivot {
             return None;
         }
-        for row in rows.iter_mut().skip(k + 1).filter(|row| row[k] != 0.0) {
-            let factor = row[k] / pivot_row[k];
-            for (entry, of_pivot) in row.iter_mut().zip(&pivot_row).skip(k) {
+        for row in below.iter_mut().filter(|row| row[k] != 0.0) {
+            let factor = row[k] / pivot_row[0];
+            for (entry, of_pivot) in row[k..].iter_mut().zip(pivot_row) {
                 *entry -= factor * of_pivot;
             }
         }
