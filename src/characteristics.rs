@@ -2,9 +2,14 @@
 //! over travel and steering.
 
 mod along;
+mod course;
 mod curves;
 mod parameters;
+mod span;
+mod way;
 
-pub use along::{Along, Span, Way, ways};
+pub use along::{Along, ways};
 pub use curves::{Curves, Line, curves};
 pub use parameters::{Derivative, Parameter, parameters};
+pub use span::Span;
+pub use way::Way;

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::characteristics::along::Way;
+use crate::characteristics::way::Way;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, From, Grid, Order, Place, State, Unit};
 use crate::quantities::{

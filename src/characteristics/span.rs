@@ -1,0 +1,41 @@
+//! From where to where a drive is moved, as an option has it.
+
+use std::str::FromStr;
+
+/// From where to where, from the design position, as `-0.06:0.06`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span(pub [f64; 2]);
+
+impl FromStr for Span {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.trim().parse().ok().filter(|x: &f64| x.is_finite());
+        let ends = text.split_once(':');
+        let ends = ends.and_then(|(from, to)| Some([number(from)?, number(to)?]));
+        match ends {
+            Some([from, to]) if from < to => Ok(Self([from, to])),
+            Some(_) => Err("FROM is less than TO, as in -0.06:0.06".to_owned()),
+            None => Err("write FROM:TO, as -0.06:0.06".to_owned()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_span_is_refused_with_what_is_wrong() {
+        assert_eq!("-0.03 : 0.04".parse(), Ok(Span([-0.03, 0.04])));
+        for (text, expected) in [
+            ("0.03", "write FROM:TO, as -0.06:0.06"),
+            ("a:1", "write FROM:TO, as -0.06:0.06"),
+            ("0:inf", "write FROM:TO, as -0.06:0.06"),
+            ("0.03:-0.03", "FROM is less than TO, as in -0.06:0.06"),
+            ("0:0", "FROM is less than TO, as in -0.06:0.06"),
+        ] {
+            assert_eq!(text.parse::<Span>(), Err(expected.to_owned()));
+        }
+    }
+}
