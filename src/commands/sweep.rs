@@ -28,7 +28,12 @@ pub struct Arguments {
     /// A drive and COUNT values of it, evenly spaced from FROM to TO, both included, or one value; from where it is at
     /// the design position, in rad (angles) or the file's unit. Given several times: a grid. Several drives with commas move
     /// together, one behind a minus the opposite way: bump_left,-bump_right is roll.
-    #[arg(long = "drive", value_name = "NAME=FROM:TO:COUNT", required = true)]
+    #[arg(
+        long = "drive",
+        value_name = "NAME=FROM:TO:COUNT",
+        required = true,
+        allow_hyphen_values = true
+    )]
     drives: Vec<Swept>,
     /// The values are the drives' own, as the file has them.
     #[arg(long)]

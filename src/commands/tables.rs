@@ -144,10 +144,11 @@ front points inboard, dive where the top moves forward, X forward; LAT is positi
 CarSim 2021; hold the signs of toe and dive against your version.
 
 CarMaker: a suspension of Kind = Linear2D, each row its value at the design position and its derivatives by compression and by the
-rack, in m and rad; tx, ty, tz are the movement of the wheel centre, rx, ry, rz rotations. Measures whose names have
+rack, positive where it turns the wheel to the left, in m and rad; tx, ty, tz are the movement of the wheel centre, rx, ry, rz rotations. Measures whose names have
 the word spring, damper, or bar are lSpring, lDamp, lStabi.
 
-Neither has compliance: bushings and forces are outside the model.
+Neither has compliance: bushings and forces are outside the model. Of a rigid axle both wheels would have to be inputs, which
+neither form has: its tables are those of heave.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (what there is is
 written), 130 interrupted.

@@ -14,7 +14,9 @@ th { border-bottom: 1px solid #888; }
 tr.first td { border-top: 1px solid #ddd; }
 th.number, td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; padding-right: 0.2em; }
 td.unit { white-space: nowrap; color: #555; padding-left: 0.2em; }
-tr.definition td { color: #555; font-size: 85%; padding: 0 0.7em 0.3em 2em; }
+table.wide { font-size: 70%; }
+table.wide th, table.wide td { padding-left: 0.3em; padding-right: 0.3em; }
+tr.definition td, table.wide tr.definition td { color: #555; font-size: 85%; padding: 0 0.7em 0.3em 2em; }
 .drawings { display: grid; grid-template-columns: 1fr 1fr; gap: 0.6em; }
 .drawings svg { width: 100%; height: auto; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)); gap: 0.6em; }

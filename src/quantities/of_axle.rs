@@ -136,7 +136,9 @@ pub(super) fn of_turn(
     let of_axle = |axle: Axle| {
         both(&axle, kind, move |wheels| {
             let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
-            if turn.inner.value + turn.outer.value < 2.0 * STRAIGHT {
+            let is_straight = turn.inner.value + turn.outer.value < 2.0 * STRAIGHT;
+            // Toe may turn the outer wheel the other way: then there is no circle.
+            if is_straight || turn.outer.value <= 0.0 {
                 return UNKNOWN;
             }
             value(&turn, Signal::still(wheelbase), track(wheels))

@@ -44,6 +44,13 @@ impl Library for Shelf {
                     );
                 };
                 let path = file.with_file_name(path);
+                // What is read from elsewhere may never end.
+                if path.metadata().is_ok_and(|found| !found.is_file()) {
+                    return Err(format!(
+                        "cannot read {}: it is no regular file",
+                        path.display()
+                    ));
+                }
                 read_to_string(&path)
                     .map_err(|cause| format!("cannot read {}: {cause}", path.display()))
             }

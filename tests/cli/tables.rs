@@ -132,6 +132,46 @@ fn a_linear_suspension_has_the_derivatives_of_differences() {
     );
 }
 
+/// A double wishbone of the catalogue, in three systems of axes: tables are the same, from rebound to bump.
+#[test]
+fn tables_do_not_depend_on_the_axes_of_the_file() {
+    let file = |axes: &str, bump: &str| {
+        format!(
+            "linkage = \"double_wishbone\"\nunit = \"m\"\naxes = \"{axes}\"\n[time]\ninstants = [0.0]\n[drives]\nbump = {bump}\nsteer = 0.34\n"
+        )
+    };
+    let iso = file("ISO 8855", "0.3");
+    let [carsim, carmaker] = ["carsim", "carmaker"].map(|program| tables(&iso, &[program]));
+    for (axes, bump) in [("Adams", "0.3"), ("SAE", "-0.3")] {
+        let other = file(axes, bump).replace("steer = 0.34", "steer = -0.34");
+        let table = carsim_table(&tables(&other, &["carsim"]), "CAMBER_TABLE");
+        for ([jounce, camber], [at, expected]) in
+            table.into_iter().zip(carsim_table(&carsim, "CAMBER_TABLE"))
+        {
+            assert!(
+                (jounce - at).abs() < 1e-5 && (camber - expected).abs() < 1e-5,
+                "{axes}: {jounce} {camber}"
+            );
+        }
+        let found = carmaker_rows(&tables(&other, &["carmaker"]));
+        for (row, expected) in carmaker_rows(&carmaker) {
+            let pairs = found[&row].into_iter().zip(expected);
+            assert!(
+                pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-9),
+                "{axes} {row}: {:?} {expected:?}",
+                found[&row]
+            );
+        }
+    }
+    let car = std::fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/examples/front_and_rear_axle.toml"
+    ))
+    .expect("an example");
+    assert!(tables(&car, &["carmaker", "--wheel", "rear_right"]).contains("SuspR.Kin.N = 1\n"));
+    assert!(tables(&car, &["carmaker", "--wheel", "front_right"]).contains("SuspF.Kin.N = 1\n"));
+}
+
 #[test]
 fn what_cannot_be_tabled_is_refused() {
     let folder = folder();

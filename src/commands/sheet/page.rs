@@ -80,6 +80,8 @@ impl Page<'_> {
 
     /// All parameters, those of all wheels below each other; below those of a quantity what it is.
     fn table(&self) -> Markup {
+        /// With derivatives by more drives the columns are closer to each other.
+        const MOST_ROOMY: usize = 3;
         let names = &self.mechanism.names;
         let ways = Way::all(names);
         let groups = grouped(&self.parameters, |parameter| &parameter.of_wheel);
@@ -91,7 +93,7 @@ impl Page<'_> {
         let columns = 2 * (1 + ways.len()) + 1 + usize::from(has_names);
         let mut cells = cells.into_iter();
         html! {
-            table {
+            table.wide[ways.len() > MOST_ROOMY] {
                 thead {
                     tr {
                         th { "quantity" }

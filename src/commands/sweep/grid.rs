@@ -74,6 +74,11 @@ pub(super) fn grid(
         let mut drives = Vec::new();
         for (name, part) in of_one.drives() {
             let drive = mechanism.names.chosen_drive(Some(name))?;
+            if absolute && part < 0.0 {
+                return Err(format!(
+                    "-{name} moves the opposite way from the design position; --absolute gives drives their own values: leave it out"
+                ));
+            }
             let mut given = axes.iter().flat_map(|axis| &axis.drives).chain(&drives);
             if given.any(|(other, _)| *other == drive) {
                 return Err(format!("--drive {name} is given twice"));

@@ -18,17 +18,14 @@ const LENGTHS: [(&str, &[&str]); 3] = [
 
 /// The lines of an infofile.
 pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String {
-    let of_rear =
-        |wheel: &crate::mechanism::Wheel| wheel.axle.or(Axle::of(&wheel.name)) == Some(Axle::Rear);
-    let axle = if mechanism.names.wheels.iter().all(of_rear) {
-        "SuspR"
-    } else {
-        "SuspF"
+    let axle = match wheel.axle {
+        Some(Axle::Rear) => "SuspR",
+        _ => "SuspF",
     };
     let side = if wheel.side < 0.0 { "right" } else { "left" };
     let mut text = format!(
         "## Kinematics of {}, {side} wheel, of {file}, by suspension {}\n\
-         ## Each row: at the design position, per compression, per unit of steering; m and rad\n\
+         ## Each row: at the design position, per compression, per steering to the left; m and rad\n\
          {axle}.Kin.N = 1\n{axle}.Kin.0.Kind = Linear2D 1\n{axle}.Kin.0.ValidSide = left+right\n\
          {axle}.Kin.0.InputSide = {side}\n",
         mechanism.linkage,

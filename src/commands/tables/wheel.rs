@@ -9,7 +9,7 @@ use suspension_core::wheel::{camber, toe};
 
 use crate::characteristics::Along;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{self, From, Grid, Order, Place as Visit, State};
+use crate::mechanism::{self, Axle, From, Grid, Order, Place as Visit, State};
 
 /// How a wheel moves.
 pub(super) struct Wheel {
@@ -23,7 +23,9 @@ pub(super) struct Wheel {
     /// Places of the travel, from below.
     pub(super) places: Vec<Place>,
     pub(super) per_compression: Rates,
-    /// Where a drive steers the wheel: per its metre or radian, the wheel held at its height.
+    /// Which axle it is on, where the file or its name tells.
+    pub(super) axle: Option<Axle>,
+    /// Where a drive steers the wheel: per metre or radian of it towards the left, the wheel held at its height.
     pub(super) per_steer: Option<Rates>,
 }
 
@@ -120,17 +122,22 @@ impl Wheel {
         let (design, of_travel, of_steer) = visited.places.into_iter().flatten().next()??;
         let per_compression = of_travel.times(1.0 / of_travel.velocity.z);
         let at_height = |steer: Rates| steer.plus(&per_compression.times(-steer.velocity.z));
+        let to_the_left = |steer: Rates| steer.times(steer.omega.z.signum());
         let design = Points::of(wheel, &design, metre);
         let reached = travel.visited.places.iter().flatten();
         let places =
             reached.filter_map(|(state, _)| Place::of(&design, &Points::of(wheel, state, metre)));
+        let mut places: Vec<Place> = places.collect();
+        // Where z points down, the drive rises as the wheel falls.
+        places.sort_by(|a, b| a.moved.z.total_cmp(&b.moved.z));
         Some(Self {
             name: wheel.name.clone(),
             side: design.axis.y.signum(),
             camber: exact_zero(camber(&design.axis)),
             toe: exact_zero(toe(&design.axis)),
-            places: places.collect(),
-            per_steer: of_steer.map(at_height),
+            places,
+            per_steer: of_steer.map(at_height).map(to_the_left),
+            axle: wheel.axle.or(Axle::of(&wheel.name)),
             per_compression,
         })
     }

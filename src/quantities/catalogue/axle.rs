@@ -63,7 +63,7 @@ catalogue! {
         name: "turning_radius",
         sign: "",
         definition: "kerb to kerb, of the outer contact point about a centre on the line of the rear axle, wheelbase / \
-                     sin(outer); none where the steer angles are less than a degree on average",
+                     sin(outer); none where the steer angles are less than a degree on average, or the outer wheel is turned the other way",
         source: "half the turning circle; wheelbase of [vehicle]",
         shown: Shown::InTables,
         read: |names| of_turn(names, Kind::Length, |turn, wheelbase, _| turn.radius(wheelbase)),

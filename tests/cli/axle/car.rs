@@ -171,6 +171,14 @@ fn a_corner_in_a_file_makes_an_axle() {
     let message = text(&output.stderr);
     let expected = "car.toml:1:11: the listing includes `steered_axle` of the catalogue, whose hardpoints are in metres";
     assert!(message.starts_with(expected), "{message}");
+    write("odd.linkage", "include odd: \".\";\n");
+    write("odd.toml", &car.replace("axle.linkage", "odd.linkage"));
+    let output = run(folder.path(), &["motion", "odd.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(
+        text(&output.stderr).contains("it is no regular file"),
+        "{output:?}"
+    );
     write("corner.linkage", "fixed: front;\nlink rod front -> hub;\n");
     let output = run(folder.path(), &["motion", "axle.toml"]);
     assert_eq!(output.status.code(), Some(2), "{output:?}");

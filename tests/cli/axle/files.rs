@@ -127,4 +127,17 @@ fn drives_that_are_named_together_move_together() {
     let output = run(folder.path(), &twice);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     assert!(text(&output.stderr).contains("--drive bump_left is given twice"));
+    let opposite = [
+        "sweep",
+        "axle.toml",
+        "--drive",
+        "-bump_left=0.3",
+        "--absolute",
+    ];
+    let output = run(folder.path(), &opposite);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(
+        text(&output.stderr).contains("-bump_left moves the opposite way"),
+        "{output:?}"
+    );
 }
