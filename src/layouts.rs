@@ -1,18 +1,4 @@
-//! The catalogue of layouts, in words.
-
-use suspension_core::linkages::LISTINGS;
-use suspension_listing::did_you_mean::did_you_mean;
-
-/// That the catalogue has no such linkage, what it has, and what there is besides.
-pub fn unknown(name: &str, besides: &str) -> String {
-    let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
-    let hint = did_you_mean(name, known.iter().copied());
-    if !hint.is_empty() {
-        return format!("unknown linkage `{name}`{hint}");
-    }
-    let known = known.join(", ");
-    format!("unknown linkage `{name}`; known are {known}{besides}")
-}
+//! What a listing says of itself.
 
 /// The first sentence of what a listing says of itself.
 pub fn first_sentence(text: &str) -> String {

@@ -1,20 +1,20 @@
 //! From a motion file to a mechanism in the configuration of the first instant.
 
-mod across;
 mod design;
 mod included;
 mod led;
 mod listing;
 mod loaded;
 mod notes;
-mod off;
 mod outlier;
 mod points;
 mod prepare;
 mod start;
 mod task;
+mod unsatisfied;
 mod vehicle;
+mod wrong_side;
 
-pub(crate) use across::only_across;
 pub use loaded::{Loaded, load, load_own};
 pub(crate) use points::points;
+pub(crate) use wrong_side::only_on_wrong_side;

@@ -19,6 +19,12 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
+/// The number; zero where it is no more than rounding.
+pub fn without_rounding(value: f64) -> f64 {
+    const ROUNDING: f64 = 1e-12;
+    if value.abs() < ROUNDING { 0.0 } else { value }
+}
+
 /// So many things, as `1 segment` and `2 segments`.
 pub fn counted(count: usize, thing: &str) -> String {
     let ending = if count == 1 { "" } else { "s" };

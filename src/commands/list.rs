@@ -5,10 +5,10 @@ use std::fmt::Write;
 use clap::Args;
 use suspension_core::linkages::LISTINGS;
 use suspension_core::{Kind, Part, Parts};
-use suspension_runtime::Listing;
+use suspension_runtime::{Listing, catalogue};
 
 use crate::failure::Failure;
-use crate::layouts::{first_sentence, unknown};
+use crate::layouts::first_sentence;
 use crate::output::files::print;
 
 /// What `suspension list` is given.
@@ -30,9 +30,9 @@ impl Arguments {
             let entries = LISTINGS.iter().map(|(name, text)| entry(name, text));
             return print(&entries.collect::<Result<Vec<_>, _>>()?.join("\n"));
         };
-        match LISTINGS.iter().find(|(known, _)| *known == name) {
-            Some((_, text)) => print(text),
-            None => Err(Failure::Input(unknown(&name, ""))),
+        match catalogue::listing(&name) {
+            Some(text) => print(text),
+            None => Err(Failure::Input(catalogue::unknown(&name, ""))),
         }
     }
 }

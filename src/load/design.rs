@@ -5,8 +5,8 @@ use suspension_core::{Kind, Linkage, LocalOrigin, Newton, Values, assemble};
 
 use crate::failure::Failure;
 use crate::file::{Offset, Position};
-use crate::load::off::Off;
 use crate::load::task::Task;
+use crate::load::unsatisfied::Unsatisfied;
 use crate::mechanism::{DriveLaws, Suspension};
 
 /// The configuration in which markers are attached.
@@ -18,7 +18,7 @@ pub(super) struct Design<L: Linkage<N>, const N: usize> {
     /// All points there.
     pub(super) points: L::Points,
     /// What the file's points do not satisfy.
-    pub(super) off: Option<Off>,
+    pub(super) off: Option<Unsatisfied>,
 }
 
 impl<L: Suspension<N>, const N: usize> Design<L, N> {
@@ -50,7 +50,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
     let mut q = model.unknowns(guess);
     let coordinates = model.coordinates(&inputs.drives).value;
     let fixed = model.drive_anchors(*model.fixed(), &coordinates);
-    let off = Off::of(&model.residual(&q, &fixed, &coordinates), model.size());
+    let off = Unsatisfied::of(&model.residual(&q, &fixed, &coordinates), model.size());
     if off.is_some() || file.lengths.is_some() || file.design.is_some() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
             let drives = given(&origin, &model, &drives);
@@ -74,7 +74,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
 }
 
 /// The equation that a solver ends at says little about the number that was mistyped.
-fn unassembled(task: &Task<'_>, at: &str, cause: &str, off: Option<Off>) -> Failure {
+fn unassembled(task: &Task<'_>, at: &str, cause: &str, off: Option<Unsatisfied>) -> Failure {
     let Task { source, file, .. } = task;
     let name = source.name();
     let doubt = match off {
@@ -82,7 +82,7 @@ fn unassembled(task: &Task<'_>, at: &str, cause: &str, off: Option<Off>) -> Fail
             "lengths and points may not fit together: is one of them in another unit?".to_owned()
         }
         Some(off) if file.design.is_none() => {
-            let off = task.off_in_words(off);
+            let off = task.unsatisfied_in_words(off);
             return Failure::Solver(format!(
                 "{name}: the points do not fit together: they do not satisfy {off}, and there is no configuration near by \
                  at {at} ({cause}); move one of the points of that statement"

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::ops::Range;
 
-use suspension_runtime::{Library, Listing, Mistakes, Shelf, Wanted};
+use suspension_runtime::{CatalogueAndFiles, IncludeSource, Listing, Mistakes, Wanted};
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source};
@@ -12,28 +12,28 @@ use crate::mechanism::{Axes, Unit};
 
 /// The listings that one may include, and the first of the catalogue that it does.
 struct Included {
-    shelf: Shelf,
+    files: CatalogueAndFiles,
     of_catalogue: RefCell<Option<String>>,
 }
 
-impl Library for Included {
+impl IncludeSource for Included {
     fn text(&self, wanted: Wanted<'_>) -> Result<String, String> {
         if let Wanted::OfCatalogue(name) = wanted {
             let mut first = self.of_catalogue.borrow_mut();
             first.get_or_insert_with(|| name.to_owned());
         }
-        self.shelf.text(wanted)
+        self.files.text(wanted)
     }
 }
 
 /// A listing, and the first layout of the catalogue that it includes.
 pub(super) fn parsed(text: &str, file: &str) -> Result<(Listing, Option<String>), Mistakes> {
-    let library = Included {
-        shelf: Shelf::beside(file),
+    let includes = Included {
+        files: CatalogueAndFiles::beside(file),
         of_catalogue: RefCell::default(),
     };
-    let listing = Listing::parse_with(text, file, &library)?;
-    Ok((listing, library.of_catalogue.into_inner()))
+    let listing = Listing::parse_with(text, file, &includes)?;
+    Ok((listing, includes.of_catalogue.into_inner()))
 }
 
 /// Checks that the motion file is in metres and in the axes of the catalogue, where its listing includes a layout of it, or

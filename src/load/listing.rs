@@ -4,15 +4,13 @@ use std::ops::Range;
 use std::path::Path;
 
 use nalgebra::Vector3;
-use suspension_core::linkages::LISTINGS;
 use suspension_core::{Kind, Part, Parts};
-use suspension_runtime::{Fitted, Listing, Mistake, Mistakes, Model, Room, Size};
+use suspension_runtime::{Fitted, Listing, Mistake, Mistakes, Model, Room, Size, catalogue};
 use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source};
 use crate::kinematics::Kinematics;
-use crate::layouts;
 use crate::load::included;
 use crate::load::points::points;
 use crate::load::prepare::{Request, prepare};
@@ -88,13 +86,13 @@ fn of_catalogue(
     name: &Spanned<String>,
 ) -> Result<Listing, Failure> {
     let wanted = name.get_ref().as_str();
-    let Some((_, text)) = LISTINGS.iter().find(|(known, _)| *known == wanted) else {
+    let Some(text) = catalogue::listing(wanted) else {
         let own = "; `listing` names a file of your own statements";
-        let message = layouts::unknown(wanted, own);
+        let message = catalogue::unknown(wanted, own);
         return Err(source.refuse(&name.span(), message));
     };
     let listing = Listing::parse_file(text, wanted)
-        .map_err(|mistakes| refused(&Source::new(wanted, *text), &mistakes))?;
+        .map_err(|mistakes| refused(&Source::new(wanted, text), &mistakes))?;
     let stated = file.points.get_ref();
     let all_are_stated = points(&listing).all(|point| stated.contains_key(point));
     if file.unit != Unit::Metre && !all_are_stated {

@@ -5,10 +5,10 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use suspension_core::Values;
 
-use crate::load::across::only_across;
-use crate::load::off::Off;
 use crate::load::outlier::Outlier;
 use crate::load::task::Task;
+use crate::load::unsatisfied::Unsatisfied;
+use crate::load::wrong_side::only_on_wrong_side;
 use crate::mechanism::{Unit, Wheel};
 use crate::number::{number, rounded};
 
@@ -28,7 +28,7 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     task: &Task<'_>,
     given: &P,
     placed: &P,
-    off: Option<Off>,
+    off: Option<Unsatisfied>,
     outlier: Option<&Outlier>,
 ) -> Vec<String> {
     let placed_points: Vec<_> = placed.values().collect();
@@ -105,11 +105,11 @@ fn assembled<P: Values<Vector3<f64>>>(
     task: &Task<'_>,
     given: &P,
     placed: &P,
-    off: Option<Off>,
+    off: Option<Unsatisfied>,
 ) -> Option<String> {
     let off = off.filter(|_| task.file.lengths.is_none() && task.file.design.is_none())?;
     let (point, moved) = furthest(task, [given, placed], TOLD)?;
-    let off = task.off_in_words(off);
+    let off = task.unsatisfied_in_words(off);
     Some(format!(
         "the points do not satisfy {off}; results are of the assembled mechanism, in which `{point}` has moved by {moved}"
     ))
@@ -127,7 +127,7 @@ fn across<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String>
     let y: Vec<f64> = y.collect();
     let points = names.points.iter().zip(y.iter().copied());
     let free = points.skip(names.chassis).take(names.free);
-    let point = only_across(free, y[centre]).filter(|_| wheel.name.is_empty())?;
+    let point = only_on_wrong_side(free, y[centre]).filter(|_| wheel.name.is_empty())?;
     let centre = &names.points[centre];
     Some(format!(
         "`{point}` is on the other side of the vehicle than `{centre}`: is the sign of its y right?"

@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, Table};
-use crate::load::off::Off;
+use crate::load::unsatisfied::Unsatisfied;
 use crate::mechanism::{DriveLaws, Names, Polynomial};
 use crate::number::{number, rounded};
 
@@ -53,7 +53,7 @@ impl Task<'_> {
     }
 
     /// An equation that points do not satisfy, and by how much.
-    pub(super) fn off_in_words(&self, Off { equation, by }: Off) -> String {
+    pub(super) fn unsatisfied_in_words(&self, Unsatisfied { equation, by }: Unsatisfied) -> String {
         const DIGITS: usize = 3;
         let (by, unit) = (rounded(by, DIGITS), self.file.unit.symbol());
         let equation = self.names.name(Part::Equation(equation));

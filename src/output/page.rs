@@ -2,7 +2,7 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use crate::number::{aligned, rounded};
+use crate::number::{aligned, rounded, without_rounding};
 use crate::output::plot::Chart;
 
 const STYLE: &str = "
@@ -85,9 +85,8 @@ pub fn numbers(values: impl Iterator<Item = Option<f64>>) -> Vec<Markup> {
 
 /// In the digits of tables; what is rounding is zero.
 pub fn in_digits(value: f64) -> String {
-    const ROUNDING: f64 = 1e-12;
     if value.is_finite() {
-        rounded(if value.abs() < ROUNDING { 0.0 } else { value }, DIGITS)
+        rounded(without_rounding(value), DIGITS)
     } else {
         "\u{2013}".to_owned()
     }

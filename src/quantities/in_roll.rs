@@ -6,7 +6,6 @@ use suspension_core::wheel::{
     Carrier, camber_rate, contact_velocity, roll_centre, roll_rate, steer_rate,
 };
 
-use crate::quantities::reader::Reader;
 use crate::quantities::wheel::{Moving, Number, Rolling, Wheel};
 
 /// An axle as it rolls, in the file's coordinates.
@@ -44,14 +43,17 @@ impl Moved {
 }
 
 impl InRoll {
-    /// Of the left wheel and the right one; `None` where the mechanism locks, or a wheel has no drive of travel.
-    pub(super) fn of(reader: &Reader<'_>, axle: [Rolling; 2]) -> Option<Self> {
-        let [left, right] = axle;
+    /// Of the left wheel and the right one, and of what moves a wheel's carrier by a drive; `None` where the mechanism
+    /// locks, or a wheel has no drive of travel.
+    pub(super) fn of(
+        axle: [(Rolling, &Wheel); 2],
+        moved: impl Fn(Rolling, usize) -> Option<Moving>,
+    ) -> Option<Self> {
+        let [left, right] = axle.map(|(rolling, _)| rolling);
         let drives = [left.travel?, right.travel?];
-        let moved = |rolling: Rolling, drive: usize| reader.moved_by(drive, rolling);
         let of_left = [moved(left, drives[0])?, moved(left, drives[1])?];
         let of_right = [moved(right, drives[0])?, moved(right, drives[1])?];
-        let shares = shares([&of_left, &of_right], axle);
+        let shares = shares([&of_left, &of_right], [left, right]);
         let [left_in_roll, right_in_roll] =
             [(&of_left, left), (&of_right, right)].map(|(by_drive, rolling)| {
                 let carrier = combined(by_drive, shares);
@@ -63,8 +65,7 @@ impl InRoll {
             &right_in_roll.contact_velocity,
         ];
         let roll = roll_rate(contacts, velocities);
-        let per_roll = |rolling: Rolling, moved: &Moved| {
-            let Wheel { axis, .. } = reader.wheel(rolling);
+        let per_roll = |(rolling, Wheel { axis, .. }): (Rolling, &Wheel), moved: &Moved| {
             let per = PerRoll {
                 camber: camber_rate(axis, &moved.axis_rate) / roll,
                 steer: steer_rate(axis, &moved.axis_rate) / roll,
@@ -74,8 +75,8 @@ impl InRoll {
         Some(Self {
             centre: roll_centre([&left_in_roll.carrier, &right_in_roll.carrier], contacts),
             wheels: [
-                per_roll(left, &left_in_roll),
-                per_roll(right, &right_in_roll),
+                per_roll(axle[0], &left_in_roll),
+                per_roll(axle[1], &right_in_roll),
             ],
         })
     }

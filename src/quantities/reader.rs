@@ -58,7 +58,8 @@ impl<'a> Reader<'a> {
     /// An axle, its left wheel and its right one, as it rolls.
     pub(super) fn in_roll(&self, axle: [Rolling; 2]) -> Option<&InRoll> {
         let [left, _] = axle;
-        let in_roll = || InRoll::of(self, axle);
+        let wheels = axle.map(|rolling| (rolling, self.wheel(rolling)));
+        let in_roll = || InRoll::of(wheels, |rolling, drive| self.moved_by(drive, rolling));
         self.cells(left).in_roll.get_or_init(in_roll).as_ref()
     }
 

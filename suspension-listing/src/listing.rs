@@ -9,9 +9,9 @@ use proc_macro2::Span;
 use syn::Ident;
 
 use crate::errors::Errors;
+use crate::include::Include;
 use crate::kind::Kind;
 use crate::name::{self, Name};
-use crate::statement::include::Include;
 use crate::system::System;
 use crate::vector::Vector;
 

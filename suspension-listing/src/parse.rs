@@ -10,11 +10,11 @@ use syn::{Attribute, Ident, Token};
 
 use crate::did_you_mean::did_you_mean;
 use crate::errors::{self, Errors};
+use crate::include::Include;
+use crate::include_source::IncludeSource;
 use crate::lexed::{self, Mistake};
-use crate::library::Library;
 use crate::listing::Listing;
 use crate::statement::STATEMENTS;
-use crate::statement::include::Include;
 use crate::statement::mirror::{MIRROR, Mirror};
 use crate::statement::operands::{docs, lines};
 use crate::statement::word::{Head, Word};
@@ -35,14 +35,14 @@ const MOST_INCLUDED: usize = 100;
 pub fn statements(
     input: ParseStream<'_>,
     span: Span,
-    library: &dyn Library,
+    includes: &dyn IncludeSource,
 ) -> syn::Result<(Listing, Errors)> {
     let included = Cell::new(0);
     let mut reading = Reading {
         listing: Listing::empty(span),
         errors: Errors::default(),
         texts: Vec::new(),
-        library,
+        includes,
         file: PathBuf::new(),
         depth: 0,
         included: &included,
@@ -57,7 +57,7 @@ struct Reading<'a> {
     errors: Errors,
     /// The statements that were read, those of included listings among them.
     texts: Vec<Vec<TokenTree>>,
-    library: &'a dyn Library,
+    includes: &'a dyn IncludeSource,
     /// The path of an included one, from the folder of the one that is read.
     file: PathBuf,
     /// In how many others it is included.
@@ -141,7 +141,7 @@ impl Reading<'_> {
             )));
         }
         self.included.set(self.included.get() + 1);
-        let text = self.library.text(include.source.wanted(&name, file));
+        let text = self.includes.text(include.source.wanted(&name, file));
         let text = text.map_err(refuse)?;
         if text.len() > MOST_BYTES {
             let bytes = text.len();

@@ -8,7 +8,7 @@ mod body;
 mod couple;
 mod drive;
 mod hinge;
-pub(crate) mod include;
+mod include;
 mod link;
 mod marker;
 mod measure;

@@ -14,7 +14,7 @@ use syn::{Attribute, Ident, Token, Visibility, braced};
 
 use crate::Listing;
 use crate::errors::Errors;
-use crate::library::Empty;
+use crate::include_source::NoIncludes;
 use crate::system::{Positions, System};
 use crate::{checked, parse, sample, text};
 
@@ -27,7 +27,7 @@ fn listing(module: TokenStream) -> (Listing, Errors) {
         input.parse::<Ident>()?;
         let content;
         braced!(content in input);
-        parse::statements(&content, Span::call_site(), &Empty)
+        parse::statements(&content, Span::call_site(), &NoIncludes)
     };
     parser.parse2(module).expect("a listing")
 }
@@ -57,5 +57,6 @@ fn catalogue_text(name: &str) -> String {
 
 /// The system of a catalogue file.
 fn catalogue_system(name: &str) -> System {
-    text::parse(&catalogue_text(name), name, &Empty).unwrap_or_else(|mistakes| panic!("{mistakes}"))
+    text::parse(&catalogue_text(name), name, &NoIncludes)
+        .unwrap_or_else(|mistakes| panic!("{mistakes}"))
 }

@@ -11,9 +11,9 @@ use std::fmt;
 use proc_macro2::Span;
 use syn::parse::{ParseStream, Parser};
 
+use crate::include_source::IncludeSource;
 use crate::kind::Kind;
 use crate::lexed::{mistakes, tokens, with_places};
-use crate::library::Library;
 use crate::name::Name;
 use crate::system::System;
 use crate::{checked, parse};
@@ -48,18 +48,18 @@ impl fmt::Display for Mistakes {
 
 impl std::error::Error for Mistakes {}
 
-/// The system of a text that is read at run time. `file` is where it is from, for messages; `library`
+/// The system of a text that is read at run time. `file` is where it is from, for messages; `includes`
 /// has what it includes.
 ///
 /// # Errors
 ///
 /// All mistakes, and what exceeds [`MOST_BYTES`], [`MOST_STATEMENTS`], [`MOST_POINTS`],
 /// [`MOST_UNKNOWNS`], [`DEEPEST`] or [`LONGEST_NUMBER`].
-pub fn parse(text: &str, file: &str, library: &dyn Library) -> Result<System, Mistakes> {
+pub fn parse(text: &str, file: &str, includes: &dyn IncludeSource) -> Result<System, Mistakes> {
     let read = limits::length(text).map_or_else(
         |mistake| Err(vec![mistake]),
         |()| {
-            let read = with_places(|| front(text, true, library));
+            let read = with_places(|| front(text, true, includes));
             match read.system.filter(|_| read.mistakes.is_empty()) {
                 Some(system) => Ok(system),
                 None => Err(read.mistakes),
@@ -82,14 +82,14 @@ pub struct Read {
 }
 
 /// Reads a text of any size, as the macro does.
-pub fn read(text: &str, library: &dyn Library) -> Read {
-    with_places(|| front(text, false, library))
+pub fn read(text: &str, includes: &dyn IncludeSource) -> Read {
+    with_places(|| front(text, false, includes))
 }
 
-fn front(text: &str, bounded: bool, library: &dyn Library) -> Read {
+fn front(text: &str, bounded: bool, includes: &dyn IncludeSource) -> Read {
     let listing = tokens(text).and_then(|tokens| {
         let statements =
-            |input: ParseStream<'_>| parse::statements(input, Span::call_site(), library);
+            |input: ParseStream<'_>| parse::statements(input, Span::call_site(), includes);
         let (listing, errors) = statements.parse2(tokens).map_err(|e| mistakes(text, e))?;
         if bounded {
             limits::listing(&listing).map_err(|e| mistakes(text, e))?;

@@ -6,13 +6,13 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Error, LitStr};
 
-use suspension_listing::library::Library;
+use suspension_listing::include_source::IncludeSource;
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
 use suspension_listing::text::{self, Mistake, Read};
 use suspension_listing::{Kind, checked, order};
 
-use crate::beside::Beside;
+use crate::listing_files::ListingFiles;
 use crate::module::{Module, Source};
 use crate::{emit, module};
 
@@ -28,18 +28,18 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
         Err(error) => return error.into_compile_error(),
     };
     match &module.source {
-        Source::Braces(listing, beside) => {
+        Source::Braces(listing, files) => {
             let (system, found) = checked(listing, errors);
             let expansion = emitted(&module, &system, &listing.names(), found.err());
-            let watched = beside.watched();
+            let watched = files.watched();
             quote!(#watched #expansion)
         }
         Source::File(path) => {
-            let beside = Beside::of(path.span(), &path.value());
-            match beside.listing() {
+            let files = ListingFiles::of(path.span(), &path.value());
+            match files.listing() {
                 Ok(text) => {
-                    let expansion = of_text(&module, path, &text, &beside);
-                    let watched = beside.watched();
+                    let expansion = of_text(&module, path, &text, &files);
+                    let watched = files.watched();
                     quote!(#watched #expansion)
                 }
                 Err(message) => Error::new(path.span(), message).into_compile_error(),
@@ -53,13 +53,13 @@ pub(crate) fn of_text(
     module: &Module,
     path: &LitStr,
     text: &str,
-    library: &dyn Library,
+    includes: &dyn IncludeSource,
 ) -> TokenStream {
     let Read {
         system,
         names,
         mistakes,
-    } = text::read(text, library);
+    } = text::read(text, includes);
     let errors = mistakes.iter().map(|mistake| in_file(path, mistake));
     let error = errors.reduce(|mut all, error| {
         all.combine(error);

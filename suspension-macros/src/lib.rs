@@ -2,9 +2,9 @@
 //!
 //! Use it through `suspension_core::linkage`, where it is documented by its listings.
 
-mod beside;
 mod emit;
 mod expand;
+mod listing_files;
 mod module;
 #[cfg(test)]
 mod tests;

@@ -9,7 +9,7 @@ use suspension_listing::errors::{self, Errors};
 use suspension_listing::name::Name;
 use suspension_listing::{Listing, parse};
 
-use crate::beside::Beside;
+use crate::listing_files::ListingFiles;
 
 /// `[core] docs vis mod name`.
 pub(crate) struct Module {
@@ -24,7 +24,7 @@ pub(crate) struct Module {
 /// Where the statements are.
 pub(crate) enum Source {
     /// In the module's braces, and in files that they include.
-    Braces(Box<Listing>, Beside),
+    Braces(Box<Listing>, ListingFiles),
     /// In a file: `in "path";`, or `;` where it has the module's name.
     File(LitStr),
 }
@@ -75,9 +75,9 @@ fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<(Source, Errors)>
     if input.peek(syn::token::Brace) {
         let content;
         braced!(content in input);
-        let beside = Beside::of(name.span(), "");
-        let (listing, errors) = parse::statements(&content, name.span(), &beside)?;
-        return Ok((Source::Braces(Box::new(listing), beside), errors));
+        let files = ListingFiles::of(name.span(), "");
+        let (listing, errors) = parse::statements(&content, name.span(), &files)?;
+        return Ok((Source::Braces(Box::new(listing), files), errors));
     }
     let path = match input.parse::<Option<Token![in]>>()? {
         Some(_) => input.parse()?,

@@ -39,6 +39,8 @@
 )]
 
 mod build;
+pub mod catalogue;
+mod catalogue_and_files;
 mod equations;
 mod factors;
 mod fit;
@@ -53,18 +55,17 @@ mod names;
 mod plan;
 mod rates;
 mod readout;
-mod shelf;
 mod site;
 mod size;
 mod table;
 
+pub use catalogue_and_files::CatalogueAndFiles;
 pub use factors::Factors;
 pub use fitted::{Fitted, Work};
 pub use hardpoints::ModelError;
 pub use listing::Listing;
 pub use model::Model;
-pub use shelf::Shelf;
 pub use size::{Room, Size};
-pub use suspension_listing::library::{Library, Wanted};
+pub use suspension_listing::include_source::{IncludeSource, Wanted};
 pub use suspension_listing::text::{Mistake, Mistakes};
 pub use table::{Masked, Table, Value};

@@ -4,13 +4,13 @@ use nalgebra::Vector3;
 use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 use suspension_listing::eliminate::Order;
 use suspension_listing::form::Form;
-use suspension_listing::library::Library;
+use suspension_listing::include_source::IncludeSource;
 use suspension_listing::system::{Equation, Quantity, Site, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 
+use crate::catalogue_and_files::CatalogueAndFiles;
 use crate::names::Names;
 use crate::plan::{Plan, Wheel};
-use crate::shelf::Shelf;
 
 /// A listing: parsed, checked, and ready to be made into models.
 #[derive(Clone, Debug)]
@@ -31,7 +31,7 @@ impl Listing {
     ///
     /// All mistakes, those of size included: see [`Size`](crate::Size) for what models of 60 unknowns have room for.
     pub fn parse(text: &str) -> Result<Self, Mistakes> {
-        Self::parse_with(text, "listing", &Shelf::default())
+        Self::parse_with(text, "listing", &CatalogueAndFiles::default())
     }
 
     /// The same of a text from a file, which is named in the mistakes, and in whose folder the files are that
@@ -41,16 +41,20 @@ impl Listing {
     ///
     /// As [`parse`](Self::parse).
     pub fn parse_file(text: &str, file: &str) -> Result<Self, Mistakes> {
-        Self::parse_with(text, file, &Shelf::beside(file))
+        Self::parse_with(text, file, &CatalogueAndFiles::beside(file))
     }
 
-    /// The same with what it includes from a library of one's own.
+    /// The same with what it includes from a includes of one's own.
     ///
     /// # Errors
     ///
     /// As [`parse`](Self::parse).
-    pub fn parse_with(text: &str, file: &str, library: &dyn Library) -> Result<Self, Mistakes> {
-        let system = text::parse(text, file, library)?;
+    pub fn parse_with(
+        text: &str,
+        file: &str,
+        includes: &dyn IncludeSource,
+    ) -> Result<Self, Mistakes> {
+        let system = text::parse(text, file, includes)?;
         let refuse = |message: String| Mistakes {
             file: file.to_owned(),
             mistakes: vec![Mistake {

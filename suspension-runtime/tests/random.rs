@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use suspension_listing::library::Empty;
+use suspension_listing::include_source::NoIncludes;
 
 use fastrand::Rng;
 use suspension_listing::text;
@@ -19,7 +19,7 @@ pub(crate) fn listing(seed: u64, free: usize) -> String {
         draft.hold(&mut random);
         draft.readings(&mut random);
         let listing = draft.text(&mut random);
-        if text::parse(&listing, "random", &Empty).is_ok() {
+        if text::parse(&listing, "random", &NoIncludes).is_ok() {
             return listing;
         }
     }

@@ -8,7 +8,7 @@ mod lattice;
 mod quantities;
 
 use std::collections::{BTreeMap, BTreeSet};
-use suspension_runtime::Shelf;
+use suspension_runtime::CatalogueAndFiles;
 
 use nalgebra::Vector3;
 use suspension_core::linkages::LISTINGS;
@@ -121,8 +121,9 @@ impl Work for &Layout {
         let design = Values::from_values(hardpoints.iter().copied());
         let count = listing.count(Kind::Drive);
         let drives: Vec<f64> = model.drives_at(&design).values().take(count).collect();
-        let system = suspension_listing::text::parse(self.text, self.name, &Shelf::default())
-            .expect("a listing");
+        let system =
+            suspension_listing::text::parse(self.text, self.name, &CatalogueAndFiles::default())
+                .expect("a listing");
         let mut worst = Worst::default();
         for car in CARS {
             for row in self.swept(listing, car, &drives) {

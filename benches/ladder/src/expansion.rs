@@ -2,7 +2,7 @@
 //! generated module says.
 
 use std::time::Instant;
-use suspension_listing::library::Empty;
+use suspension_listing::include_source::NoIncludes;
 
 use proc_macro2::TokenStream;
 use suspension_listing::{order, text};
@@ -31,7 +31,7 @@ impl Expansion {
         let expansion = expand::expand(tokens.clone()).to_string();
         let header = Header(&expansion);
         let expansion_s = seconds(|| drop(expand::expand(tokens.clone())));
-        let system = text::read(&statements, &Empty).system;
+        let system = text::read(&statements, &NoIncludes).system;
         let system = system.ok_or("the ladder's statements cannot be read")?;
         let order_s = seconds(|| drop(order(&system)));
         Ok(Self {

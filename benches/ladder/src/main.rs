@@ -13,13 +13,13 @@
 // The macro's files, as they are: a crate of macros exports nothing else.
 #[path = "../../../suspension-macros/src"]
 mod macros {
-    pub(crate) mod beside;
     pub(crate) mod emit;
     pub(crate) mod expand;
+    pub(crate) mod listing_files;
     pub(crate) mod module;
 }
 // Where they look for each other.
-use macros::{beside, emit, expand, module};
+use macros::{emit, expand, listing_files, module};
 
 mod chart;
 mod compilation;

@@ -2,12 +2,11 @@
 
 use suspension_core::linkages::LISTINGS;
 use suspension_listing::did_you_mean::nearest;
-use suspension_runtime::{Listing, Mistakes};
+use suspension_runtime::{Listing, Mistakes, catalogue};
 
 use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::Names;
 use super::stand_in::has_stand_in;
-use crate::layouts;
 use crate::load;
 
 /// A listing, with the points of the file that are its own.
@@ -113,7 +112,7 @@ pub(super) fn choose<'a>(
     choices.sort_by_key(|choice| (choice.missing.len(), usize::MAX - choice.found.len()));
     let mut choices = choices.into_iter();
     let Some(best) = choices.next() else {
-        return Err(layouts::unknown(wanted.unwrap_or_default(), ""));
+        return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));
     };
     if best.found.is_empty() {
         let first = points.first().map_or("", |point| point.name.as_str());

@@ -7,7 +7,7 @@ use super::draft::Imported;
 use super::hardpoints::Hardpoint;
 use super::orientation::Orientation;
 use crate::layouts::first_sentence;
-use crate::load::only_across;
+use crate::load::only_on_wrong_side;
 use crate::mechanism::{Axes, Unit};
 use crate::number::rounded;
 
@@ -99,7 +99,7 @@ impl Imported<'_> {
         let (_, centre) = points
             .clone()
             .find(|((name, _), _)| name == "wheel_centre")?;
-        let (_, point) = only_across(points.filter(|((name, _), _)| is_free(name)), centre)?;
+        let (_, point) = only_on_wrong_side(points.filter(|((name, _), _)| is_free(name)), centre)?;
         let (name, line) = (&point.name, self.stated.line(&point.place));
         Some(format!(
             "`{name}` ({line}) is on the other side of the vehicle than the wheel centre: is the sign of its y right?"

@@ -5,9 +5,9 @@ use std::fmt::Write;
 use nalgebra::Vector3;
 use suspension_core::MeasureKind;
 
-use crate::commands::tables::wheel::{Rates, Wheel, exact_zero};
+use crate::commands::tables::wheel::{Rates, Wheel};
 use crate::mechanism::{Axle, Description, is_within};
-use crate::number::exact;
+use crate::number::{exact, without_rounding};
 
 /// The lengths of force elements, each with the words that measures of them have.
 const LENGTHS: [(&str, &[&str]); 3] = [
@@ -36,7 +36,8 @@ pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String
     let steer = wheel.per_steer.as_ref();
     let mut row = |name: &str, value: f64, of: &dyn Fn(&Rates) -> f64| {
         let numbers = [value, of(&wheel.per_compression), steer.map_or(0.0, of)];
-        let [value, per_compression, per_steer] = numbers.map(|number| exact(exact_zero(number)));
+        let [value, per_compression, per_steer] =
+            numbers.map(|number| exact(without_rounding(number)));
         // Writing into a string has no way to fail.
         let _ = writeln!(
             text,

@@ -9,7 +9,8 @@ use suspension_core::wheel::{camber, toe};
 
 use crate::characteristics::Along;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{self, Axle, From, Grid, Order, Place as Visit, State};
+use crate::mechanism::{self, Axle, From, Grid, Order, Place, State};
+use crate::number::without_rounding;
 
 /// How a wheel moves.
 pub(super) struct Wheel {
@@ -20,8 +21,8 @@ pub(super) struct Wheel {
     /// At the design position.
     pub(super) camber: f64,
     pub(super) toe: f64,
-    /// Places of the travel, from below.
-    pub(super) places: Vec<Place>,
+    /// At places of the travel, from below.
+    pub(super) changes: Vec<Change>,
     pub(super) per_compression: Rates,
     /// Which axle it is on, where the file or its name tells.
     pub(super) axle: Option<Axle>,
@@ -29,8 +30,8 @@ pub(super) struct Wheel {
     pub(super) per_steer: Option<Rates>,
 }
 
-/// The changes from the design position at a place of the travel.
-pub(super) struct Place {
+/// The changes from the design position, at a place of the travel.
+pub(super) struct Change {
     /// Of the wheel centre.
     pub(super) moved: Vector3<f64>,
     pub(super) camber: f64,
@@ -103,7 +104,7 @@ impl Wheel {
             DriveKind::Coordinate => metre,
             DriveKind::Angle => 1.0,
         };
-        let mut read = |place: &dyn Visit| {
+        let mut read = |place: &dyn Place| {
             let state = place.state();
             let rates = |drive: usize| rates(wheel, &place.per(drive)?, &state, drive, metre);
             let of_travel = travel
@@ -125,17 +126,17 @@ impl Wheel {
         let to_the_left = |steer: Rates| steer.times(steer.omega.z.signum());
         let design = Points::of(wheel, &design, metre);
         let reached = travel.visited.places.iter().flatten();
-        let places =
-            reached.filter_map(|(state, _)| Place::of(&design, &Points::of(wheel, state, metre)));
-        let mut places: Vec<Place> = places.collect();
+        let changes =
+            reached.filter_map(|(state, _)| Change::of(&design, &Points::of(wheel, state, metre)));
+        let mut changes: Vec<Change> = changes.collect();
         // Where z points down, the drive rises as the wheel falls.
-        places.sort_by(|a, b| a.moved.z.total_cmp(&b.moved.z));
+        changes.sort_by(|a, b| a.moved.z.total_cmp(&b.moved.z));
         Some(Self {
             name: wheel.name.clone(),
             side: design.axis.y.signum(),
-            camber: exact_zero(camber(&design.axis)),
-            toe: exact_zero(toe(&design.axis)),
-            places,
+            camber: without_rounding(camber(&design.axis)),
+            toe: without_rounding(toe(&design.axis)),
+            changes,
             per_steer: of_steer.map(at_height).map(to_the_left),
             axle: wheel.axle.or(Axle::of(&wheel.name)),
             per_compression,
@@ -143,7 +144,7 @@ impl Wheel {
     }
 }
 
-impl Place {
+impl Change {
     fn of(design: &Points, now: &Points) -> Option<Self> {
         let upright = pose(&design.carrier, &now.carrier)?.rotation * Vector3::z();
         Some(Self {
@@ -175,10 +176,4 @@ fn rates(
         omega,
         measures: per.measures.rate.iter().map(|rate| rate / metre).collect(),
     })
-}
-
-/// What is rounding is zero.
-pub(super) fn exact_zero(value: f64) -> f64 {
-    const ROUNDING: f64 = 1e-12;
-    if value.abs() < ROUNDING { 0.0 } else { value }
 }

@@ -5,9 +5,8 @@
 //! listing around.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
 
-use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
 use syn::{Error, Ident, LitStr, Token};
 
@@ -16,8 +15,8 @@ use super::points::{position, vector};
 use super::role::{KINGPIN, WHEEL};
 use super::word::Word;
 use crate::errors;
-use crate::lexed::{Mistake, placed};
-use crate::library::Wanted;
+use crate::include::{Include, Source};
+use crate::lexed::placed;
 use crate::vector::Vector;
 
 pub(crate) const INCLUDE: Word = Word {
@@ -28,7 +27,7 @@ pub(crate) const INCLUDE: Word = Word {
         input.parse::<Token![:]>()?;
         listing.include = Some(Include {
             name,
-            source: Source::parse(input)?,
+            source: source(input)?,
             at: position(input)?,
         });
         Ok(())
@@ -41,85 +40,16 @@ const WORDS: [&str; 5] = ["at", "on", "along", "length", "angle"];
 /// Axes, which stand behind a point's full stop, or last in parentheses: `angle(a -> b, z)`.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-pub(crate) struct Include {
-    pub(crate) name: Ident,
-    pub(crate) source: Source,
-    at: Option<Vector>,
-}
-
-/// What is included.
-pub(crate) enum Source {
-    OfCatalogue(Ident),
-    File(LitStr),
-}
-
-impl Source {
-    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        if input.peek(LitStr) {
-            input.parse().map(Self::File)
-        } else {
-            operands::name(input).map(Self::OfCatalogue)
-        }
-    }
-
-    /// What it is called in messages.
-    pub(crate) fn name(&self) -> String {
-        match self {
-            Self::OfCatalogue(name) => name.to_string(),
-            Self::File(path) => path.value(),
-        }
-    }
-
-    fn span(&self) -> Span {
-        match self {
-            Self::OfCatalogue(name) => name.span(),
-            Self::File(path) => path.span(),
-        }
-    }
-
-    /// The file's path, from the folder of the text that is read, where it is named in a text at `from`; empty of
-    /// the catalogue's.
-    pub(crate) fn path(&self, from: &Path) -> PathBuf {
-        match self {
-            Self::OfCatalogue(_) => PathBuf::new(),
-            Self::File(path) => from.with_file_name(path.value()),
-        }
-    }
-
-    pub(crate) fn wanted<'a>(&self, name: &'a str, path: &'a Path) -> Wanted<'a> {
-        match self {
-            Self::OfCatalogue(_) => Wanted::OfCatalogue(name),
-            Self::File(_) => Wanted::File(path),
-        }
+/// A name of the catalogue, or a file's path in quotes.
+fn source(input: ParseStream<'_>) -> syn::Result<Source> {
+    if input.peek(LitStr) {
+        input.parse().map(Source::File)
+    } else {
+        operands::name(input).map(Source::OfCatalogue)
     }
 }
 
 impl Include {
-    /// Why there is nothing to include.
-    pub(crate) fn refused(&self, message: String) -> Error {
-        Error::new(self.source.span(), message)
-    }
-
-    /// What is wrong with the other listing's text.
-    pub(crate) fn wrong(&self, mistakes: Vec<Mistake>) -> Error {
-        let name = self.source.name();
-        let mut errors = mistakes.into_iter().map(|mistake| {
-            let Mistake {
-                line,
-                column,
-                message,
-                ..
-            } = mistake;
-            self.refused(format!("{name}:{line}:{column}: {message}"))
-        });
-        let first = errors.next();
-        let first = first.unwrap_or_else(|| self.refused(format!("`{name}` cannot be read")));
-        errors.fold(first, |mut all, error| {
-            all.combine(error);
-            all
-        })
-    }
-
     /// A statement of another listing that declares `names`, as it is to be read here.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! The wishbones of the catalogue, symmetric as drawings have them: the macro's order of pivots
 //! serves them all over their travel.
 
-use crate::library::Empty;
+use crate::include_source::NoIncludes;
 use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
@@ -83,7 +83,7 @@ fn the_listings_are_the_files() {
 fn thirty_unknowns_do_not_keep_anyone_waiting() {
     let text = catalogue_text("double_wishbone_pushrod");
     let start = Instant::now();
-    let system = text::parse(&text, "double_wishbone_pushrod", &Empty).expect("a listing");
+    let system = text::parse(&text, "double_wishbone_pushrod", &NoIncludes).expect("a listing");
     let parsed = start.elapsed();
     let order = order(&system);
     let took = start.elapsed();

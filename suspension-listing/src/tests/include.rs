@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::library::{Library, Wanted};
+use crate::include_source::{IncludeSource, Wanted};
 use crate::text;
 
 const CORNER: &str = "\
@@ -50,7 +50,7 @@ kingpin rear_right: rear_right_front -> rear_right_ball;
 /// Files by name; `axle` in a folder.
 struct Files;
 
-impl Library for Files {
+impl IncludeSource for Files {
     fn text(&self, wanted: Wanted<'_>) -> Result<String, String> {
         let Wanted::File(path) = wanted else {
             return Err("no catalogue".to_owned());

@@ -1,6 +1,6 @@
 //! A mirrored listing is the one that states both sides.
 
-use crate::library::Empty;
+use crate::include_source::NoIncludes;
 use std::collections::BTreeMap;
 
 use super::catalogue_system;
@@ -105,7 +105,7 @@ fn parts(system: &System) -> BTreeMap<String, String> {
 #[test]
 fn the_other_side_is_the_image() {
     let [half, whole] =
-        [HALF, WHOLE].map(|text| text::parse(text, "axle", &Empty).expect("an axle"));
+        [HALF, WHOLE].map(|text| text::parse(text, "axle", &NoIncludes).expect("an axle"));
     assert_eq!(positions(&half.fixed), positions(&whole.fixed));
     assert_eq!(positions(&half.free), positions(&whole.free));
     assert_eq!(parts(&half), parts(&whole));
@@ -133,7 +133,7 @@ fn an_axle_of_the_catalogue_has_both_sides() {
 #[test]
 fn mistakes_have_the_places_of_what_is_mirrored() {
     let text = HALF.replace("middle -> left_hub", "middle -> left_hob");
-    let mistakes = text::parse(&text, "axle", &Empty)
+    let mistakes = text::parse(&text, "axle", &NoIncludes)
         .expect_err("no such point")
         .mistakes;
     let told: Vec<(usize, &str)> = mistakes

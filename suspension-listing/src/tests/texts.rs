@@ -1,12 +1,12 @@
 //! Listings as text: what is told of mistakes, and what is refused.
 
 use super::catalogue_text;
-use crate::library::Empty;
+use crate::include_source::NoIncludes;
 use crate::system::System;
 use crate::text::{self, LONGEST_NUMBER, MOST_BYTES, Mistake};
 
 fn mistakes(text: &str) -> Vec<Mistake> {
-    let found = text::parse(text, "corner.linkage", &Empty).map(|_| ());
+    let found = text::parse(text, "corner.linkage", &NoIncludes).map(|_| ());
     found.expect_err("a mistake").mistakes
 }
 
@@ -47,7 +47,7 @@ drive z: p.z;
     assert_eq!(places(text), [[5, 13, 1], [6, 12, 2]]);
     let named = "fixed: a;\nfree: p;\nlink rod: a -> q;\ndrive y: p.up; drive z: p.z;";
     assert_eq!(places(named), [[3, 16, 1], [4, 12, 2]]);
-    let printed = text::parse(named, "corner.linkage", &Empty).map(|_| ());
+    let printed = text::parse(named, "corner.linkage", &NoIncludes).map(|_| ());
     assert_eq!(
         printed.expect_err("two mistakes").to_string(),
         "corner.linkage:3:16: there is no point `q`; declare it under `fixed:` or `free:`\n\
@@ -139,11 +139,11 @@ fn a_damaged_listing_is_no_danger() {
     let text = catalogue_text("five_link");
     for (index, letter) in text.char_indices().step_by(7) {
         let (before, rest) = text.split_at(index);
-        let _ = text::parse(before, "five_link", &Empty);
+        let _ = text::parse(before, "five_link", &NoIncludes);
         let _ = text::parse(
             &[before, &rest[letter.len_utf8()..]].concat(),
             "five_link",
-            &Empty,
+            &NoIncludes,
         );
     }
 }

@@ -2,7 +2,7 @@
 
 use quote::{format_ident, quote};
 
-use suspension_listing::library::Empty;
+use suspension_listing::include_source::NoIncludes;
 
 use crate::expand::of_text;
 use crate::module::{self, Source};
@@ -22,7 +22,7 @@ fn expansion(name: &str) -> proc_macro2::TokenStream {
     );
     let file = format!("{folder}/{}", path.value());
     let text = std::fs::read_to_string(&file).unwrap_or_else(|e| panic!("{file}: {e}"));
-    of_text(&module, path, &text, &Empty)
+    of_text(&module, path, &text, &NoIncludes)
 }
 
 /// Compares the expansion of a catalogue file with its snapshot, or rewrites the snapshot.

@@ -3,17 +3,18 @@
 use std::fs::read_to_string;
 use std::path::PathBuf;
 
-use suspension_core::linkages::LISTINGS;
-use suspension_listing::library::{Library, Wanted};
+use suspension_listing::include_source::{IncludeSource, Wanted};
+
+use crate::catalogue;
 
 /// The listings of the catalogue, and the files beside one.
 #[derive(Clone, Debug, Default)]
-pub struct Shelf {
+pub struct CatalogueAndFiles {
     /// The file of the listing that is read, where it is in one.
     file: Option<PathBuf>,
 }
 
-impl Shelf {
+impl CatalogueAndFiles {
     /// With the files beside one.
     pub fn beside(file: impl Into<PathBuf>) -> Self {
         Self {
@@ -22,19 +23,13 @@ impl Shelf {
     }
 }
 
-impl Library for Shelf {
+impl IncludeSource for CatalogueAndFiles {
     fn text(&self, wanted: Wanted<'_>) -> Result<String, String> {
         match wanted {
             Wanted::OfCatalogue(name) => {
-                let mut listings = LISTINGS.iter();
-                let listing = listings.find(|(known, _)| *known == name);
-                listing.map(|(_, text)| (*text).to_owned()).ok_or_else(|| {
-                    let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
-                    let known = known.join(", ");
-                    format!(
-                        "unknown linkage `{name}`; known are {known}; a file of your own stands in quotes, \"{name}.linkage\""
-                    )
-                })
+                let besides = format!("; a file of your own stands in quotes, \"{name}.linkage\"");
+                let listing = catalogue::listing(name).map(str::to_owned);
+                listing.ok_or_else(|| catalogue::unknown(name, &besides))
             }
             Wanted::File(path) => {
                 let Some(file) = &self.file else {

@@ -12,7 +12,7 @@ pub enum Wanted<'a> {
 }
 
 /// Where the texts of included listings come from.
-pub trait Library {
+pub trait IncludeSource {
     /// The text of a listing.
     ///
     /// # Errors
@@ -21,11 +21,11 @@ pub trait Library {
     fn text(&self, wanted: Wanted<'_>) -> Result<String, String>;
 }
 
-/// A library without a listing.
+/// None: a listing that is read so includes no other.
 #[derive(Clone, Copy, Debug)]
-pub struct Empty;
+pub struct NoIncludes;
 
-impl Library for Empty {
+impl IncludeSource for NoIncludes {
     fn text(&self, _: Wanted<'_>) -> Result<String, String> {
         Err("no other listing can be read from here; write its statements instead".to_owned())
     }

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 /// An equation that points do not satisfy.
 #[derive(Clone, Copy)]
-pub(super) struct Off {
+pub(super) struct Unsatisfied {
     pub(super) equation: usize,
     /// Its residual, in the unit of lengths.
     pub(super) by: f64,
@@ -13,7 +13,7 @@ pub(super) struct Off {
 /// Below this part of the mechanism's size points satisfy an equation.
 const ROUNDING: f64 = 1e-9;
 
-impl Off {
+impl Unsatisfied {
     /// The equation with the largest residual; `None` where points satisfy all.
     pub(super) fn of<const N: usize>(residual: &SVector<f64, N>, size: f64) -> Option<Self> {
         let equation = residual.iamax();

@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
-use suspension_listing::library::{Library, Wanted};
+use suspension_listing::include_source::{IncludeSource, Wanted};
 
 /// The files beside a source file, and which of them were read.
-pub(crate) struct Beside {
+pub(crate) struct ListingFiles {
     /// The source file, where the compiler says it.
     source: Option<PathBuf>,
     /// The file of the listing, from the source file's folder; empty of a listing in braces.
@@ -18,7 +18,7 @@ pub(crate) struct Beside {
     read: RefCell<Vec<PathBuf>>,
 }
 
-impl Beside {
+impl ListingFiles {
     /// Beside the source file of a token, for a listing in the file `listing` there, or in braces.
     pub(crate) fn of(token: Span, listing: &str) -> Self {
         Self {
@@ -57,7 +57,7 @@ impl Beside {
     }
 }
 
-impl Library for Beside {
+impl IncludeSource for ListingFiles {
     fn text(&self, wanted: Wanted<'_>) -> Result<String, String> {
         match wanted {
             Wanted::File(path) => self.file(&self.listing.with_file_name(path)),

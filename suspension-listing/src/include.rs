@@ -1,0 +1,84 @@
+//! What a listing includes: another, under a name.
+
+use std::path::{Path, PathBuf};
+
+use proc_macro2::Span;
+use syn::{Error, Ident, LitStr};
+
+use crate::include_source::Wanted;
+use crate::lexed::Mistake;
+use crate::vector::Vector;
+
+/// Another listing, and the name that its own get before them.
+pub(crate) struct Include {
+    pub(crate) name: Ident,
+    pub(crate) source: Source,
+    /// By how much its positions are moved.
+    pub(crate) at: Option<Vector>,
+}
+
+/// What is included.
+pub(crate) enum Source {
+    OfCatalogue(Ident),
+    File(LitStr),
+}
+
+impl Source {
+    /// What it is called in messages.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Self::OfCatalogue(name) => name.to_string(),
+            Self::File(path) => path.value(),
+        }
+    }
+
+    fn span(&self) -> Span {
+        match self {
+            Self::OfCatalogue(name) => name.span(),
+            Self::File(path) => path.span(),
+        }
+    }
+
+    /// The file's path, from the folder of the text that is read, where it is named in a text at `from`; empty of
+    /// the catalogue's.
+    pub(crate) fn path(&self, from: &Path) -> PathBuf {
+        match self {
+            Self::OfCatalogue(_) => PathBuf::new(),
+            Self::File(path) => from.with_file_name(path.value()),
+        }
+    }
+
+    pub(crate) fn wanted<'a>(&self, name: &'a str, path: &'a Path) -> Wanted<'a> {
+        match self {
+            Self::OfCatalogue(_) => Wanted::OfCatalogue(name),
+            Self::File(_) => Wanted::File(path),
+        }
+    }
+}
+
+impl Include {
+    /// Why there is nothing to include.
+    pub(crate) fn refused(&self, message: String) -> Error {
+        Error::new(self.source.span(), message)
+    }
+
+    /// What is wrong with the other listing's text.
+    pub(crate) fn wrong(&self, mistakes: Vec<Mistake>) -> Error {
+        let name = self.source.name();
+        let mut errors = mistakes.into_iter().map(|mistake| {
+            let Mistake {
+                line,
+                column,
+                message,
+                ..
+            } = mistake;
+            self.refused(format!("{name}:{line}:{column}: {message}"))
+        });
+        let first = errors.next();
+        let first = first.unwrap_or_else(|| self.refused(format!("`{name}` cannot be read")));
+        errors.fold(first, |mut all, error| {
+            all.combine(error);
+            all
+        })
+    }
+}

@@ -1,0 +1,21 @@
+//! The layouts of the catalogue, by name.
+
+use suspension_core::linkages::LISTINGS;
+use suspension_listing::did_you_mean::did_you_mean;
+
+/// The listing of a layout.
+pub fn listing(name: &str) -> Option<&'static str> {
+    let mut listings = LISTINGS.iter();
+    listings.find_map(|(known, text)| (*known == name).then_some(*text))
+}
+
+/// That the catalogue has no such layout, which one may be meant, or else what it has, and what there is besides.
+pub fn unknown(name: &str, besides: &str) -> String {
+    let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
+    let hint = did_you_mean(name, known.iter().copied());
+    if !hint.is_empty() {
+        return format!("unknown linkage `{name}`{hint}");
+    }
+    let known = known.join(", ");
+    format!("unknown linkage `{name}`; known are {known}{besides}")
+}
