@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 
 use crate::bake::source::Language;
@@ -45,8 +44,8 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t = Points::Wheel)]
     points: Points,
     /// The language of the file.
-    #[arg(long = "as", value_enum, default_value_t = Language::Rust)]
-    language: Language,
+    #[arg(long = "as", value_enum, default_value_t = Form::Rust)]
+    language: Form,
     /// Where to write; else out/NAME_WHAT_by_DRIVE.rs, .h or .toml, NAME being the motion file's.
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
@@ -58,6 +57,16 @@ enum Points {
     All,
     /// The wheel, of several the first: centre and spin axis, six outputs.
     Wheel,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// A `static` of `suspension_core::baked`: `Curve`, or `Surface` of two drives.
+    Rust,
+    /// A header in C99 with a function that evaluates.
+    C,
+    /// The numbers alone.
+    Toml,
 }
 
 impl Arguments {
@@ -81,13 +90,14 @@ impl Arguments {
                 "{name}: interrupted; nothing was written"
             )));
         }
+        let language = Language::from(self.language);
         let path = self.output.clone().unwrap_or_else(|| {
             let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
-            let ending = self.language.extension();
+            let ending = language.extension();
             PathBuf::from(format!("out/{stem}_{}.{ending}", sheet.subject()))
         });
         refuse_input(&path, &self.file, "--output")?;
-        write_file(&path, &sheet.text(self.language, &path))?;
+        write_file(&path, &sheet.text(language, &path))?;
         eprintln!("wrote {}: {}", path.display(), sheet.baked.count_in_words());
         Ok(())
     }
@@ -144,21 +154,13 @@ impl FromStr for Wished {
     }
 }
 
-impl ValueEnum for Language {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[Self::Rust, Self::C, Self::Toml]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(match self {
-            Self::Rust => PossibleValue::new("rust").help(
-                "A `static` of `suspension_core::baked`: `Curve`, or `Surface` of two drives",
-            ),
-            Self::C => {
-                PossibleValue::new("c").help("A header in C99 with a function that evaluates")
-            }
-            Self::Toml => PossibleValue::new("toml").help("The numbers alone"),
-        })
+impl From<Form> for Language {
+    fn from(form: Form) -> Self {
+        match form {
+            Form::Rust => Self::Rust,
+            Form::C => Self::C,
+            Form::Toml => Self::Toml,
+        }
     }
 }
 

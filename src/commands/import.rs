@@ -17,6 +17,7 @@ mod table;
 use std::path::PathBuf;
 
 use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::failure::Failure;
 use crate::file::Source;
@@ -47,7 +48,7 @@ pub struct Arguments {
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<Unit>,
     /// The axes; without it those that the points have.
-    #[arg(long)]
+    #[arg(long, value_parser = axes())]
     axes: Option<Axes>,
     /// The corner that is wanted, mirrored where the file has the other alone.
     #[arg(long)]
@@ -59,6 +60,14 @@ pub struct Arguments {
 
 fn unit(word: &str) -> Result<Unit, String> {
     row::unit(word).ok_or_else(|| "write m, mm or in".to_owned())
+}
+
+fn axes() -> impl TypedValueParser<Value = Axes> {
+    let options = Axes::ALL.map(|axes| PossibleValue::new(axes.option()).help(axes.in_words()));
+    PossibleValuesParser::new(options).map(|word| {
+        let named = Axes::ALL.into_iter().find(|axes| axes.option() == word);
+        named.unwrap_or_default()
+    })
 }
 
 impl Arguments {

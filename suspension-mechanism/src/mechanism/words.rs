@@ -7,7 +7,7 @@ use crate::mechanism::unit::Unit;
 use crate::number::number;
 
 /// What to do about a lock in the motion of a file.
-pub(crate) fn advice(file: &str) -> String {
+pub fn advice(file: &str) -> String {
     format!("`suspension range {file}` shows what ends it")
 }
 

@@ -42,12 +42,12 @@ impl Lock {
     }
 
     /// The link that is in the way, where one is, and whether it is too long or too short, in words.
-    pub(crate) fn fault(&self) -> Option<String> {
+    pub fn fault(&self) -> Option<String> {
         self.misfit.as_ref().map(Misfit::fault)
     }
 
     /// In words, `design` being the drives at the design position.
-    pub(crate) fn in_words(&self, names: &Names, unit: Unit, design: &[f64]) -> String {
+    pub fn in_words(&self, names: &Names, unit: Unit, design: &[f64]) -> String {
         let drives = names.drives_in_words(&self.drives, unit, None);
         let end = match self.turns {
             Some(turns) => {
@@ -80,7 +80,7 @@ impl Lock {
 }
 
 /// A drive's change from the design position in words, as `at 0.0712 m above the design`.
-pub(crate) fn from_design(change: f64, symbol: &str) -> String {
+pub fn from_design(change: f64, symbol: &str) -> String {
     const DIGITS: usize = 4;
     let side = if change < 0.0 { "below" } else { "above" };
     format!(

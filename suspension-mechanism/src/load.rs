@@ -16,5 +16,5 @@ mod vehicle;
 mod wrong_side;
 
 pub use loaded::{Loaded, load, load_own};
-pub(crate) use points::points;
-pub(crate) use wrong_side::only_on_wrong_side;
+pub use points::points;
+pub use wrong_side::only_on_wrong_side;

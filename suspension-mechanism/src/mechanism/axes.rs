@@ -2,12 +2,11 @@
 
 use std::ops::Neg;
 
-use clap::ValueEnum;
 use nalgebra::{Scalar, Vector3};
 use serde::Deserialize;
 
 /// Which way x, y and z point. All are right-handed, half a turn about an axis from each other.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
 pub enum Axes {
     /// ISO 8855: x forward, y left, z up.
     #[default]
@@ -30,6 +29,15 @@ impl Axes {
             Self::Iso => "ISO 8855",
             Self::Adams => "Adams",
             Self::Sae => "SAE",
+        }
+    }
+
+    /// Their name as an option of the command line.
+    pub fn option(self) -> &'static str {
+        match self {
+            Self::Iso => "iso",
+            Self::Adams => "adams",
+            Self::Sae => "sae",
         }
     }
 

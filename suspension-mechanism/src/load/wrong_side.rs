@@ -5,10 +5,7 @@ const MIDDLE: f64 = 1e-6;
 
 /// Of points with their y the only one that is on the other side of the vehicle than a wheel's centre: its y has the
 /// wrong sign, as it seems. Several may well be those of the other wheel.
-pub(crate) fn only_on_wrong_side<T>(
-    points: impl IntoIterator<Item = (T, f64)>,
-    centre: f64,
-) -> Option<T> {
+pub fn only_on_wrong_side<T>(points: impl IntoIterator<Item = (T, f64)>, centre: f64) -> Option<T> {
     let across = |y: f64| y * centre < 0.0 && y.abs() > MIDDLE * centre.abs();
     let mut points = points.into_iter().filter(|(_, y)| across(*y));
     let (point, _) = points.next()?;

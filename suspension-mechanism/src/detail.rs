@@ -1,7 +1,7 @@
 //! How finely to model: the cheapest method that a scene's needs allow, from measured figures.
 //!
 //! ```
-//! use suspension::detail::{Method, Need, Outputs, Wish, choose};
+//! use suspension_mechanism::detail::{Method, Need, Outputs, Wish, choose};
 //!
 //! // A car far away: 0.1 mm is plenty, and nobody reads accelerations.
 //! let need = Need {
@@ -39,10 +39,7 @@ impl Figures {
     ///
     /// None: the table is part of the program and tested.
     pub fn built_in() -> Result<Self, Failure> {
-        Self::parse(
-            "src/detail/measured.csv",
-            include_str!("detail/measured.csv"),
-        )
+        Self::parse("measured.csv", include_str!("detail/measured.csv"))
     }
 
     /// Reads a table as the laboratory's `chart --csv` writes it: of its rows those in `f64` and one

@@ -57,7 +57,7 @@ impl Description {
     }
 
     /// Where the mechanism locks, in words.
-    pub(crate) fn lock_in_words(&self, lock: &Lock) -> String {
+    pub fn lock_in_words(&self, lock: &Lock) -> String {
         lock.in_words(&self.names, self.unit, &self.design)
     }
 }

@@ -44,8 +44,8 @@ pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
 /// use std::ops::ControlFlow;
 /// use std::path::Path;
 ///
-/// use suspension::file::Source;
-/// use suspension::load::load_own;
+/// use suspension_mechanism::file::Source;
+/// use suspension_mechanism::load::load_own;
 ///
 /// suspension_core::linkage! {
 ///     mod double_wishbone {
@@ -64,7 +64,7 @@ pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
 ///     }
 /// }
 ///
-/// # fn main() -> Result<(), suspension::failure::Failure> {
+/// # fn main() -> Result<(), suspension_mechanism::failure::Failure> {
 /// let source = Source::read(Path::new("my.toml"))?; // linkage = "double_wishbone"
 /// let mechanism = load_own::<double_wishbone::Model<f64>, _>("double_wishbone", &source)?;
 /// println!("{:?}", mechanism.names.points);

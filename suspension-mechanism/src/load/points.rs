@@ -4,7 +4,7 @@ use suspension_core::{Kind, Part, Parts};
 use suspension_runtime::Listing;
 
 /// The points' names, in the order of the listing.
-pub(crate) fn points(listing: &Listing) -> impl Iterator<Item = &str> {
+pub fn points(listing: &Listing) -> impl Iterator<Item = &str> {
     let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
     let count: usize = kinds.into_iter().map(|kind| listing.count(kind)).sum();
     (0..count).map(|point| listing.name(Part::Point(point)))

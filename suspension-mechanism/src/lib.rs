@@ -1,0 +1,21 @@
+//! Motion files to mechanisms, and what is read off them.
+//!
+//! All kinematics are those of [`suspension_core`]. From the top: [`load`] makes the [`kinematics`] of any linkage of
+//! a [`mod@file`]; a [`mechanism`] moves, and [`quantities`] are read off its states. Beside them are
+//! libraries: [`characteristics`] has values and curves of a design, [`bake`] turns motions into polynomials,
+//! [`assemblies`] finds all ways to put a mechanism together, [`reach`] how far a drive leads it, and [`detail`]
+//! chooses the cheapest method for a need.
+
+pub mod assemblies;
+pub mod bake;
+pub mod characteristics;
+pub mod detail;
+pub mod failure;
+pub mod file;
+pub mod interrupt;
+pub mod kinematics;
+pub mod load;
+pub mod mechanism;
+pub mod number;
+pub mod quantities;
+pub mod reach;
