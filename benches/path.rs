@@ -10,8 +10,9 @@ use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::SVector;
+use suspension_core::linkage::HasWheel;
 use suspension_core::path::{Continuation, Curve, Leader, Led, Path};
-use suspension_core::{Build, HasWheel, Inputs, Newton, Real, Signal, Still, Tracker, assemble};
+use suspension_core::{Build, Inputs, Newton, Real, Signal, Still, Tracker, assemble};
 
 #[path = "../tests/support/mod.rs"]
 mod support;

@@ -1,10 +1,12 @@
 //! Which assembly the paper's printed initial guess leads to, and where a motion ends.
 
 use nalgebra::{SVector, Vector3};
+use suspension_core::linkage::Named;
 use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::listing::{Part, Parts};
 use suspension_core::{
-    Bounded, Build, GeometryError, Inputs, Linkage, Motion, Named, Newton, Part, Parts, Signal,
-    SolveError, Still, Tracker, Values, assemble, handedness,
+    Bounded, Build, GeometryError, Inputs, Linkage, Motion, Newton, Signal, SolveError, Still,
+    Tracker, Values, assemble, handedness,
 };
 
 use crate::support::{self, Reference};

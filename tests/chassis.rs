@@ -1,11 +1,10 @@
 //! A chassis that moves: the same motion in chassis axes and in the world's.
 
 use nalgebra::{Isometry3, SVector, Vector3};
+use suspension_core::chassis::RigidMotion;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{
-    Bounded, Inputs, Kind, Linkage, Motion, Newton, Part, RigidMotion, Signal, Still, Tangent,
-    Values,
-};
+use suspension_core::listing::{Kind, Part};
+use suspension_core::{Bounded, Inputs, Linkage, Motion, Newton, Signal, Still, Tangent, Values};
 
 use crate::support;
 

@@ -1,8 +1,9 @@
 //! The front door: a suspension that moves, in one value.
 
 use nalgebra::Vector3;
+use suspension_core::linkage::Designed;
 use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Lengths, Model, Points};
-use suspension_core::{Build, Designed, Signal, Values};
+use suspension_core::{Build, Signal, Values};
 use suspension_runtime::Listing;
 
 fn design() -> Corner {

@@ -2,7 +2,9 @@
 
 use suspension_core::bounded::Refusal;
 use suspension_core::linkages::five_link;
-use suspension_core::{GeometryError, Inputs, Part, Signal, SolveError, Stopped, Tracker};
+use suspension_core::listing::Part;
+use suspension_core::stepper::Stopped;
+use suspension_core::{GeometryError, Inputs, Signal, SolveError, Tracker};
 
 use super::support;
 

@@ -7,12 +7,16 @@ use std::hint::black_box;
 
 use counting::{Counting, allocations};
 use nalgebra::{Isometry3, SVector, Vector3};
+use suspension_core::bounded::Outputs;
+use suspension_core::certificate::Certifier;
+use suspension_core::chassis::RigidMotion;
+use suspension_core::linkage::{HasKingpin, HasWheel};
 use suspension_core::path::{Continuation, Curve, Leader, Led};
+use suspension_core::series::{InputSeries, Jet, SeriesTracker};
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
-    Bounded, Build, Certifier, HasKingpin, HasWheel, InputSeries, Inputs, Jet, Linkage, Listing,
-    Motion, Newton, Outputs, Real, RigidMotion, SeriesTracker, Signal, Still, Tangent, Tracker,
-    assemble,
+    Bounded, Build, Inputs, Linkage, Listing, Motion, Newton, Real, Signal, Still, Tangent,
+    Tracker, assemble,
 };
 use suspension_lanes::{Instructions, Lane, Lanes};
 

@@ -1,9 +1,10 @@
 //! The solver against Tables 2 and 3 as the paper prints them.
 
 use suspension::commands::published::paper::{Column, Paper};
+use suspension_core::Motion;
+use suspension_core::linkage::HasWheel;
 use suspension_core::linkages::attia2003;
 use suspension_core::wheel::CarrierRotation;
-use suspension_core::{HasWheel, Motion};
 
 use crate::support::{self, Reference};
 

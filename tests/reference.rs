@@ -1,8 +1,9 @@
 //! Both listings of the published mechanism against its solution in 40-digit arithmetic.
 
+use suspension_core::linkage::HasWheel;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::wheel::CarrierRotation;
-use suspension_core::{HasWheel, Inputs, Linkage, Motion, Still, Tracker};
+use suspension_core::{Inputs, Linkage, Motion, Still, Tracker};
 
 use crate::support::{self, INSTANTS, Reference};
 

@@ -1,15 +1,16 @@
 //! Angular velocity, acceleration and pose of a body, and the wheel's spin.
 
 use nalgebra::{Isometry3, Vector3};
+use suspension_core::Signal;
 use suspension_core::body::{
     angular_acceleration, angular_acceleration_eq10, angular_velocity, angular_velocity_eq9, pose,
 };
+use suspension_core::chassis::RigidMotion;
 use suspension_core::constraint::{Carried, Frame};
 use suspension_core::wheel::{
     Spin, camber, camber_to_ground, caster, kingpin_angle, toe, wheel_angular_acceleration,
     wheel_angular_velocity,
 };
-use suspension_core::{RigidMotion, Signal};
 
 use crate::support;
 

@@ -1,8 +1,7 @@
 //! A linkage on the published motion.
 
-use suspension_core::{
-    Build, Inputs, Linkage, Listing, Motion, Newton, Outputs, Still, Tracker, assemble,
-};
+use suspension_core::bounded::Outputs;
+use suspension_core::{Build, Inputs, Linkage, Listing, Motion, Newton, Still, Tracker, assemble};
 use suspension_lanes::Lane;
 
 /// With steps of half a millisecond one correction is enough whatever is asked; their cost does not

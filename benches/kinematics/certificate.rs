@@ -3,7 +3,8 @@
 use std::hint::black_box;
 
 use criterion::Criterion;
-use suspension_core::{Build, Certifier, Linkage, Listing};
+use suspension_core::certificate::Certifier;
+use suspension_core::{Build, Linkage, Listing};
 use suspension_lanes::Lane;
 
 use super::case::Case;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use clap::Args;
 use suspension_core::linkages::LISTINGS;
-use suspension_core::{Kind, Part, Parts};
+use suspension_core::listing::{Kind, Part, Parts};
 use suspension_runtime::{Listing, catalogue};
 
 use crate::failure::Failure;

@@ -3,9 +3,10 @@
 
 use std::error::Error;
 
+use suspension_core::linkage::Designed;
 use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Model};
 use suspension_core::nalgebra::Vector3;
-use suspension_core::{Designed, Signal, Values};
+use suspension_core::{Signal, Values};
 
 const STEPS: i32 = 12;
 

@@ -5,12 +5,12 @@ use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 use std::process::ExitCode;
 
+use suspension_core::linkage::{HasKingpin, HasWheel};
 use suspension_core::linkages::five_link::{Drives, Lengths, Model, Points};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel, camber_to_ground};
 use suspension_core::{
-    Bounded, Build, HasKingpin, HasWheel, Inputs, Linkage, Motion, Newton, Real, Signal, Still,
-    Tracker, Values, assemble,
+    Bounded, Build, Inputs, Linkage, Motion, Newton, Real, Signal, Still, Tracker, Values, assemble,
 };
 
 const STEPS: usize = 1900;

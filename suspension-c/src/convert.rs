@@ -17,8 +17,8 @@ pub fn fill<A, B: From<A>>(place: Option<&mut MaybeUninit<B>>, found: A) {
     }
 }
 
-impl<T: Real> From<suspension_core::Report<T>> for Report<T> {
-    fn from(found: suspension_core::Report<T>) -> Self {
+impl<T: Real> From<suspension_core::report::Report<T>> for Report<T> {
+    fn from(found: suspension_core::report::Report<T>) -> Self {
         Self {
             iterations: found.iterations as u32,
             steps: found.steps as u32,
@@ -86,11 +86,11 @@ fn check_direction<T: Real>(length: T) -> Option<()> {
 
 impl<T: Real> RigidMotion<T> {
     /// The core's form.
-    pub fn body(&self) -> Result<suspension_core::RigidMotion<T>, Status> {
+    pub fn body(&self) -> Result<suspension_core::chassis::RigidMotion<T>, Status> {
         let [w, x, y, z] = self.rotation;
         let rotation = Quaternion::new(w, x, y, z);
         check_direction(rotation.norm()).ok_or(Status::Argument)?;
-        Ok(suspension_core::RigidMotion {
+        Ok(suspension_core::chassis::RigidMotion {
             pose: Isometry3::from_parts(
                 Translation3::from(Vector3::from(self.position)),
                 UnitQuaternion::new_normalize(rotation),

@@ -1,6 +1,6 @@
 //! What a header is written from: functions and structs in words.
 
-use suspension_core::Part;
+use suspension_core::listing::Part;
 
 use crate::names::{Naming, Table, Text};
 

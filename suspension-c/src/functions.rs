@@ -177,7 +177,7 @@ macro_rules! functions_of_a_linkage {
             respond(failure, &NAMES, || {
                 let (model, motion, points) = (model.object()?, motion.object()?, points.get()?);
                 let (inputs, change) = (inputs.get()?, change.get()?);
-                let directions = solver::Directions::new(model, named(&inputs.value), &motion.position)?;
+                let directions = solver::directions::Directions::new(model, named(&inputs.value), &motion.position)?;
                 let found = directions.points(named(change))?;
                 points.write(Rates::from_signal(&found, values_of_points));
                 Ok(())
@@ -191,13 +191,13 @@ macro_rules! functions_of_a_linkage {
                 let (model, inputs) = (model.object()?, inputs.get()?);
                 let (motion, certificate) = (motion.object()?, certificate.get()?);
                 let inputs = still(inputs);
-                let certifier = solver::Certifier::new(model);
+                let certifier = solver::certificate::Certifier::new(model);
                 match certifier.certify(&inputs, &motion.position) {
-                    solver::Certificate::Proved { radius, unique_within } => {
+                    solver::certificate::Certificate::Proved { radius, unique_within } => {
                         certificate.write(Certificate { radius, unique_within });
                         Ok(())
                     }
-                    solver::Certificate::Unproved { why } => Err(why.into()),
+                    solver::certificate::Certificate::Unproved { why } => Err(why.into()),
                 }
             })
         }

@@ -67,8 +67,9 @@ pub mod catalogue;
 #[doc(hidden)]
 pub mod private {
     pub use core::marker::PhantomData;
+    pub use suspension_core::linkage::{HasKingpin, HasWheel};
     pub use suspension_core::nalgebra::Vector3;
-    pub use suspension_core::{self as solver, Build, HasKingpin, HasWheel, Linkage};
+    pub use suspension_core::{self as solver, Build, Linkage};
 
     pub use crate::convert::{fill, kingpin_of, rotation_of, wheel_of};
     pub use crate::describe::{Function, Interface, Names, Shape, Structure};

@@ -108,7 +108,7 @@ macro_rules! helpers_of_a_linkage {
         }
 
         #[inline(always)]
-        fn tracked<C: solver::ChassisMotion<listing::Fixed<Number>>>(
+        fn tracked<C: solver::signal::ChassisMotion<listing::Fixed<Number>>>(
             model: In<'_, Model>,
             inputs: solver::Inputs<C, listing::Drives<Number>>,
             dt: Number,
@@ -125,7 +125,10 @@ macro_rules! helpers_of_a_linkage {
         }
 
         #[inline(always)]
-        fn bounded<C: solver::ChassisMotion<listing::Fixed<Number>>, const CORRECTIONS: usize>(
+        fn bounded<
+            C: solver::signal::ChassisMotion<listing::Fixed<Number>>,
+            const CORRECTIONS: usize,
+        >(
             model: In<'_, Model>,
             inputs: solver::Inputs<C, listing::Drives<Number>>,
             outputs: Outputs,
@@ -166,7 +169,7 @@ macro_rules! helpers_of_a_linkage {
         }
 
         #[inline(always)]
-        fn located<C: solver::ChassisMotion<listing::Fixed<Number>>>(
+        fn located<C: solver::signal::ChassisMotion<listing::Fixed<Number>>>(
             model: In<'_, Model>,
             inputs: solver::Inputs<C, listing::Drives<Number>>,
             motion: In<'_, Motion>,

@@ -2,7 +2,7 @@
 
 use core::ffi::{CStr, c_char};
 
-use suspension_core::Part;
+use suspension_core::listing::Part;
 
 /// `const char *`, NULL where there is no text. It points to what lives as long as the program, or where a
 /// header says so as long as an object.

@@ -2,8 +2,9 @@
 
 use core::marker::PhantomData;
 
+use suspension_core::bounded::Outputs;
 use suspension_core::nalgebra::Vector3;
-use suspension_core::{Linkage, Outputs, Signal};
+use suspension_core::{Linkage, Signal};
 
 use crate::status::Status;
 

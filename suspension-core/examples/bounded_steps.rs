@@ -9,9 +9,9 @@ use std::process::ExitCode;
 
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::Vector3;
+use suspension_core::report::Report;
 use suspension_core::{
-    Bounded, Build, Inputs, Linkage, Motion, Real, Report, Scalar, Signal, SolveError, Still,
-    Values,
+    Bounded, Build, Inputs, Linkage, Motion, Real, Scalar, Signal, SolveError, Still, Values,
 };
 
 const STEPS: usize = 1000;

@@ -25,7 +25,7 @@
 //! `F`, `J` and `C` are evaluated with [`Enclosed`] numbers and the bounds are rounded upwards: it is
 //! a proof in spite of rounding, and a wrong `A` makes it fail, not false. It is about the equations
 //! with lengths, constants of bodies, chassis points and drives exactly as they are stored, and of
-//! driving angles with the true cosine; what [`RigidMotion`](crate::RigidMotion) rounds in the
+//! driving angles with the true cosine; what [`RigidMotion`](crate::chassis::RigidMotion) rounds in the
 //! chassis points comes before.
 
 use nalgebra::SVector;
@@ -56,7 +56,8 @@ type Enclosing<L, const N: usize> =
 ///
 /// ```
 /// use suspension_core::nalgebra::Vector3;
-/// use suspension_core::{Build, Certificate, Certifier, Inputs, Signal};
+/// use suspension_core::{Build, Inputs, Signal};
+/// use suspension_core::certificate::{Certificate, Certifier};
 ///
 /// suspension_core::linkage! {
 ///     mod rod {

@@ -33,8 +33,8 @@
 //!
 //! Below it are the parts: Newton's method ([`Newton`]) and [`assemble()`]; velocities and accelerations from
 //! one factorisation ([`Tangent`]); the ways to step ([`Stepper`]): to a tolerance ([`Tracker`]), at a fixed
-//! cost ([`Bounded`]), by Taylor series ([`Series`]); through the turning points of the drives ([`path`]);
-//! motions that were [`baked`]; the [`wheel`]; and a proof that the root is the one near by ([`Certifier`]).
+//! cost ([`Bounded`]), by Taylor [`series`]; through the turning points of the drives ([`path`]);
+//! motions that were [`baked`]; the [`wheel`]; and a [`certificate`] that the root is the one near by.
 //! The page [`controller`] shows how to run it on a controller, and what a step costs there.
 #![no_std]
 #![forbid(unsafe_code)]
@@ -95,22 +95,13 @@ pub mod wheel;
 pub use nalgebra;
 
 pub use assemble::assemble;
-pub use bounded::{Bounded, Outputs};
-pub use certificate::{Certificate, Certifier, Unproved};
-pub use chassis::RigidMotion;
+pub use bounded::Bounded;
 pub use corner::Corner;
-pub use directions::Directions;
 pub use error::{GeometryError, SolveError};
-pub use linkage::{Build, Designed, HasKingpin, HasWheel, Linkage, Listing, Named, Values};
-pub use listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
-pub use local::LocalOrigin;
+pub use linkage::{Build, Linkage, Listing, Values};
 pub use motion::{Motion, Tangent};
 pub use newton::Newton;
-pub use report::Report;
 pub use scalar::{Real, Scalar};
-pub use series::{InputSeries, Jet, Series, SeriesTracker};
-pub use signal::{ChassisMotion, Inputs, Signal, Still};
+pub use signal::{Inputs, Signal, Still};
 pub use stepper::Stepper;
-pub use substeps::Stopped;
-pub use tolerance::Tolerance;
 pub use tracker::Tracker;

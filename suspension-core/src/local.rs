@@ -24,7 +24,8 @@
 //! ```
 //! use suspension_core::linkages::five_link::{self, Drives, Model};
 //! use suspension_core::nalgebra::Vector3;
-//! use suspension_core::{Bounded, Build, Inputs, Linkage, Listing, LocalOrigin, Motion, Signal, Values};
+//! use suspension_core::{Bounded, Build, Inputs, Linkage, Listing, Motion, Signal, Values};
+//! use suspension_core::local::LocalOrigin;
 //! # let at = |x: f64, y, z| Vector3::new(x + 4.0, y, z);
 //! # let design = five_link::Points {
 //! #     lower_front_inner: at(-1.396, -0.025, -0.082), upper_front_inner: at(-1.301, 0.1168, 0.106),

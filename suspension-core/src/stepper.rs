@@ -8,8 +8,10 @@ use crate::report::Report;
 use crate::scalar::Real;
 use crate::series::{InputSeries, Jet, SeriesTracker};
 use crate::signal::{ChassisMotion, Inputs};
-use crate::substeps::{MAX_STEPS, Stopped, in_steps};
+use crate::substeps::{MAX_STEPS, in_steps};
 use crate::tracker::Tracker;
+
+pub use crate::substeps::Stopped;
 
 /// A way to step from one motion of a linkage to the next: [`Tracker`], [`Bounded`], [`SeriesTracker`].
 ///

@@ -3,7 +3,7 @@
 /// A fixed number of values in a known order: points, drives, measures or lengths of a linkage.
 ///
 /// There may be room for more values than a model has; those beyond are zero. What is what says the
-/// model: [`Parts::name`](crate::Parts::name), [`Parts::count`](crate::Parts::count).
+/// model: [`Parts::name`](crate::listing::Parts::name), [`Parts::count`](crate::listing::Parts::count).
 pub trait Values<V>: Copy {
     /// Takes as many values as there is room for, and defaults where they run out.
     fn from_values(values: impl IntoIterator<Item = V>) -> Self

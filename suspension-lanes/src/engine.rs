@@ -2,9 +2,9 @@
 
 use fearless_simd::Simd;
 use nalgebra::SVector;
-use suspension_core::bounded::{Measures, Step};
+use suspension_core::bounded::{Measures, Outputs, Step};
 use suspension_core::motion::Prescribed;
-use suspension_core::{Inputs, Listing, Motion, Outputs, Real, Signal, Still, Values};
+use suspension_core::{Inputs, Listing, Motion, Real, Signal, Still, Values};
 
 use crate::number::{Number, Vector};
 

@@ -13,9 +13,9 @@ use engine::Engine;
 use fearless_simd::{Avx2, Avx512, Level};
 pub use lane::Lane;
 use plain::Plain;
-use suspension_core::{
-    Bounded, Inputs, Linkage, Listing, Motion, Outputs, Report, Signal, SolveError,
-};
+use suspension_core::bounded::Outputs;
+use suspension_core::report::Report;
+use suspension_core::{Bounded, Inputs, Linkage, Listing, Motion, Signal, SolveError};
 
 /// Which instructions run the lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

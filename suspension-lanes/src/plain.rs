@@ -1,8 +1,8 @@
 //! The step one lane after the other, for processors without instructions for vectors.
 
-use suspension_core::bounded::{Measures, Step};
+use suspension_core::bounded::{Measures, Outputs, Step};
 use suspension_core::motion::Prescribed;
-use suspension_core::{Inputs, Listing, Motion, Outputs, Real, Signal, Still};
+use suspension_core::{Inputs, Listing, Motion, Real, Signal, Still};
 
 use crate::engine::Engine;
 

@@ -12,9 +12,8 @@ use std::time::Duration;
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::Vector3;
 use suspension_core::linkages::{LISTINGS, double_wishbone_pushrod, five_link};
-use suspension_core::{
-    Bounded, Build, Inputs, Kind, Motion, Parts, Signal, Still, Values, linkage,
-};
+use suspension_core::listing::{Kind, Parts};
+use suspension_core::{Bounded, Build, Inputs, Motion, Signal, Still, Values, linkage};
 use suspension_runtime::{Listing, Room, Size};
 
 linkage! {

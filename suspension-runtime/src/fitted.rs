@@ -1,6 +1,6 @@
 //! A listing with room for a model of it.
 
-use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
+use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 
 use crate::listing::Listing;
 use crate::plan::Plan;

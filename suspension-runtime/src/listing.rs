@@ -1,7 +1,7 @@
 //! A listing read from text.
 
 use nalgebra::Vector3;
-use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
+use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 use suspension_listing::eliminate::Order;
 use suspension_listing::form::Form;
 use suspension_listing::include_source::IncludeSource;

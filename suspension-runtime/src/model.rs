@@ -1,12 +1,13 @@
 //! The geometry of a listing.
 
 use nalgebra::Vector3;
+use suspension_core::Scalar;
 use suspension_core::constraint::{
     Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch,
 };
 use suspension_core::generated::gather_vector;
 use suspension_core::handedness::Linked;
-use suspension_core::{DriveKind, Kind, MeasureKind, Part, Parts, Scalar, WheelPlaces};
+use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 
 use crate::fitted::Fitted;
 use crate::plan::Plan;

@@ -1,6 +1,6 @@
 //! The names of a listing's parts.
 
-use suspension_core::Part;
+use suspension_core::listing::Part;
 use suspension_listing::system::{AXES, Point, System};
 
 /// Names in the order of the parts.

@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 use suspension_core::linkages::{
     self, attia2003, double_wishbone, double_wishbone_pushrod, five_link,
 };
-use suspension_core::{Build, Kind, Parts, Values};
+use suspension_core::listing::{Kind, Parts};
+use suspension_core::{Build, Values};
 use suspension_runtime::{Listing, Model};
 
 use crate::twins::{Number, Twins, same_parts};

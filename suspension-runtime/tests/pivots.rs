@@ -2,8 +2,9 @@
 //! model is built.
 
 use nalgebra::Vector3;
+use suspension_core::bounded::Outputs;
 use suspension_core::linkages::{LISTINGS, attia2003};
-use suspension_core::{Bounded, Build, Corner, Inputs, Motion, Outputs, Signal, Still, Values};
+use suspension_core::{Bounded, Build, Corner, Inputs, Motion, Signal, Still, Values};
 use suspension_runtime::{Listing, ModelError};
 
 type Model = attia2003::Model<f64>;

@@ -8,9 +8,8 @@ mod newton;
 use std::ops::Range;
 
 use nalgebra::Vector3;
-use suspension_core::{
-    Inputs, Kind, Linkage, Motion, Part, Parts, Signal, Still, Tracker, Values, linkages,
-};
+use suspension_core::listing::{Kind, Part, Parts};
+use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Tracker, Values, linkages};
 use suspension_double_double::DoubleDouble;
 use suspension_runtime::{Listing, Model};
 

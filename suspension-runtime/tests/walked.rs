@@ -3,10 +3,9 @@
 
 use nalgebra::{Complex, SVector, Vector3};
 use suspension_core::linkage::Factors;
+use suspension_core::listing::Kind;
 use suspension_core::lu::Lu;
-use suspension_core::{
-    Build, Inputs, Kind, Linkage, Listing as _, Motion, Signal, Tracker, Values,
-};
+use suspension_core::{Build, Inputs, Linkage, Listing as _, Motion, Signal, Tracker, Values};
 use suspension_runtime::{Fitted, Listing, Model, Room, Size, Work};
 
 use crate::back_ends::hardpoints;

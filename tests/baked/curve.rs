@@ -4,8 +4,9 @@ use nalgebra::Vector3;
 use suspension::bake::{Baked, Continuity, Exact, Path, TERMS, Wanted, Wish, bake};
 use suspension::mechanism::Suspension;
 use suspension_core::baked::Curve;
+use suspension_core::linkage::Named;
 use suspension_core::linkages::five_link;
-use suspension_core::{Inputs, Named, Real, Still};
+use suspension_core::{Inputs, Real, Still};
 
 use super::mixed;
 use crate::support::{self, INSTANTS, Reference, theta};

@@ -1,7 +1,9 @@
 //! How far steps are from the motion, by their length, corrections, prediction and outputs.
 
+use suspension_core::bounded::Outputs;
 use suspension_core::linkage::Factors as _;
-use suspension_core::{Bounded, Linkage, Outputs, Tolerance};
+use suspension_core::tolerance::Tolerance;
+use suspension_core::{Bounded, Linkage};
 
 use super::case::{Case, assert_within, attia, differences, five_link, instants, widen};
 use crate::support::{INSTANTS, Reference};

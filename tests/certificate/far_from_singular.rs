@@ -4,10 +4,11 @@
 use std::ops::AddAssign;
 
 use nalgebra::{Isometry3, SVector, Vector3};
+use suspension_core::certificate::Certifier;
+use suspension_core::chassis::RigidMotion;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{
-    Build, Certifier, Inputs, Linkage, Listing, Motion, Newton, Real, RigidMotion, Signal, Still,
-    Tracker, Values, assemble,
+    Build, Inputs, Linkage, Listing, Motion, Newton, Real, Signal, Still, Tracker, Values, assemble,
 };
 
 use super::judge::{distance, proof};

@@ -1,11 +1,11 @@
 //! What is no number, or out of all proportion, is not proved, and the reason is told.
 
 use nalgebra::{SVector, Vector3};
+use suspension_core::certificate::{Certificate, Certifier, Unproved};
 use suspension_core::linkages::five_link::{Drives, Fixed, Model};
-use suspension_core::{
-    Certificate, Certifier, ChassisMotion, Inputs, Linkage, Motion, Parts, Signal, SolveError,
-    Unproved, Values,
-};
+use suspension_core::listing::Parts;
+use suspension_core::signal::ChassisMotion;
+use suspension_core::{Inputs, Linkage, Motion, Signal, SolveError, Values};
 
 use crate::support;
 

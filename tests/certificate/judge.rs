@@ -1,7 +1,8 @@
 //! Whether what was proved is so, judged by roots of 30 digits.
 
 use nalgebra::SVector;
-use suspension_core::{Certificate, Real};
+use suspension_core::Real;
+use suspension_core::certificate::Certificate;
 use suspension_double_double::DoubleDouble;
 
 use super::random::Counts;

@@ -3,7 +3,8 @@
 
 use fastrand::Rng;
 use nalgebra::{SVector, Vector3};
-use suspension_core::{Build, Certifier, Inputs, Linkage, Listing, Newton, Real, Signal};
+use suspension_core::certificate::Certifier;
+use suspension_core::{Build, Inputs, Linkage, Listing, Newton, Real, Signal};
 use suspension_double_double::DoubleDouble;
 
 use super::judge::{Proof, Root, judge, nearest, proof, square_root};

@@ -2,8 +2,9 @@
 
 use fastrand::Rng;
 use nalgebra::SVector;
+use suspension_core::certificate::Certifier;
 use suspension_core::linkages::five_link::{Drives, Model};
-use suspension_core::{Certifier, Inputs, Linkage, Motion, Signal, Still, Tangent, Tracker};
+use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Tangent, Tracker};
 
 use super::judge::{judge, proof};
 use super::random::{Counts, power_of_ten, sign, sum_of_cases, uniform};

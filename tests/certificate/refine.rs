@@ -1,8 +1,9 @@
 //! Roots of 30 digits by Newton's method: residuals in double-double numbers, factors in `f64`.
 
 use nalgebra::SVector;
+use suspension_core::listing::{DriveKind, Parts};
 use suspension_core::lu::Lu;
-use suspension_core::{DriveKind, Linkage, Listing, Parts, Signal, Values};
+use suspension_core::{Linkage, Listing, Signal, Values};
 use suspension_double_double::DoubleDouble;
 
 use super::judge::Root;

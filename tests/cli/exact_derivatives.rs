@@ -12,7 +12,8 @@ use suspension_runtime::CatalogueAndFiles;
 
 use nalgebra::Vector3;
 use suspension_core::linkages::LISTINGS;
-use suspension_core::{Build, DriveKind, Kind, Part, Parts, Values};
+use suspension_core::listing::{DriveKind, Kind, Part, Parts};
+use suspension_core::{Build, Values};
 use suspension_runtime::{Fitted, Listing, Room, Size, Work};
 
 use super::program::{folder, rows, run};

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use suspension_core::linkages::LISTINGS;
-use suspension_core::{Part, Parts};
+use suspension_core::listing::{Part, Parts};
 use suspension_runtime::Listing;
 
 use super::program::{folder, rows, run, text};

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use suspension_core::linkages::LISTINGS;
-use suspension_core::{Kind, Part, Parts};
+use suspension_core::listing::{Kind, Part, Parts};
 use suspension_runtime::Listing;
 
 use super::program::{folder, rows, run, text};

@@ -1,7 +1,8 @@
 //! A motion that ends before its last instant.
 
+use suspension_core::linkage::Designed;
 use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Lengths, Model};
-use suspension_core::{Build, Designed, Signal};
+use suspension_core::{Build, Signal};
 
 use super::program::{edited, folder, rows, run, text};
 use crate::support::Reference;

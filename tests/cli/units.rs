@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use suspension_core::linkages::LISTINGS;
-use suspension_core::{Part, Parts};
+use suspension_core::listing::{Part, Parts};
 use suspension_runtime::Listing;
 
 use super::program::{Rows, folder, rows, run, text};

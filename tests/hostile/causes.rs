@@ -1,11 +1,15 @@
 //! A number that is none: the error names the point, the length, the equation or the unknown.
 
 use nalgebra::Vector3;
+use suspension_core::certificate::Certifier;
 use suspension_core::linkage::{Named, Values};
 use suspension_core::linkages::five_link::{Lengths, Model, Points, equation};
+use suspension_core::listing::Part;
+use suspension_core::series::{InputSeries, Jet, SeriesTracker};
+use suspension_core::signal::ChassisMotion;
 use suspension_core::{
-    Bounded, Build, Certifier, ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Linkage,
-    Motion, Newton, Part, Real, SeriesTracker, Signal, SolveError, Tangent, Tracker, assemble,
+    Bounded, Build, GeometryError, Inputs, Linkage, Motion, Newton, Real, Signal, SolveError,
+    Tangent, Tracker, assemble,
 };
 
 use super::verdict::{demand_same, demand_untouched};

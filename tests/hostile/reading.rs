@@ -3,9 +3,11 @@
 use nalgebra::{Isometry3, Vector3};
 use suspension_core::baked::Curve;
 use suspension_core::body::{angular_acceleration, angular_velocity, pose};
+use suspension_core::chassis::RigidMotion;
+use suspension_core::linkage::HasWheel;
 use suspension_core::linkages::five_link::Points;
 use suspension_core::wheel::{CarrierRotation, Wheel};
-use suspension_core::{HasWheel, Real, RigidMotion, Signal};
+use suspension_core::{Real, Signal};
 
 use crate::support::five_link_rough;
 

@@ -2,9 +2,11 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::{Build, Values};
+use suspension_core::listing::Part;
+use suspension_core::series::{InputSeries, Jet};
+use suspension_core::signal::ChassisMotion;
 use suspension_core::{
-    ChassisMotion, GeometryError, InputSeries, Inputs, Jet, Motion, Newton, Part, Real, Signal,
-    SolveError, Still, Tangent, assemble,
+    GeometryError, Inputs, Motion, Newton, Real, Signal, SolveError, Still, Tangent, assemble,
 };
 
 use super::draw::Draw;

@@ -1,7 +1,8 @@
 //! What every answer must be.
 
 use nalgebra::SVector;
-use suspension_core::{ChassisMotion, Inputs, Linkage, Motion, Newton, Real, SolveError};
+use suspension_core::signal::ChassisMotion;
+use suspension_core::{Inputs, Linkage, Motion, Newton, Real, SolveError};
 
 /// The residual that rounding leaves at a position, as [`Newton`] accepts it.
 pub(crate) fn rounding<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(

@@ -1,11 +1,11 @@
 //! The ways from one instant to the next: each makes its step, or refuses it for a cause that it
 //! names and leaves the motion.
 
+use suspension_core::bounded::Outputs;
 use suspension_core::linkage::Build;
-use suspension_core::{
-    Bounded, ChassisMotion, InputSeries, Inputs, Motion, Outputs, Real, SeriesTracker, SolveError,
-    Still, Tracker,
-};
+use suspension_core::series::{InputSeries, SeriesTracker};
+use suspension_core::signal::ChassisMotion;
+use suspension_core::{Bounded, Inputs, Motion, Real, SolveError, Still, Tracker};
 
 use super::draw::Draw;
 use super::trial::Trial;

@@ -2,9 +2,9 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::Factors as _;
-use suspension_core::{
-    Build, ChassisMotion, Inputs, Motion, Newton, Part, Signal, Tangent, Values, assemble,
-};
+use suspension_core::listing::Part;
+use suspension_core::signal::ChassisMotion;
+use suspension_core::{Build, Inputs, Motion, Newton, Signal, Tangent, Values, assemble};
 
 /// Solves from a guess and returns the points.
 pub(crate) fn solve<L, const N: usize>(model: &L, guess: &L::Points, drives: L::Drives) -> L::Points

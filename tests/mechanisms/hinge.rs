@@ -71,7 +71,7 @@ fn turns_about_both_hinges() {
 #[test]
 fn the_wheel_is_carried_by_the_arm() {
     let points = design();
-    let carrier = suspension_core::HasWheel::carrier(&points);
+    let carrier = suspension_core::linkage::HasWheel::carrier(&points);
     // The frame of the body: chassis points first.
     assert_eq!(carrier, [points.inner, points.outer, points.hinge_in]);
 }

@@ -1,9 +1,12 @@
 //! Motions led by another quantity than the drive.
 
 use nalgebra::{SVector, Vector3};
+use suspension_core::linkage::HasWheel;
 use suspension_core::linkages::attia2003;
+use suspension_core::listing::Parts;
 use suspension_core::path::{Leader, Led, Place};
-use suspension_core::{Build, HasWheel, Motion, Newton, Parts, Signal, SolveError, Stopped};
+use suspension_core::stepper::Stopped;
+use suspension_core::{Build, Motion, Newton, Signal, SolveError};
 
 use super::case::{Case, attia, five_link};
 use crate::support::{self, INSTANTS, Reference, theta};

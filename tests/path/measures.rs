@@ -1,8 +1,9 @@
 //! What leads is chosen at run time among the measures that a listing states.
 
 use nalgebra::Vector3;
+use suspension_core::linkage::Named;
 use suspension_core::path::{Curve, Leader, Led, measured};
-use suspension_core::{Build, Inputs, Linkage, Named, Newton, Real, Signal, Still, Values};
+use suspension_core::{Build, Inputs, Linkage, Newton, Real, Signal, Still, Values};
 
 suspension_core::linkage! {
     /// A four-bar whose crank cannot turn fully.

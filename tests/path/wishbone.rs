@@ -1,10 +1,9 @@
 //! A double wishbone with two drives, one of which moves a chassis point, on a moving chassis.
 
 use nalgebra::Vector3;
+use suspension_core::linkage::Named;
 use suspension_core::path::{Continuation, Curve, End, Leader, Led, measured};
-use suspension_core::{
-    Build, Inputs, Linkage, Motion, Named, Newton, Signal, Tangent, Values, assemble,
-};
+use suspension_core::{Build, Inputs, Linkage, Motion, Newton, Signal, Tangent, Values, assemble};
 
 suspension_core::linkage! {
     /// Front-left double wishbone.

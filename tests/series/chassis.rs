@@ -2,9 +2,8 @@
 
 use nalgebra::{Rotation3, SVector, Vector3};
 use suspension_core::linkages::five_link;
-use suspension_core::{
-    Build, InputSeries, Jet, Linkage, Newton, Series, Signal, Tangent, Values, assemble,
-};
+use suspension_core::series::{InputSeries, Jet, Series};
+use suspension_core::{Build, Linkage, Newton, Signal, Tangent, Values, assemble};
 
 use crate::support;
 

@@ -2,7 +2,8 @@
 
 use nalgebra::SVector;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{InputSeries, Inputs, Jet, Linkage, Motion, Series, Still, Tracker};
+use suspension_core::series::{InputSeries, Jet, Series};
+use suspension_core::{Inputs, Linkage, Motion, Still, Tracker};
 
 use crate::support::{self, INSTANTS, Reference};
 

@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use proptest::prelude::*;
 use suspension_core::linkages::five_link::{Drives, Lengths, Model};
+use suspension_core::series::{InputSeries, Jet, Series, SeriesTracker};
 use suspension_core::{
-    Build, InputSeries, Inputs, Jet, Linkage, Motion, Newton, Series, SeriesTracker, Signal,
-    Tangent, Tracker, Values, assemble,
+    Build, Inputs, Linkage, Motion, Newton, Signal, Tangent, Tracker, Values, assemble,
 };
 
 use crate::support;

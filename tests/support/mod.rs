@@ -5,9 +5,11 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use nalgebra::{SVector, Vector3};
+use suspension_core::linkage::Named;
 use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::listing::Part;
 use suspension_core::{
-    Build, Inputs, Linkage, Motion, Named, Newton, Part, Real, Signal, Still, Tracker, assemble,
+    Build, Inputs, Linkage, Motion, Newton, Real, Signal, Still, Tracker, assemble,
 };
 
 /// The instants of Table 2, s.

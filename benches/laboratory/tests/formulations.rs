@@ -1,11 +1,11 @@
 //! The chart's reference has its digits, and every method and formulation finds the same motion.
 
 use nalgebra::{Const, DimMin};
-use suspension::mechanism::DriveLaws;
-use suspension::mechanism::Polynomial;
+use suspension::mechanism::{DriveLaws, Polynomial};
+use suspension_core::bounded::Outputs;
 use suspension_core::linkage::Listing;
 use suspension_core::linkages::attia2003;
-use suspension_core::{Build, Linkage, Motion, Newton, Outputs, Signal, assemble};
+use suspension_core::{Build, Linkage, Motion, Newton, Signal, assemble};
 use suspension_double_double::DoubleDouble;
 use suspension_laboratory::chart::course::Course;
 use suspension_laboratory::chart::methods::Methods;

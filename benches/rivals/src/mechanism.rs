@@ -1,10 +1,11 @@
 //! The published five-point suspension and its motion, 1 ms a step.
 
+use suspension_core::linkage::Named;
 use suspension_core::linkages::attia2003::{Drives, Lengths, Model, Points};
 use suspension_core::motion::Prescribed;
 use suspension_core::nalgebra::{SMatrix, SVector, Vector3};
 use suspension_core::{
-    Build, Linkage, Motion as MotionOf, Named, Newton, Signal, Still, Tracker, Values, assemble,
+    Build, Linkage, Motion as MotionOf, Newton, Signal, Still, Tracker, Values, assemble,
 };
 
 pub type Vector = SVector<f64, 15>;

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use suspension_core::DriveKind;
+use suspension_core::listing::DriveKind;
 
 use crate::assemblies::Tally;
 use crate::failure::Failure;

@@ -5,7 +5,7 @@ mod surface;
 
 use std::f64::consts::PI;
 
-use suspension_core::DriveKind;
+use suspension_core::listing::DriveKind;
 
 use crate::bake::source::{About, Ranged, Sheet, Table};
 use crate::bake::{Continuity, Wish};

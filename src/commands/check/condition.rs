@@ -1,8 +1,8 @@
 //! The Jacobian at the design position: its rank, its singular values and its pivots.
 
 use nalgebra::{DMatrix, DVectorView};
+use suspension_core::listing::{Part, Parts};
 use suspension_core::pivots::Elimination;
-use suspension_core::{Part, Parts};
 
 use crate::kinematics::{Equations, Kinematics};
 use crate::mechanism::Names;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use suspension_core::{DriveKind, Kind, Part, Parts};
+use suspension_core::listing::{DriveKind, Kind, Part, Parts};
 use suspension_runtime::Listing;
 
 use super::choice::Choice;

@@ -1,6 +1,6 @@
 //! What is assumed of hardpoints, and what is doubtful about them, a sentence each.
 
-use suspension_core::{Kind, Parts};
+use suspension_core::listing::{Kind, Parts};
 
 use super::choice::Choice;
 use super::draft::Imported;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use suspension_core::DriveKind;
+use suspension_core::listing::DriveKind;
 
 use crate::mechanism::{Description, Unit};
 use crate::number::{counted, rounded};

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use nalgebra::Vector3;
-use suspension_core::MeasureKind;
+use suspension_core::listing::MeasureKind;
 
 use crate::commands::tables::wheel::{Rates, Wheel};
 use crate::mechanism::{Axle, Description, is_within};

@@ -3,8 +3,8 @@
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::Vector3;
-use suspension_core::DriveKind;
 use suspension_core::body::{angular_velocity, pose};
+use suspension_core::listing::DriveKind;
 use suspension_core::wheel::{camber, toe};
 
 use crate::characteristics::Along;

@@ -4,7 +4,8 @@ use core::mem::MaybeUninit;
 
 use suspension_core::error::{Explain, Facts};
 use suspension_core::nalgebra::Vector3;
-use suspension_core::{Corner, Linkage, Report, Signal, Values};
+use suspension_core::report::Report;
+use suspension_core::{Corner, Linkage, Signal, Values};
 use suspension_runtime::{Model, Room, Size};
 
 use super::parsed::Counts;

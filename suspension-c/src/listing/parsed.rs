@@ -7,8 +7,8 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::nalgebra::Vector3;
-use suspension_core::{Kind, Part, Parts};
 use suspension_runtime::Listing;
 
 use crate::names::{Naming, Text};

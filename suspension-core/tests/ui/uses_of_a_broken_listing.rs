@@ -26,7 +26,8 @@ suspension_core::linkage! {
 use m::{Drives, Lengths, Measures, Model, Points, equation, unknown};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::wheel::Wheel;
-use suspension_core::{Build, HasWheel, Inputs, Linkage, Newton, Signal, Tracker, Values, assemble};
+use suspension_core::{Build, Inputs, Linkage, Newton, Signal, Tracker, Values, assemble};
+use suspension_core::linkage::HasWheel;
 
 fn main() {
     let mut points = Points {

@@ -5,10 +5,9 @@ use crate::include_source::NoIncludes;
 use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
+use suspension_core::bounded::Outputs;
 use suspension_core::linkages::{double_wishbone, double_wishbone_pushrod};
-use suspension_core::{
-    Bounded, Build, Inputs, Motion, Outputs, Signal, Values, linkages::LISTINGS,
-};
+use suspension_core::{Bounded, Build, Inputs, Motion, Signal, Values, linkages::LISTINGS};
 
 use super::{catalogue_system, catalogue_text};
 use crate::{order, text};

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use suspension_core::{Linkage, Motion, SolveError, Stopped, Values};
+use suspension_core::stepper::Stopped;
+use suspension_core::{Linkage, Motion, SolveError, Values};
 
 use crate::bake::driven::{Derivatives, Driven, Output, Wish};
 use crate::mechanism::Suspension;

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use suspension_core::DriveKind;
+use suspension_core::listing::DriveKind;
 
 use crate::characteristics::course::Course;
 use crate::characteristics::span::Span;

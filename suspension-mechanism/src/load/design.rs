@@ -1,7 +1,9 @@
 //! The design position: where the mechanism is assembled and its markers are attached.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::{Kind, Linkage, LocalOrigin, Newton, Values, assemble};
+use suspension_core::listing::Kind;
+use suspension_core::local::LocalOrigin;
+use suspension_core::{Linkage, Newton, Values, assemble};
 
 use crate::failure::Failure;
 use crate::file::{Offset, Position};

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use nalgebra::Vector3;
-use suspension_core::{Kind, Part, Parts};
+use suspension_core::listing::{Kind, Part, Parts};
 use suspension_runtime::{Fitted, Listing, Mistake, Mistakes, Model, Room, Size, catalogue};
 use toml::Spanned;
 

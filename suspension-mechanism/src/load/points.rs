@@ -1,6 +1,6 @@
 //! The points of a listing, by name.
 
-use suspension_core::{Kind, Part, Parts};
+use suspension_core::listing::{Kind, Part, Parts};
 use suspension_runtime::Listing;
 
 /// The points' names, in the order of the listing.

@@ -1,7 +1,8 @@
 //! From what a file says to a mechanism in the configuration of the first instant.
 
 use nalgebra::Vector3;
-use suspension_core::{GeometryError, LocalOrigin, Motion, Values, parts};
+use suspension_core::local::LocalOrigin;
+use suspension_core::{GeometryError, Motion, Values, parts};
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};

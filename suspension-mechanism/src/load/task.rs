@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use suspension_core::{DriveKind, GeometryError, Part, Parts};
+use suspension_core::GeometryError;
+use suspension_core::listing::{DriveKind, Part, Parts};
 use toml::Spanned;
 
 use crate::failure::Failure;

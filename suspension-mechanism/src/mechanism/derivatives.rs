@@ -3,7 +3,8 @@
 use std::cell::OnceCell;
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::{Directions, Signal, Values};
+use suspension_core::directions::Directions;
+use suspension_core::{Signal, Values};
 
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;

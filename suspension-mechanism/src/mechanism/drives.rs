@@ -1,6 +1,8 @@
 //! From polynomials of time to what the solver is given.
 
-use suspension_core::{Inputs, Linkage, Motion, Report, Signal, Still, Stopped, Tracker, Values};
+use suspension_core::report::Report;
+use suspension_core::stepper::Stopped;
+use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Tracker, Values};
 
 use crate::mechanism::polynomial::Polynomial;
 

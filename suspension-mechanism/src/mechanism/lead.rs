@@ -1,7 +1,9 @@
 //! A motion that a measure of the linkage leads in place of one of the drives.
 
 use suspension_core::path::{Leader, Led, measured};
-use suspension_core::{Inputs, Linkage, Report, Signal, SolveError, Still, Stopped, Values};
+use suspension_core::report::Report;
+use suspension_core::stepper::Stopped;
+use suspension_core::{Inputs, Linkage, Signal, SolveError, Still, Values};
 
 use crate::mechanism::drives::{DriveLaws, Law, MAX_STEPS};
 use crate::mechanism::names::Names;

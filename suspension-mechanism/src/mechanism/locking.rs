@@ -2,7 +2,8 @@
 
 use nalgebra::SVector;
 use suspension_core::path::{Continuation, Curve};
-use suspension_core::{Inputs, Linkage, SolveError, Still, Stopped, Values};
+use suspension_core::stepper::Stopped;
+use suspension_core::{Inputs, Linkage, SolveError, Still, Values};
 
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::misfit::Misfit;

@@ -1,7 +1,9 @@
 //! A mechanism on its way, by its drives or by a measure in place of one.
 
 use suspension_core::path::Led;
-use suspension_core::{Inputs, Motion, Report, Signal, Still, Stopped, Values};
+use suspension_core::report::Report;
+use suspension_core::stepper::Stopped;
+use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
 use crate::mechanism::drives::{DriveLaws, follow, tracker};
 use crate::mechanism::end::Stop;

@@ -1,7 +1,7 @@
 //! What a listing calls its parts, and what they are.
 
-use suspension_core::listing::Kind;
-use suspension_core::{Build, DriveKind, Linkage, Listing, MeasureKind, Part, Parts, WheelPlaces};
+use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
+use suspension_core::{Build, Linkage, Listing};
 use suspension_listing::did_you_mean::did_you_mean;
 
 use crate::mechanism::vehicle::{Vehicle, Wheel};

@@ -2,7 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use suspension_core::{Inputs, Motion, Report, Still};
+use suspension_core::report::Report;
+use suspension_core::{Inputs, Motion, Still};
 
 use crate::failure::Failure;
 use crate::mechanism::end::End;

@@ -1,7 +1,7 @@
 //! The unit of lengths.
 
 use serde::Deserialize;
-use suspension_core::{DriveKind, MeasureKind};
+use suspension_core::listing::{DriveKind, MeasureKind};
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]

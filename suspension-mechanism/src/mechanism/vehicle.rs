@@ -1,7 +1,7 @@
 //! The wheels of a listing, and what a motion file says of their vehicle.
 
 use serde::Deserialize;
-use suspension_core::WheelPlaces;
+use suspension_core::listing::WheelPlaces;
 
 /// What quantities need beside the linkage.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,6 +1,6 @@
 //! What numbers measure, and their units.
 
-use suspension_core::{DriveKind, MeasureKind};
+use suspension_core::listing::{DriveKind, MeasureKind};
 
 use crate::mechanism::Unit;
 

@@ -2,8 +2,9 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use suspension_core::listing::DriveKind;
 use suspension_core::path::{Continuation, Curve, End, Place};
-use suspension_core::{DriveKind, Signal, Values};
+use suspension_core::{Signal, Values};
 
 use crate::failure::Failure;
 use crate::mechanism::{Mechanism, State, Suspension};

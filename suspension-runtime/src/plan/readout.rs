@@ -1,6 +1,6 @@
 //! How drives enter, and what is read off the points, as indices.
 
-use suspension_core::{DriveKind, MeasureKind, WheelPlaces};
+use suspension_core::listing::{DriveKind, MeasureKind, WheelPlaces};
 use suspension_listing::name::Name;
 use suspension_listing::system::{self, Quantity, System};
 

@@ -2,9 +2,10 @@
 
 use nalgebra::Vector3;
 use suspension_core::body::angular_velocity;
+use suspension_core::listing::{Kind, Part, Parts as _};
 use suspension_core::signal::Number as _;
 use suspension_core::wheel::{Carrier, contact};
-use suspension_core::{Corner, Kind, Part, Parts as _, Signal, Values};
+use suspension_core::{Corner, Signal, Values};
 use suspension_runtime::{Listing, Model};
 
 /// Room for the unknowns of all these listings.

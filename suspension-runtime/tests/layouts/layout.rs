@@ -4,8 +4,9 @@ use std::collections::HashMap;
 
 use nalgebra::Vector3;
 use suspension_core::linkages::LISTINGS;
+use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::wheel::Wheel;
-use suspension_core::{Kind, Part, Parts, Signal, Values};
+use suspension_core::{Signal, Values};
 use suspension_runtime::Listing;
 
 /// How far a point may be from where geometry wants it, m.

@@ -1,7 +1,8 @@
 //! What is the same to the bit.
 
 use nalgebra::Vector3;
-use suspension_core::{Kind, Part, Parts, Real, Signal, Values};
+use suspension_core::listing::{Kind, Part, Parts};
+use suspension_core::{Real, Signal, Values};
 
 /// A number that has bits.
 pub(crate) trait Number: Real + std::fmt::LowerExp {

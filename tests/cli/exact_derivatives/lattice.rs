@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, HashMap};
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::{Factors as _, Listing as _};
-use suspension_core::{DriveKind, Kind, Linkage, Part, Parts, Signal, Values};
+use suspension_core::listing::{DriveKind, Kind, Part, Parts};
+use suspension_core::{Linkage, Signal, Values};
 use suspension_double_double::DoubleDouble;
 use suspension_runtime::{Fitted, Model, Room, Size};
 

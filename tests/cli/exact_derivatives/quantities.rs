@@ -1,12 +1,13 @@
 //! Quantities of points and velocities in 32 digits, under their names in tables.
 
 use nalgebra::Vector3;
+use suspension_core::Values;
+use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::signal::Number as _;
 use suspension_core::wheel::{
     Carrier, Heading, SteeringAxis, Turn, camber, camber_to_ground, caster, contact, kingpin_angle,
     steer_angle, toe,
 };
-use suspension_core::{Kind, Part, Parts, Values};
 use suspension_double_double::DoubleDouble as Number;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Quantity, System};

@@ -3,9 +3,8 @@
 
 use libfuzzer_sys::fuzz_target;
 use nalgebra::Vector3;
-use suspension_core::{
-    Bounded, Build, Inputs, Kind, Linkage, Motion, Parts, Signal, Tracker, Values,
-};
+use suspension_core::listing::{Kind, Parts};
+use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Signal, Tracker, Values};
 use suspension_runtime::{Fitted, Listing, Mistakes, Model, Room, Size, Work};
 
 /// Steps of each kind.

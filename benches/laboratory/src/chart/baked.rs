@@ -2,7 +2,8 @@
 
 use nalgebra::SVector;
 use suspension_core::baked::{Curve, Split};
-use suspension_core::{Kind, Real, Signal, Values};
+use suspension_core::listing::Kind;
+use suspension_core::{Real, Signal, Values};
 
 use super::course::{Course, Given, cast};
 use super::formulation::{first_drive, to_f64};

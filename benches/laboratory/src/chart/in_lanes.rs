@@ -5,7 +5,8 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use hdrhistogram::Histogram;
-use suspension_core::{Listing, Motion, Outputs, Signal};
+use suspension_core::bounded::Outputs;
+use suspension_core::{Listing, Motion, Signal};
 
 use super::course::{Course, cast_drives};
 use super::formulation::to_f64;

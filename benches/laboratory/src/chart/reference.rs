@@ -1,9 +1,10 @@
 //! The motion to about 30 digits, that errors are measured against.
 
 use nalgebra::SVector;
+use suspension_core::listing::DriveKind;
 use suspension_core::lu::Lu;
 use suspension_core::motion::Prescribed;
-use suspension_core::{DriveKind, Inputs, Linkage, Motion, Signal, SolveError, Tracker, Values};
+use suspension_core::{Inputs, Linkage, Motion, Signal, SolveError, Tracker, Values};
 
 use super::course::{Course, Given, cast_drives};
 use super::method::Coordinates;

@@ -2,7 +2,8 @@
 
 use nalgebra::SVector;
 use suspension_core::bounded::Bounded;
-use suspension_core::{Inputs, Linkage, Motion, Real, Still, Tolerance, Tracker, Values};
+use suspension_core::tolerance::Tolerance;
+use suspension_core::{Inputs, Linkage, Motion, Real, Still, Tracker, Values};
 
 use super::course::{Given, cast_drives};
 use super::formulation::to_f64;

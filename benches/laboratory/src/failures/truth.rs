@@ -2,10 +2,10 @@
 
 use nalgebra::SVector;
 use suspension_core::motion::Prescribed;
-use suspension_core::{Inputs, Linkage, Motion, Real, Still, Stopped};
+use suspension_core::stepper::Stopped;
+use suspension_core::{Inputs, Linkage, Motion, Real, Still};
 
-use suspension::mechanism::DriveLaws;
-use suspension::mechanism::{Suspension, follow};
+use suspension::mechanism::{DriveLaws, Suspension, follow};
 
 /// Instants at which the motion is kept.
 const KEPT: usize = 4096;

@@ -1,7 +1,8 @@
 //! Turning points of the first drive.
 
+use suspension_core::listing::{DriveKind, Parts};
 use suspension_core::path::{Continuation, Curve};
-use suspension_core::{DriveKind, Motion, Newton, Parts, Real, Values};
+use suspension_core::{Motion, Newton, Real, Values};
 
 use super::trial::Trial;
 use super::truth::Truth;

@@ -1,7 +1,8 @@
 //! The exact motion as a function of two drives.
 
 use nalgebra::Vector3;
-use suspension_core::{Linkage, Motion, Stopped, Values};
+use suspension_core::stepper::Stopped;
+use suspension_core::{Linkage, Motion, Values};
 
 use crate::bake::driven::Driven;
 use crate::bake::surface::wanted::{UnmetSurface, WantedSurface};

@@ -1,7 +1,8 @@
 //! The geometry of a five-link suspension, for formulations that are not generated.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::{Build, DriveKind, Kind, Real, Signal, Values};
+use suspension_core::listing::{DriveKind, Kind};
+use suspension_core::{Build, Real, Signal, Values};
 
 use suspension_double_double::DoubleDouble;
 

@@ -1,10 +1,10 @@
 //! Proofs of roots, and what makes them.
 
+use suspension_core::certificate::{Certificate, Certifier};
+use suspension_core::chassis::RigidMotion;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{
-    Certificate, Certifier, ChassisMotion, Inputs, Linkage, Listing, Motion, Real, RigidMotion,
-    Signal, Still,
-};
+use suspension_core::signal::ChassisMotion;
+use suspension_core::{Inputs, Linkage, Listing, Motion, Real, Signal, Still};
 
 /// The certifier of a model.
 fn make<T, L>(linkage: &L, certifier: &mut Certifier<L, 15>)

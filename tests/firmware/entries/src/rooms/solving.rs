@@ -1,10 +1,12 @@
 //! The solving path. All settings come from outside, so that no branch is folded away.
 
+use suspension_core::chassis::RigidMotion;
+use suspension_core::linkage::{HasKingpin, HasWheel};
 use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::signal::ChassisMotion;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
-    ChassisMotion, HasKingpin, HasWheel, Inputs, Linkage, Motion, Newton, Real, RigidMotion,
-    Signal, Still, Tangent, Tracker, Values,
+    Inputs, Linkage, Motion, Newton, Real, Signal, Still, Tangent, Tracker, Values,
 };
 
 /// Value, rate and second rate of the drive.
