@@ -9,6 +9,7 @@ use crate::newton::Newton;
 use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::{Inputs, Signal, Still};
+use crate::statics::Statics;
 use crate::substeps::Stopped;
 use crate::tracker::Tracker;
 use crate::values::Values;
@@ -208,6 +209,16 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
             measures: self.model.measures(&points),
             points,
         })
+    }
+
+    /// The corner as it stands, at rest, ready to be loaded with forces.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Singular`] where the drives lock.
+    pub fn statics(&self) -> Result<Statics<'_, L, N>, Failure<SolveError<T>, L::Listing>> {
+        let statics = Statics::new(&self.model, self.drives.value, &self.motion.position);
+        statics.map_err(|error| error.named(self.model.listing()))
     }
 
     /// Positions, velocities and accelerations of all points, by name.

@@ -83,6 +83,7 @@ pub mod report;
 pub mod scalar;
 pub mod series;
 pub mod signal;
+pub mod statics;
 pub mod stepper;
 mod substeps;
 pub mod tolerance;

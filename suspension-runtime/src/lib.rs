@@ -57,6 +57,7 @@ mod rates;
 mod readout;
 mod site;
 mod size;
+mod statement;
 mod table;
 
 pub use catalogue_and_files::CatalogueAndFiles;
@@ -66,6 +67,7 @@ pub use hardpoints::ModelError;
 pub use listing::Listing;
 pub use model::Model;
 pub use size::{Room, Size};
+pub use statement::Statement;
 pub use suspension_listing::include_source::{IncludeSource, Wanted};
 pub use suspension_listing::text::{Mistake, Mistakes};
 pub use table::{Masked, Table, Value};

@@ -160,7 +160,7 @@ impl Listing {
         places.collect()
     }
 
-    fn place_of(&self, site: &Site) -> usize {
+    pub(crate) fn place_of(&self, site: &Site) -> usize {
         let before = if site.is_free() {
             self.system.fixed.len()
         } else {

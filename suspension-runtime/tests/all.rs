@@ -6,6 +6,7 @@ mod layouts;
 mod pivots;
 mod pose;
 mod random;
+mod statics;
 mod symmetric;
 mod twins;
 mod walked;

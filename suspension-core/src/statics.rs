@@ -1,0 +1,214 @@
+//! Forces: what they do to the drives, and what each equation takes of them.
+//!
+//! Forces at the points do the work `f . dq` in a small motion of the unknowns. The equations hold them: with the
+//! multipliers `m` of `J^T m = f` an equation acts on the unknowns with `-m dF/dq`, on the chassis points with
+//! `-m dF/dc`, and the forces do the work `-m dF/du` per unit of a drive (virtual work). One factorisation serves all
+//! loads of a position, and a load takes one transposed back-substitution.
+
+use core::ops::Range;
+
+use nalgebra::{Matrix3, SVector, Vector3};
+
+use crate::error::SolveError;
+use crate::factored::Factored;
+use crate::linkage::Linkage;
+use crate::listing::{Kind, Parts};
+use crate::magnitude::magnitude;
+use crate::motion::Prescribed;
+use crate::scalar::Real;
+use crate::signal::{Inputs, Signal};
+use crate::values::Values;
+
+/// A linkage in one configuration with its factored Jacobian, ready to be loaded. The chassis rests.
+///
+/// ```
+/// use suspension_core::linkages::double_wishbone_pushrod::{Corner, Points};
+/// use suspension_core::nalgebra::Vector3;
+///
+/// let corner: Corner = Corner::design()?;
+/// let statics = corner.statics()?;
+/// let mut forces = Points::default();
+/// forces.wheel_centre = Vector3::new(0.0, 0.0, 4000.0); // N at the wheel centre, upwards
+/// let loads = statics.under(&forces)?;
+/// let on_bump = loads.on_drives().bump; // what holds the wheel where it is must bear it
+/// assert!((on_bump - 4000.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Statics<'a, L: Linkage<N>, const N: usize> {
+    linkage: &'a L,
+    prescribed: Prescribed<L::Fixed, L::Drives>,
+    drives: L::Drives,
+    position: SVector<L::Scalar, N>,
+    factored: Factored<L::Factors, L::Scalar, N>,
+}
+
+impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
+    /// Factors the Jacobian at a position that solves the linkage for these values of the drives.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tangent::new`](crate::Tangent::new): near a singularity forces have no bound.
+    pub fn new(
+        linkage: &'a L,
+        drives: L::Drives,
+        position: &SVector<T, N>,
+    ) -> Result<Self, SolveError<T>> {
+        let prescribed = Prescribed::new(linkage, &Inputs::still(Signal::still(drives)));
+        Ok(Self {
+            linkage,
+            drives,
+            position: *position,
+            factored: Factored::new(linkage, position, &prescribed.fixed.value)?,
+            prescribed,
+        })
+    }
+
+    /// Loads the linkage with a force at each of its free points, in the axes of the hardpoints. Those at chassis points
+    /// go into the chassis and load nothing else; one at a marker, or at any other place of a body, is
+    /// [`spread`] over three points of that body.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Overflow`] where a force is not finite, or what it makes of one.
+    pub fn under(&self, forces: &L::Points) -> Result<Loads<'_, L, N>, SolveError<T>> {
+        let mut on_unknowns = SVector::from([T::zero(); N]);
+        let [entries] = &mut on_unknowns.data.0;
+        let (entries, _) = entries.as_chunks_mut();
+        let free = forces.values().skip(self.linkage.count(Kind::ChassisPoint));
+        let free = free.take(self.linkage.count(Kind::FreePoint));
+        for ([x, y, z], force) in entries.iter_mut().zip(free) {
+            (*x, *y, *z) = (force.x, force.y, force.z);
+        }
+        let multipliers = self.factored.factors().solve_transposed(&on_unknowns);
+        magnitude(&multipliers).map_err(SolveError::overflow)?;
+        Ok(Loads {
+            statics: self,
+            multipliers,
+        })
+    }
+}
+
+/// A linkage under forces.
+#[derive(Clone, Copy)]
+pub struct Loads<'a, L: Linkage<N>, const N: usize> {
+    statics: &'a Statics<'a, L, N>,
+    multipliers: SVector<L::Scalar, N>,
+}
+
+impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'_, L, N> {
+    /// The multiplier of each equation.
+    pub fn multipliers(&self) -> &SVector<T, N> {
+        &self.multipliers
+    }
+
+    /// The work of the forces per unit of each drive: a force along a drive that is a length, a moment about one that is
+    /// an angle. What moves the drive bears it.
+    pub fn on_drives(&self) -> L::Drives {
+        let Statics {
+            linkage, drives, ..
+        } = self.statics;
+        let count = drives.values().count();
+        L::Drives::from_values((0..count).map(|drive| {
+            let rate = L::Drives::default().with(drive, T::one());
+            let signal = Signal {
+                rate,
+                ..Signal::still(*drives)
+            };
+            let Prescribed { fixed, drives } = Prescribed::new(*linkage, &Inputs::still(signal));
+            let position = &self.statics.position;
+            let terms = linkage.drive_rate(position, &fixed.value, &fixed.rate, &drives.rate);
+            self.work(&terms, 0..N)
+        }))
+    }
+
+    /// The forces that some equations, those of one statement say, exert on chassis points and free points; zero at
+    /// markers.
+    pub fn by(&self, equations: Range<usize>) -> L::Points {
+        let Statics {
+            linkage,
+            prescribed,
+            position,
+            ..
+        } = self.statics;
+        let chassis = linkage.count(Kind::ChassisPoint);
+        let jacobian = linkage.jacobian(position, &prescribed.fixed.value);
+        let on_unknown = |column: usize| -> Option<T> {
+            Some(-self.work(&column_of(&jacobian, column)?, equations.clone()))
+        };
+        let free = (0..linkage.count(Kind::FreePoint)).map(|point| {
+            let [x, y, z] = [0, 1, 2].map(|axis| on_unknown(3 * point + axis).unwrap_or(T::zero()));
+            Vector3::new(x, y, z)
+        });
+        let each = (0..chassis).map(|point| self.on_chassis_point(point, equations.clone()));
+        L::Points::from_values(each.chain(free))
+    }
+
+    fn on_chassis_point(&self, point: usize, equations: Range<usize>) -> Vector3<T> {
+        let Statics {
+            linkage,
+            prescribed,
+            position,
+            ..
+        } = self.statics;
+        let fixed = &prescribed.fixed.value;
+        Vector3::from([Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| {
+            let rate = L::Fixed::default().with(point, axis);
+            let driven = linkage.drive_rate(position, fixed, &rate, &L::Drives::default());
+            let undriven = linkage.chassis_rate(position, fixed, &rate);
+            self.work(&driven, equations.clone()) + self.work(&undriven, equations.clone())
+        }))
+    }
+
+    /// The multipliers of some equations times terms of these.
+    fn work(&self, terms: &SVector<T, N>, equations: Range<usize>) -> T {
+        let pairs = self.multipliers.iter().zip(terms.iter()).enumerate();
+        let those = pairs.filter(|(equation, _)| equations.contains(equation));
+        those.fold(T::zero(), |sum, (_, (multiplier, term))| {
+            sum + *multiplier * *term
+        })
+    }
+}
+
+fn column_of<T: Real, const N: usize>(
+    matrix: &nalgebra::SMatrix<T, N, N>,
+    column: usize,
+) -> Option<SVector<T, N>> {
+    matrix
+        .data
+        .0
+        .get(column)
+        .map(|column| SVector::from(*column))
+}
+
+/// Three forces at three points of a rigid body that are together as one force at a place of it with a moment:
+/// `f_i = F / 3 + (I^-1 M) x r_i`, `r_i` from the middle of the points, `M` the moment about that, and `I` the inertia of
+/// unit masses at the points. Not finite where the points are in line.
+pub fn spread<T: Real>(
+    points: [Vector3<T>; 3],
+    force: Vector3<T>,
+    place: Vector3<T>,
+    moment: Vector3<T>,
+) -> [Vector3<T>; 3] {
+    let third = T::one() / T::constant(3.0);
+    let [a, b, c] = points;
+    let middle = (a + b + c) * third;
+    let from_middle = points.map(|point| point - middle);
+    let inertia = from_middle.iter().fold(Matrix3::zeros(), |sum, r| {
+        sum + Matrix3::from_diagonal_element(r.dot(r)) - r * r.transpose()
+    });
+    let moment = moment + (place - middle).cross(&force);
+    let turning = inverse_times(&inertia, &moment);
+    from_middle.map(|r| force * third + turning.cross(&r))
+}
+
+/// `A^-1 b` by Cramer's rule.
+fn inverse_times<T: Real>(matrix: &Matrix3<T>, right: &Vector3<T>) -> Vector3<T> {
+    let [a, b, c] = [0, 1, 2].map(|column| Vector3::from(matrix.column(column)));
+    let determinant = a.dot(&b.cross(&c));
+    Vector3::new(
+        right.dot(&b.cross(&c)),
+        a.dot(&right.cross(&c)),
+        a.dot(&b.cross(right)),
+    ) / determinant
+}

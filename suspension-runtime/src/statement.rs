@@ -1,0 +1,81 @@
+//! The statements of a listing that have equations.
+
+use std::ops::Range;
+
+use suspension_listing::system::{Equation, Site};
+
+use crate::listing::Listing;
+
+/// A statement, and what of the model it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Statement<'l> {
+    /// Its name.
+    pub name: &'l str,
+    /// What the name stands for: `link`, `body`, `hinge`, ...
+    pub kind: String,
+    /// Its equations by number, in runs that are not interrupted by those of others.
+    pub equations: Vec<Range<usize>>,
+    /// The chassis points and free points that they join, by their places among all.
+    pub points: Vec<usize>,
+}
+
+impl Listing {
+    /// The statements that have equations, in the order of these.
+    pub fn statements(&self) -> Vec<Statement<'_>> {
+        let mut statements: Vec<Statement<'_>> = Vec::new();
+        let mut first = 0;
+        for equation in &self.system().equations {
+            let rows = first..first + equation.form.equations().rows();
+            first = rows.end;
+            let name = equation.origin.statement.as_str();
+            let at = match statements.iter().position(|other| other.name == name) {
+                Some(at) => at,
+                None => {
+                    statements.push(Statement::new(equation));
+                    statements.len() - 1
+                }
+            };
+            if let Some(statement) = statements.get_mut(at) {
+                statement.add(rows);
+                let sites = equation.form.equations().sites().into_iter();
+                statement.join(sites.map(|site| self.place_of(site)));
+            }
+        }
+        statements
+    }
+
+    /// Each marker, by its place among all points, with three points of the body that carries it.
+    pub fn carriers(&self) -> Vec<(usize, [usize; 3])> {
+        let system = self.system();
+        let before = system.fixed.len() + system.free.len();
+        let frames = system.markers.iter().map(|marker| marker.frame.each_ref());
+        let places = frames.map(|frame| frame.map(|site: &Site| self.place_of(site)));
+        (before..).zip(places).collect()
+    }
+}
+
+impl<'l> Statement<'l> {
+    fn new(equation: &'l Equation) -> Self {
+        Self {
+            name: equation.origin.statement.as_str(),
+            kind: equation.origin.kind.to_string(),
+            equations: Vec::new(),
+            points: Vec::new(),
+        }
+    }
+
+    fn add(&mut self, rows: Range<usize>) {
+        match self.equations.last_mut() {
+            Some(last) if last.end == rows.start => last.end = rows.end,
+            _ => self.equations.push(rows),
+        }
+    }
+
+    fn join(&mut self, points: impl Iterator<Item = usize>) {
+        for point in points {
+            if !self.points.contains(&point) {
+                self.points.push(point);
+            }
+        }
+    }
+}

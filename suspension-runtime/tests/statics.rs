@@ -1,0 +1,252 @@
+//! Forces in every layout of the catalogue, against what does not know multipliers: virtual work, and the equilibrium of
+//! each part as a free body. A statically determinate mechanism has no other solution.
+
+use fastrand::Rng;
+use nalgebra::{SVector, Vector3};
+use suspension_core::directions::Directions;
+use suspension_core::linkages::LISTINGS;
+use suspension_core::listing::{Kind, Part, Parts};
+use suspension_core::statics::{Loads, Statics, spread};
+use suspension_core::{Build, Inputs, Linkage, Signal, Tracker, Values};
+use suspension_runtime::{Fitted, Listing, Model, Room, Size, Statement, Work};
+
+use crate::back_ends::hardpoints;
+
+/// A listing under random forces.
+struct Loaded<'a> {
+    listing: &'a Listing,
+    name: &'static str,
+}
+
+impl Work for Loaded<'_> {
+    type Answer = ();
+
+    fn on<const N: usize>(self, fitted: Fitted<'_, N>)
+    where
+        Room<N>: Size,
+    {
+        let mut rng = Rng::with_seed(13);
+        let design = Values::from_values(hardpoints(self.listing, &mut rng));
+        let model = Model::<f64, N>::of(fitted, &design).expect("a model");
+        for case in 0..8 {
+            let (q, drives) = moved(&model, &design, &mut rng);
+            Case {
+                listing: self.listing,
+                name: format!("{}, case {case} of seed 13", self.name),
+                model: &model,
+                q,
+                drives,
+            }
+            .check(&mut rng);
+        }
+    }
+}
+
+/// A place that the drives lead to, up to 20 mm or 0.02 rad from the design; listings without positions stay there.
+fn moved<const N: usize>(
+    model: &Model<'_, f64, N>,
+    design: &<Model<'_, f64, N> as Linkage<N>>::Points,
+    rng: &mut Rng,
+) -> (
+    SVector<f64, N>,
+    <Model<'static, f64, N> as Linkage<N>>::Drives,
+)
+where
+    Room<N>: Size,
+{
+    let start = model.drives_at(design);
+    let count = model.count(Kind::Drive);
+    let most = if model.listing().listing().design().is_some() {
+        0.02
+    } else {
+        0.0
+    };
+    let changes: Vec<f64> = (0..count).map(|_| most * (2.0 * rng.f64() - 1.0)).collect();
+    let change = Values::from_values(changes);
+    let mut motion = suspension_core::Motion::at_rest(model.unknowns(design));
+    let inputs = |time: f64| Inputs::still(Signal::line(start, change, time));
+    let advanced = Tracker::default().advance(model, inputs, 0.0, 1.0, &mut motion);
+    advanced.expect("within reach");
+    (motion.position, inputs(1.0).drives.value)
+}
+
+struct Case<'a, 'l, const N: usize>
+where
+    Room<N>: Size,
+{
+    listing: &'a Listing,
+    name: String,
+    model: &'a Model<'l, f64, N>,
+    q: SVector<f64, N>,
+    drives: <Model<'l, f64, N> as Linkage<N>>::Drives,
+}
+
+fn random(rng: &mut Rng) -> Vector3<f64> {
+    Vector3::from_fn(|_, _| 2000.0 * (2.0 * rng.f64() - 1.0))
+}
+
+impl<const N: usize> Case<'_, '_, N>
+where
+    Room<N>: Size,
+{
+    fn check(&self, rng: &mut Rng) {
+        let count = self.model.count(Kind::ChassisPoint) + self.model.count(Kind::FreePoint);
+        let points = self.points();
+        let mut forces: Vec<Vector3<f64>> = points.iter().map(|_| random(rng)).collect();
+        let directly = forces.clone();
+        for (marker, carriers) in self.listing.carriers() {
+            let force = forces[marker];
+            let at = carriers.map(|point| points[point]);
+            let parts = spread(at, force, points[marker], Vector3::zeros());
+            for (point, part) in carriers.into_iter().zip(parts) {
+                forces[point] += part;
+            }
+        }
+        let statics = Statics::new(self.model, self.drives, &self.q).expect("not singular");
+        let loads = statics.under(&Values::from_values(forces.iter().copied()));
+        let loads = loads.expect("finite");
+        self.virtual_work(&directly, &loads);
+        self.free_bodies(&points, &forces[..count], &loads);
+    }
+
+    fn points(&self) -> Vec<Vector3<f64>> {
+        let inputs: Inputs<suspension_core::Still, _> = Inputs::still(Signal::still(self.drives));
+        let motion = suspension_core::Motion::at_rest(self.q);
+        let points = motion.points(self.model, &inputs).value;
+        let count =
+            [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker].map(|kind| self.model.count(kind));
+        points.values().take(count.into_iter().sum()).collect()
+    }
+
+    /// What loads do to a drive is the work of the forces where the drive moves, forces at chassis points that it moves
+    /// left out.
+    fn virtual_work(&self, forces: &[Vector3<f64>], loads: &Loads<'_, Model<'_, f64, N>, N>) {
+        let directions = Directions::new(self.model, self.drives, &self.q).expect("not singular");
+        let chassis = self.model.count(Kind::ChassisPoint);
+        for (drive, found) in loads
+            .on_drives()
+            .values()
+            .take(self.model.count(Kind::Drive))
+            .enumerate()
+        {
+            let change = <Model<'_, f64, N> as Linkage<N>>::Drives::default().with(drive, 1.0);
+            let points = directions.points(change).expect("finite").rate;
+            let works = points
+                .values()
+                .zip(forces)
+                .skip(chassis)
+                .map(|(rate, force)| rate.dot(force));
+            let works: Vec<f64> = works.collect();
+            let size: f64 = works.iter().map(|work| work.abs()).sum();
+            let off = (works.iter().sum::<f64>() - found).abs();
+            assert!(
+                off <= 1e-12 * size,
+                "{}: drive {drive}: off by {off:e} of {size}",
+                self.name
+            );
+        }
+    }
+
+    /// Each statement holds itself, and all together each free point.
+    fn free_bodies(
+        &self,
+        points: &[Vector3<f64>],
+        forces: &[Vector3<f64>],
+        loads: &Loads<'_, Model<'_, f64, N>, N>,
+    ) {
+        let chassis = self.model.count(Kind::ChassisPoint);
+        let size: f64 = forces.iter().map(Vector3::norm).sum();
+        let mut on_points = forces.to_vec();
+        for statement in self.listing.statements() {
+            let by = by(&statement, loads);
+            if ["link", "body", "hinge"].contains(&&*statement.kind) {
+                let force: Vector3<f64> = by.iter().sum();
+                let moments = by.iter().zip(points).map(|(force, at)| at.cross(force));
+                let moment: Vector3<f64> = moments.sum();
+                let (name, equation) = (&self.name, statement.name);
+                let largest = by.iter().map(Vector3::norm).fold(size, f64::max);
+                assert!(
+                    force.norm() <= 1e-10 * largest,
+                    "{name}: {equation}: {force}"
+                );
+                assert!(
+                    moment.norm() <= 1e-10 * largest,
+                    "{name}: {equation}: {moment}"
+                );
+            }
+            let elsewhere = (0..by.len()).filter(|point| !statement.points.contains(point));
+            for point in elsewhere {
+                assert_eq!(
+                    by[point],
+                    Vector3::zeros(),
+                    "{}: {}",
+                    self.name,
+                    statement.name
+                );
+            }
+            for (sum, force) in on_points.iter_mut().zip(&by) {
+                *sum += force;
+            }
+        }
+        for (point, left) in on_points.iter().enumerate().skip(chassis) {
+            let point = self.model.name(Part::Point(point));
+            let largest = loads.multipliers().amax().max(size);
+            assert!(
+                left.norm() <= 1e-10 * largest,
+                "{}: point {point}: {left}",
+                self.name
+            );
+        }
+    }
+}
+
+/// The forces of a statement on all points.
+fn by<const N: usize>(
+    statement: &Statement<'_>,
+    loads: &Loads<'_, Model<'_, f64, N>, N>,
+) -> Vec<Vector3<f64>>
+where
+    Room<N>: Size,
+{
+    let mut sum: Vec<Vector3<f64>> = Vec::new();
+    for equations in &statement.equations {
+        let part: Vec<Vector3<f64>> = loads.by(equations.clone()).values().collect();
+        sum.resize(part.len(), Vector3::zeros());
+        for (sum, part) in sum.iter_mut().zip(part) {
+            *sum += part;
+        }
+    }
+    sum
+}
+
+#[test]
+fn drives_bear_the_work_of_forces_and_every_part_is_in_equilibrium() {
+    for (name, text) in LISTINGS {
+        let listing = Listing::parse(text).expect("a listing of the catalogue");
+        let work = Loaded {
+            listing: &listing,
+            name,
+        };
+        listing.in_its_size(work);
+    }
+}
+
+#[test]
+fn three_forces_are_together_as_one_with_a_moment() {
+    let mut rng = Rng::with_seed(7);
+    for _ in 0..100 {
+        let points = [(); 3].map(|()| random(&mut rng) / 4000.0);
+        let [force, place, moment] = [
+            random(&mut rng),
+            random(&mut rng) / 4000.0,
+            random(&mut rng),
+        ];
+        let parts = spread(points, force, place, moment);
+        let sum: Vector3<f64> = parts.iter().sum();
+        let moments = parts.iter().zip(points).map(|(part, at)| at.cross(part));
+        let turning: Vector3<f64> = moments.sum();
+        let largest = parts.iter().map(Vector3::norm).fold(1.0, f64::max);
+        assert!((sum - force).norm() <= 1e-13 * largest);
+        assert!((turning - place.cross(&force) - moment).norm() <= 1e-12 * largest);
+    }
+}
