@@ -6,8 +6,8 @@ use std::sync::atomic::AtomicBool;
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    assemblies, bake, check, compare, draw, import, list, motion, published, range, sheet, sweep,
-    tables,
+    assemblies, bake, check, compare, draw, import, list, loads, motion, published, range, sheet,
+    sweep, tables,
 };
 use crate::failure::Failure;
 use crate::interrupt;
@@ -61,6 +61,10 @@ pub enum Command {
     ///
     /// Of each its name, what it is, its drives and its measures.
     List(list::Arguments),
+    /// Prints the forces in a file's mechanism under its load cases.
+    ///
+    /// What drives bear, tension of links, forces at the joints of bodies; with --drive over a grid.
+    Loads(loads::Arguments),
     /// Finds how far each drive of a file leads the mechanism, and what ends its range.
     ///
     /// Follows the whole curve of configurations, also where the drive cannot lead.
@@ -96,6 +100,7 @@ impl Options {
             Some(Command::Draw(arguments)) => arguments.run(),
             Some(Command::Import(arguments)) => arguments.run(),
             Some(Command::List(arguments)) => arguments.run(),
+            Some(Command::Loads(arguments)) => arguments.run(interrupted),
             Some(Command::Range(arguments)) => arguments.run(interrupted),
             Some(Command::Sheet(arguments)) => arguments.run(interrupted),
             Some(Command::Sweep(arguments)) => arguments.run(interrupted),

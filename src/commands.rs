@@ -7,6 +7,7 @@ pub mod compare;
 pub mod draw;
 pub mod import;
 pub mod list;
+pub mod loads;
 pub mod motion;
 pub mod published;
 pub mod range;

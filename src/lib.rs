@@ -9,10 +9,11 @@ struct Readme;
 
 pub mod cli;
 pub mod commands;
+pub mod grid;
 pub mod layouts;
 pub mod output;
 
 pub use suspension_mechanism::{
-    assemblies, bake, characteristics, detail, failure, file, interrupt, kinematics, load,
+    assemblies, bake, characteristics, detail, failure, file, interrupt, kinematics, load, loads,
     mechanism, number, quantities, reach,
 };

@@ -1,6 +1,5 @@
 //! `suspension sweep`: all quantities, and their derivatives, on a grid of the drives.
 
-mod grid;
 mod table;
 
 use std::path::{Path, PathBuf};
@@ -10,6 +9,7 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::Order;
@@ -17,7 +17,6 @@ use crate::output::files::announce;
 use crate::output::progress::Progress;
 use crate::output::rows::Forms;
 use crate::output::target::Target;
-use grid::{Swept, grid};
 
 /// What `suspension sweep` is given.
 #[derive(Args, Clone, Debug)]

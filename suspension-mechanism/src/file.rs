@@ -3,6 +3,7 @@
 pub mod check;
 mod explain;
 mod leading;
+mod load;
 mod mark;
 mod motion_file;
 mod per_wheel;
@@ -10,6 +11,7 @@ mod source;
 
 pub use explain::{is_listing, is_motion};
 pub use leading::{StandIn, stand_in};
+pub use load::{Load, Wrench};
 pub use motion_file::{Coefficients, MotionFile, Offset, Position, Table, Time, VehicleTable};
 pub use per_wheel::PerWheel;
 pub use source::Source;

@@ -1,5 +1,6 @@
 //! From a motion file to a mechanism in the configuration of the first instant.
 
+mod cases;
 mod design;
 mod included;
 mod led;

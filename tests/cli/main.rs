@@ -16,6 +16,7 @@ mod import;
 mod json;
 mod led;
 mod list;
+mod loads;
 mod newcomer;
 mod notes;
 mod plots;

@@ -12,6 +12,7 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::explain::explained;
+use crate::file::load::Load;
 use crate::file::per_wheel::PerWheel;
 use crate::file::source::Source;
 use crate::mechanism::{Axes, Axle, Unit};
@@ -44,6 +45,8 @@ pub struct MotionFile {
     pub design: Option<Table<f64>>,
     /// What the listing does not say of the vehicle.
     pub vehicle: Option<VehicleTable>,
+    /// Load cases by name, each with what acts where.
+    pub loads: Option<Table<BTreeMap<Spanned<String>, Spanned<Load>>>>,
     /// The instants.
     pub time: Spanned<Time>,
     /// Each drive as a polynomial of time in seconds.

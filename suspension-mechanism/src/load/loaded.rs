@@ -5,8 +5,10 @@ use suspension_runtime::Listing;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, check};
 use crate::kinematics::Kinematics;
+use crate::load::cases::cases;
 use crate::load::listing::Chosen;
 use crate::load::prepare::{Request, Start, prepare};
+use crate::loads::Case;
 use crate::mechanism::{Axes, Description, Instants, Mechanism, Suspension, Unit};
 
 /// A motion file that was read. Its mechanism is prepared when it is asked for.
@@ -223,6 +225,15 @@ impl Loaded<'_> {
         let message =
             format!("`{measure}` is a measure; {command} needs a motion that drives lead");
         Err(self.source.refuse(&place, message))
+    }
+
+    /// The load cases of the file, in its order.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] with the place of what is no load of the mechanism.
+    pub fn load_cases(&self, mechanism: &Description) -> Result<Vec<Case>, Failure> {
+        cases(self.source, &self.file, self.listing(), mechanism)
     }
 
     fn noted(&self, to: Start) -> Result<Box<dyn Kinematics + '_>, Failure> {

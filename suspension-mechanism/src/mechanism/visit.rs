@@ -1,8 +1,10 @@
 //! From place to place of a grid, away from the start, so that a lock on one side loses no other.
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use suspension_core::{Inputs, Motion, Signal, Values};
+use nalgebra::Vector3;
+use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
 use crate::failure::Failure;
 use crate::mechanism::derivatives::{Around, Order};
@@ -10,6 +12,7 @@ use crate::mechanism::grid::Grid;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::State;
+use crate::mechanism::under::Borne;
 use crate::mechanism::words::advice;
 
 /// What was read at the places of a grid.
@@ -57,6 +60,13 @@ pub trait Place {
 
     /// The state with derivatives with respect to a drive; `None` where the mechanism locks.
     fn per(&self, drive: usize) -> Option<State>;
+
+    /// What forces at chassis points and free points do, and groups of equations to the points; `None` where the
+    /// mechanism locks.
+    fn under(&self, forces: &[Vector3<f64>], groups: &[Vec<Range<usize>>]) -> Option<Borne>;
+
+    /// The derivative of a measure with respect to each point.
+    fn gradient(&self, measure: usize) -> Vec<Vector3<f64>>;
 }
 
 /// Takes a place, by number.
@@ -207,19 +217,20 @@ struct Here<'a, L: Suspension<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
 }
 
+impl<L: Suspension<N>, const N: usize> Here<'_, L, N> {
+    fn points(&self) -> L::Points {
+        let inputs: Inputs<Still, _> = Inputs::still(Signal::still(self.drives));
+        let motion = Motion::at_rest(self.reached.motion.position);
+        motion.points(&self.mechanism.model, &inputs).value
+    }
+}
+
 impl<L: Suspension<N>, const N: usize> Place for Here<'_, L, N> {
     fn state(&self) -> State {
-        let Self {
-            around,
-            drives,
-            reached,
-            mechanism,
-        } = self;
-        let inputs = Inputs::still(Signal::still(*drives));
-        let points = Motion::at_rest(reached.motion.position).points(&mechanism.model, &inputs);
-        around.with_velocities(State {
-            residual: reached.residual,
-            ..mechanism.at_rest(0.0, drives, points.value)
+        let at_rest = self.mechanism.at_rest(0.0, &self.drives, self.points());
+        self.around.with_velocities(State {
+            residual: self.reached.residual,
+            ..at_rest
         })
     }
 
@@ -228,5 +239,14 @@ impl<L: Suspension<N>, const N: usize> Place for Here<'_, L, N> {
             residual: self.reached.residual,
             ..self.around.per(drive)?
         })
+    }
+
+    fn under(&self, forces: &[Vector3<f64>], groups: &[Vec<Range<usize>>]) -> Option<Borne> {
+        let place = (self.drives, &self.reached.motion.position);
+        self.mechanism.under(place, forces, groups)
+    }
+
+    fn gradient(&self, measure: usize) -> Vec<Vector3<f64>> {
+        self.mechanism.gradient(&self.points(), measure)
     }
 }

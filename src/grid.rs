@@ -1,4 +1,4 @@
-//! The grid that options ask for.
+//! The grid of drives that options ask for.
 
 use std::str::FromStr;
 
@@ -6,7 +6,7 @@ use crate::mechanism::{Axis, Description, From, Grid, evenly_spaced};
 
 /// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Swept {
+pub struct Swept {
     name: String,
     from: f64,
     to: f64,
@@ -64,11 +64,11 @@ impl Swept {
 }
 
 /// The grid of drives that options name.
-pub(super) fn grid(
-    mechanism: &Description,
-    swept: &[Swept],
-    absolute: bool,
-) -> Result<Grid, String> {
+///
+/// # Errors
+///
+/// What is wrong with the options, in words.
+pub fn grid(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Grid, String> {
     let mut axes: Vec<Axis> = Vec::new();
     for of_one in swept {
         let mut drives = Vec::new();

@@ -1,0 +1,99 @@
+//! The table of loads: a row a place.
+
+use nalgebra::Vector3;
+
+use crate::commands::loads::report::{unit_in, unit_of};
+use crate::failure::Failure;
+use crate::kinematics::Kinematics;
+use crate::loads::{Case, Outcome, Structure};
+use crate::mechanism::State;
+use crate::output::heading::{Header, Heading};
+use crate::output::rows::{Forms, Rows};
+use crate::quantities::{self, DRIVES, Reader, catalogue};
+
+/// A place with what each case does there; `None` where the mechanism locks.
+pub(super) type Loaded = (State, Vec<Option<Outcome>>);
+
+/// Writes the drives and what each case does.
+pub(super) fn write(
+    mechanism: &dyn Kinematics,
+    (structure, cases): (&Structure<'_>, &[Case]),
+    places: &[Loaded],
+    forms: &Forms,
+) -> Result<(), Failure> {
+    let drives = quantities::columns(catalogue(), &mechanism.names).into_iter();
+    let drives: Vec<_> = drives.filter(|column| column.is(&DRIVES)).collect();
+    let shape = places
+        .iter()
+        .flat_map(|(_, outcomes)| outcomes.iter().flatten());
+    let Some(shape) = shape.clone().next() else {
+        return Ok(());
+    };
+    let names = cases
+        .iter()
+        .flat_map(|case| names(mechanism, structure, case, shape));
+    let of_drives = drives.iter().map(|column| column.csv_name(mechanism.unit));
+    let heading = |name| Heading {
+        name,
+        counts: false,
+    };
+    let headings: Vec<Heading> = of_drives.chain(names).map(heading).collect();
+    let mut file = Rows::create(forms, &Header::of(mechanism), &headings)?;
+    for (state, outcomes) in places {
+        let reader = Reader::of(state);
+        let mut row: Vec<f64> = drives
+            .iter()
+            .map(|column| column.read(&reader).value)
+            .collect();
+        for outcome in outcomes {
+            match outcome {
+                Some(outcome) => row.extend(numbers(outcome)),
+                None => row.extend(numbers(shape).map(|_| f64::NAN)),
+            }
+        }
+        file.add(&row)?;
+    }
+    file.finish()
+}
+
+/// The names of the columns of a case.
+fn names(
+    mechanism: &dyn Kinematics,
+    structure: &Structure<'_>,
+    case: &Case,
+    shape: &Outcome,
+) -> Vec<String> {
+    let (case, statements) = (&case.name, &structure.statements);
+    let drives = mechanism.names.drives.iter();
+    let drives = drives.map(|drive| {
+        let unit = unit_of(drive).replace(' ', "");
+        format!("{case}_{}_{unit}", drive.name)
+    });
+    let bearing = shape.in_measures.iter();
+    let bearing = bearing.map(|(measure, _)| {
+        let measure = &mechanism.names.measures[*measure];
+        format!(
+            "{case}_{}_{}",
+            measure.name,
+            unit_in(measure).replace(' ', "")
+        )
+    });
+    let links = shape.links.iter();
+    let links = links.map(|(statement, _)| format!("{case}_{}_N", statements[*statement].name));
+    let joints = shape.joints.iter().flat_map(|(statement, point, _)| {
+        let statement = statements[*statement].name;
+        let point = &mechanism.names.points[*point];
+        ["x", "y", "z"].map(|axis| format!("{case}_{statement}_{point}_{axis}_N"))
+    });
+    drives.chain(bearing).chain(links).chain(joints).collect()
+}
+
+fn numbers(outcome: &Outcome) -> impl Iterator<Item = f64> {
+    let drives = outcome.on_drives.iter().copied();
+    let bearing = outcome.in_measures.iter().map(|(_, along)| *along);
+    let links = outcome.links.iter().map(|(_, force)| *force);
+    let joints = outcome.joints.iter();
+    let joints =
+        joints.flat_map(|(_, _, force): &(usize, usize, Vector3<f64>)| [force.x, force.y, force.z]);
+    drives.chain(bearing).chain(links).chain(joints)
+}

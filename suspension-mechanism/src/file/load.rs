@@ -1,0 +1,88 @@
+//! A load of a load case.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{
+    self, MapAccess, SeqAccess, Visitor,
+    value::{MapAccessDeserializer, SeqAccessDeserializer},
+};
+
+/// What acts at a place or in a measure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Load {
+    /// What makes a measure larger: a force, N, or where the measure is an angle a moment, N m.
+    Along(f64),
+    /// At a place.
+    At(Wrench),
+    /// A drive bears nothing: the measure of this name does.
+    By(String),
+}
+
+/// A force and a moment, in the file's axes.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub struct Wrench {
+    /// N.
+    #[serde(default)]
+    pub force: [f64; 3],
+    /// N m.
+    #[serde(default)]
+    pub moment: [f64; 3],
+}
+
+impl Load {
+    /// All its numbers.
+    pub fn numbers(&self) -> Vec<f64> {
+        match self {
+            Self::Along(force) => vec![*force],
+            Self::At(Wrench { force, moment }) => [*force, *moment].concat(),
+            Self::By(_) => Vec::new(),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Load {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(LoadVisitor)
+    }
+}
+
+struct LoadVisitor;
+
+impl<'de> Visitor<'de> for LoadVisitor {
+    type Value = Load;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(
+            "a force [x, y, z] in N, { force = [x, y, z], moment = [x, y, z] }, a number for a measure, or for a drive \
+             the name of the measure that bears its load",
+        )
+    }
+
+    fn visit_f64<E: de::Error>(self, force: f64) -> Result<Load, E> {
+        Ok(Load::Along(force))
+    }
+
+    fn visit_i64<E: de::Error>(self, force: i64) -> Result<Load, E> {
+        Ok(Load::Along(force as f64))
+    }
+
+    fn visit_str<E: de::Error>(self, measure: &str) -> Result<Load, E> {
+        Ok(Load::By(measure.to_owned()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Load, A::Error> {
+        let force: Vec<f64> = Vec::deserialize(SeqAccessDeserializer::new(entries))?;
+        let wanted = || de::Error::invalid_length(force.len(), &"a force [x, y, z]");
+        let force = <[f64; 3]>::try_from(force.as_slice()).map_err(|_| wanted())?;
+        Ok(Load::At(Wrench {
+            force,
+            ..Wrench::default()
+        }))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Load, A::Error> {
+        Wrench::deserialize(MapAccessDeserializer::new(map)).map(Load::At)
+    }
+}

@@ -1,0 +1,175 @@
+//! The load cases of a motion file.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Vector3;
+use suspension_listing::did_you_mean::did_you_mean;
+use suspension_runtime::Listing;
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::{Load, MotionFile, Source, Wrench};
+use crate::loads::{Case, Site};
+use crate::mechanism::{Description, Wheel};
+
+/// Where a wheel touches the ground, in the names of loads.
+const CONTACT: &str = "contact";
+
+/// The load cases of a file, in its order.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first name that is no place of the mechanism, at a number that is not finite, and where
+/// a load cannot act.
+pub(super) fn cases(
+    source: &Source,
+    file: &MotionFile,
+    listing: &Listing,
+    mechanism: &Description,
+) -> Result<Vec<Case>, Failure> {
+    let Some(table) = &file.loads else {
+        return Ok(Vec::new());
+    };
+    let reader = Reader {
+        source,
+        listing,
+        mechanism,
+    };
+    let mut stated: Vec<_> = table.get_ref().iter().collect();
+    stated.sort_by_key(|(name, _)| name.span().start);
+    let cases = stated.into_iter();
+    cases
+        .map(|(name, loads)| reader.case(name, loads.get_ref()))
+        .collect()
+}
+
+/// What stands in the table of a case.
+type Loads = BTreeMap<Spanned<String>, Spanned<Load>>;
+
+struct Reader<'a> {
+    source: &'a Source,
+    listing: &'a Listing,
+    mechanism: &'a Description,
+}
+
+impl Reader<'_> {
+    fn case(&self, name: &Spanned<String>, loads: &Loads) -> Result<Case, Failure> {
+        let mut case = Case {
+            name: name.get_ref().clone(),
+            at: Vec::new(),
+            along: Vec::new(),
+            borne_by: Vec::new(),
+        };
+        for (place, load) in loads {
+            self.add(&mut case, place, load)?;
+        }
+        Ok(case)
+    }
+
+    fn add(
+        &self,
+        case: &mut Case,
+        place: &Spanned<String>,
+        load: &Spanned<Load>,
+    ) -> Result<(), Failure> {
+        let name = place.get_ref().as_str();
+        let refuse = |message: String| Err(self.source.refuse(&load.span(), message));
+        let mut numbers = load.get_ref().numbers().into_iter();
+        if numbers.any(|number| !number.is_finite()) {
+            return refuse(format!("load `{name}` is not finite"));
+        }
+        let named = |names: Vec<&str>, name: &str| names.iter().position(|each| *each == name);
+        let measure = |name: &str| named(self.mechanism.names.of_measures(), name);
+        let drive = named(self.mechanism.names.of_drives(), name);
+        match (load.get_ref(), measure(name)) {
+            (Load::Along(along), Some(measure)) => case.along.push((measure, *along)),
+            (Load::At(_), Some(_)) => {
+                return refuse(format!(
+                    "`{name}` is a measure: write one number, positive where it makes the measure larger"
+                ));
+            }
+            (Load::Along(_), None) => {
+                self.site(place, false)?;
+                return refuse(format!("`{name}` is a place: write a force [x, y, z] in N"));
+            }
+            (Load::At(Wrench { force, moment }), None) => {
+                let site = self.site(place, *moment != [0.0; 3])?;
+                let load = [Vector3::from(*force), Vector3::from(*moment)];
+                case.at.push((site, load));
+            }
+            (Load::By(by), _) => match (drive, measure(by)) {
+                (Some(drive), Some(measure)) => case.borne_by.push((drive, measure)),
+                (None, _) => {
+                    let drives = self.mechanism.names.of_drives().join(", ");
+                    return refuse(format!("`{name}` is no drive; the drives are {drives}"));
+                }
+                (_, None) => {
+                    let measures = self.mechanism.names.of_measures().join(", ");
+                    return refuse(format!("`{by}` is no measure; the measures are {measures}"));
+                }
+            },
+        }
+        Ok(())
+    }
+
+    /// The place of a name; `turned` where a moment acts there.
+    fn site(&self, place: &Spanned<String>, turned: bool) -> Result<Site, Failure> {
+        let name = place.get_ref().as_str();
+        let refuse = |message: String| Err(self.source.refuse(&place.span(), message));
+        let names = &self.mechanism.names;
+        let Some(point) = names.points.iter().position(|point| point == name) else {
+            return self.contact(place);
+        };
+        let mut carriers = self.listing.carriers().into_iter();
+        if let Some((_, body)) = carriers.find(|(marker, _)| *marker == point) {
+            return Ok(Site::Body(point, body));
+        }
+        if point < names.chassis {
+            return refuse(format!(
+                "`{name}` is a chassis point: what acts there loads no part of the suspension"
+            ));
+        }
+        if !turned {
+            return Ok(Site::Point(point));
+        }
+        let bodies = self.listing.bodies().into_iter();
+        let having: Vec<Vec<usize>> = bodies.filter(|body| body.contains(&point)).collect();
+        match having.as_slice() {
+            [body] => match body.as_slice() {
+                [a, b, c, ..] => Ok(Site::Body(point, [*a, *b, *c])),
+                _ => refuse(format!("no body has point `{name}`, to take a moment")),
+            },
+            [] => refuse(format!("no body has point `{name}`, to take a moment")),
+            _ => refuse(format!(
+                "several bodies join at `{name}`: state the moment at a point of one of them alone"
+            )),
+        }
+    }
+
+    /// `contact`, or of a named wheel `left_contact`.
+    fn contact(&self, place: &Spanned<String>) -> Result<Site, Failure> {
+        let names = &self.mechanism.names;
+        let contact_of = |wheel: &Wheel| match wheel.name.as_str() {
+            "" => CONTACT.to_owned(),
+            name => format!("{name}_{CONTACT}"),
+        };
+        let contacts: Vec<String> = names.wheels.iter().map(contact_of).collect();
+        let name = place.get_ref();
+        let Some(wheel) = contacts.iter().position(|contact| contact == name) else {
+            let known = contacts.iter().chain(&names.points[names.chassis..]);
+            let known: Vec<&str> = known
+                .map(String::as_str)
+                .chain(names.of_measures())
+                .collect();
+            let hint = did_you_mean(name, known.iter().copied());
+            let known = known.join(", ");
+            let message = format!("unknown place `{name}`; loads act at {known}{hint}");
+            return Err(self.source.refuse(&place.span(), message));
+        };
+        if names.wheels[wheel].radius.is_none() {
+            let message = format!("`{name}` needs wheel_radius under [vehicle]");
+            return Err(self.source.refuse(&place.span(), message));
+        }
+        Ok(Site::Contact(wheel))
+    }
+}

@@ -1,0 +1,244 @@
+//! Forces under load cases.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Vector3;
+
+use super::program::{CORNER, Rows, folder, rows, run, text};
+
+/// The corner with load cases of a wheel that brakes and corners.
+fn loaded(cases: &str) -> String {
+    format!("{CORNER}{cases}")
+}
+
+const BRAKING: &str = "[loads.braking]\ncontact = [-3000.0, 200.0, 4000.0]\n";
+
+fn table(file: &str, more: &[&str]) -> Rows {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(
+        folder.path(),
+        &[&["loads", "a.toml", "--csv", "-"], more].concat(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
+
+fn force(row: &BTreeMap<String, f64>, name: &str) -> Vector3<f64> {
+    Vector3::from(["x", "y", "z"].map(|axis| row[&format!("{name}_{axis}_N")]))
+}
+
+fn swept(file: &str, more: &[&str]) -> Rows {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(
+        folder.path(),
+        &[&["sweep", "a.toml", "--csv", "-"], more].concat(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
+
+const GRID: [&str; 4] = [
+    "--drive",
+    "bump=-0.05:0.05:5",
+    "--drive",
+    "steer=-0.02:0.02:3",
+];
+
+/// The upright as a free body: what it exerts at its joints is what acts at the contact point, and it does not turn.
+#[test]
+fn a_body_passes_on_what_acts_at_its_contact_point() {
+    let file = loaded(&format!("{BRAKING}bump = \"damper\"\n"));
+    let load = Vector3::new(-3000.0, 200.0, 4000.0);
+    let (loads, places) = (table(&file, &GRID), swept(&file, &GRID));
+    assert_eq!((loads.len(), places.len()), (15, 15));
+    for (row, place) in loads.iter().zip(&places) {
+        let at = |point: &str| {
+            Vector3::from(["x", "y", "z"].map(|axis| place[&format!("{point}_{axis}")]))
+        };
+        let joints = ["lower_ball", "upper_ball", "tie_ball", "wheel_centre"];
+        let forces = joints.map(|joint| force(row, &format!("braking_upright_{joint}")));
+        let sum: Vector3<f64> = forces.iter().sum();
+        assert!((sum - load).norm() < 1e-8, "{sum}");
+        let about_contact = joints.iter().zip(forces);
+        let moments = about_contact.map(|(joint, force)| (at(joint) - at("contact")).cross(&force));
+        let moment: Vector3<f64> = moments.sum();
+        assert!(moment.norm() < 1e-8, "{moment}");
+        assert!(row["braking_bump_N"].abs() < 1e-8, "the damper bears it");
+        assert!(
+            forces[3].norm() < 1e-8,
+            "nothing else joins the wheel centre"
+        );
+        let link = (at("lower_ball") - at("upper_ball")).norm();
+        assert!(link > 0.1, "places have the same order");
+    }
+}
+
+/// Virtual work: the spring's force times its motion ratio is what the drive would bear without it.
+#[test]
+fn a_spring_bears_the_load_of_the_wheel_over_its_motion_ratio() {
+    let without = table(&loaded(BRAKING), &GRID);
+    let with = table(&loaded(&format!("{BRAKING}bump = \"damper\"\n")), &GRID);
+    let places = swept(&loaded(BRAKING), &GRID);
+    for ((without, with), place) in without.iter().zip(&with).zip(&places) {
+        let ratio = place["damper_m_per_bump"];
+        let expected = -without["braking_bump_N"] / ratio;
+        let found = with["braking_damper_N"];
+        assert!(
+            (found - expected).abs() < 1e-9 * expected.abs(),
+            "{found} {expected}"
+        );
+        assert!(found > 1000.0, "a compressed spring pushes its ends apart");
+    }
+}
+
+/// The spring's force may be stated: then the drive bears the rest.
+#[test]
+fn a_stated_force_in_a_measure_takes_its_part() {
+    let case = "[loads.half]\ncontact = [0.0, 0.0, 4000.0]\ndamper = 2000.0\n";
+    let row = &table(&loaded(case), &[])[0];
+    let place = &swept(&loaded(case), &["--drive", "bump=0.0"])[0];
+    let alone = &table(&loaded("[loads.half]\ncontact = [0.0, 0.0, 4000.0]\n"), &[])[0];
+    let expected = alone["half_bump_N"] + 2000.0 * place["damper_m_per_bump"];
+    assert!((row["half_bump_N"] - expected).abs() < 1e-9);
+}
+
+/// Millimetres, and the axes of Adams, are the same corner: forces turn with the axes.
+#[test]
+fn units_and_axes_do_not_matter() {
+    let expected = &table(&loaded(BRAKING), &[])[0];
+    let turned = loaded(&BRAKING.replace("[-3000.0, 200.0, 4000.0]", "[3000.0, -200.0, 4000.0]"));
+    let turned = turned
+        .replace("unit = \"m\"", "unit = \"m\"\naxes = \"Adams\"")
+        .replace("steer = 0.34", "steer = -0.34");
+    let found = &table(&turned, &[])[0];
+    for (name, value) in expected.iter().filter(|(name, _)| name.ends_with("_N")) {
+        let sign =
+            match name.ends_with("_x_N") || name.ends_with("_y_N") || name.ends_with("steer_N") {
+                true => -1.0,
+                false => 1.0,
+            };
+        assert!(
+            (found[name] - sign * value).abs() < 1e-8,
+            "{name}: {} {value}",
+            found[name]
+        );
+    }
+    let five_link = include_str!("../../examples/five_link.toml");
+    let in_millimetres =
+        format!("{five_link}\n[loads.weight]\nwheel_centre = [0.0, 0.0, 3000.0]\n");
+    let row = &table(&in_millimetres, &["--drive", "theta=0.0:0.4:3"])[0];
+    let place = &swept(&in_millimetres, &["--drive", "theta=0.0:0.4:3"])[0];
+    let expected = 3000.0 * place["wheel_centre_z_per_theta"] / 1000.0;
+    assert!(
+        (row["weight_theta_Nm"] - expected).abs() < 1e-9 * expected.abs(),
+        "{row:?}"
+    );
+}
+
+/// A moment at a body is the same as a couple of forces at two of its points.
+#[test]
+fn a_moment_is_a_couple_of_forces() {
+    let place = &swept(CORNER, &["--drive", "bump=0.0"])[0];
+    let at =
+        |point: &str| Vector3::from(["x", "y", "z"].map(|axis| place[&format!("{point}_{axis}")]));
+    let force = Vector3::new(700.0, -300.0, 0.0);
+    let moment = (at("axle") - at("wheel_centre")).cross(&force);
+    let written = |vector: Vector3<f64>| format!("{:?}", [vector.x, vector.y, vector.z]);
+    let couple = format!(
+        "[loads.a]\naxle = {}\nwheel_centre = {}\n",
+        written(force),
+        written(-force)
+    );
+    let couple = &table(&loaded(&couple), &[])[0];
+    let alone = format!(
+        "[loads.a]\nwheel_centre = {{ moment = {} }}\n",
+        written(moment)
+    );
+    let alone = &table(&loaded(&alone), &[])[0];
+    for name in couple
+        .keys()
+        .filter(|name| name.starts_with("a_") && !name.contains("_upright_wheel_centre_"))
+    {
+        assert!(
+            (couple[name] - alone[name]).abs() < 1e-8,
+            "{name}: {} {}",
+            couple[name],
+            alone[name]
+        );
+    }
+}
+
+#[test]
+fn a_report_has_a_table_of_each_kind_for_each_case() {
+    let folder = folder();
+    let cases =
+        format!("{BRAKING}bump = \"damper\"\n[loads.cornering]\ncontact = [0.0, 3500.0, 5000.0]\n");
+    std::fs::write(folder.path().join("a.toml"), loaded(&cases)).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report = text(&output.stdout);
+    for expected in [
+        "a.toml: load case braking, one place; axes of ISO 8855",
+        "a.toml: load case cornering",
+        "drive  bears\n",
+        "measure  bears\n",
+        "link       tension\n",
+        "upright at lower_ball",
+    ] {
+        assert!(report.contains(expected), "{expected}: {report}");
+    }
+    let output = run(
+        folder.path(),
+        &["loads", "a.toml", "--drive", "bump=-0.05:0.05:5"],
+    );
+    assert!(text(&output.stdout).contains("least and greatest of 5 places"));
+    assert!(folder.path().join("out/a_loads.csv").exists());
+}
+
+#[test]
+fn what_is_no_load_is_refused_with_its_place() {
+    for (case, expected) in [
+        ("", "no load case; write [loads.braking]"),
+        (
+            "[loads.a]\ncontakt = [0.0, 0.0, 1.0]\n",
+            "unknown place `contakt`; loads act at contact, ",
+        ),
+        ("[loads.a]\ncontact = [0.0, 1.0]\n", "a force [x, y, z]"),
+        (
+            "[loads.a]\ncontact = [0.0, nan, 1.0]\n",
+            "load `contact` is not finite",
+        ),
+        (
+            "[loads.a]\ncontact = 3.0\n",
+            "`contact` is a place: write a force [x, y, z] in N",
+        ),
+        (
+            "[loads.a]\ndamper = [0.0, 0.0, 1.0]\n",
+            "`damper` is a measure: write one number",
+        ),
+        (
+            "[loads.a]\nrack = [0.0, 0.0, 1.0]\n",
+            "`rack` is a chassis point",
+        ),
+        ("[loads.a]\nbump = \"dampr\"\n", "`dampr` is no measure"),
+        (
+            "[loads.a]\nbum = \"damper\"\n",
+            "`bum` is no drive; the drives are bump, steer",
+        ),
+        (
+            "[loads.a]\nlower_ball = { moment = [1.0, 0.0, 0.0] }\n",
+            "several bodies join at `lower_ball`",
+        ),
+    ] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), loaded(case)).expect("written");
+        let output = run(folder.path(), &["loads", "a.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{case}: {output:?}");
+        assert!(
+            text(&output.stderr).contains(expected),
+            "{expected}: {output:?}"
+        );
+    }
+}
