@@ -6,8 +6,8 @@ use std::sync::atomic::AtomicBool;
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    assemblies, bake, check, compare, draw, import, list, loads, motion, published, range, sheet,
-    sweep, tables,
+    assemblies, bake, check, compare, draw, import, list, loads, motion, published, range,
+    sensitivities, sheet, sweep, tables,
 };
 use crate::failure::Failure;
 use crate::interrupt;
@@ -69,6 +69,10 @@ pub enum Command {
     ///
     /// Follows the whole curve of configurations, also where the drive cannot lead.
     Range(range::Arguments),
+    /// Prints what moving each hardpoint does to the quantities of a design.
+    ///
+    /// Camber, toe, bump steer, motion ratios and all others, per coordinate and per length.
+    Sensitivities(sensitivities::Arguments),
     /// Writes the kinematics of a file's mechanism on one page.
     ///
     /// A drawing, all quantities with their derivatives, and curves over travel and steering, as HTML.
@@ -102,6 +106,7 @@ impl Options {
             Some(Command::List(arguments)) => arguments.run(),
             Some(Command::Loads(arguments)) => arguments.run(interrupted),
             Some(Command::Range(arguments)) => arguments.run(interrupted),
+            Some(Command::Sensitivities(arguments)) => arguments.run(interrupted),
             Some(Command::Sheet(arguments)) => arguments.run(interrupted),
             Some(Command::Sweep(arguments)) => arguments.run(interrupted),
             Some(Command::Tables(arguments)) => arguments.run(interrupted),

@@ -11,6 +11,7 @@ pub mod loads;
 pub mod motion;
 pub mod published;
 pub mod range;
+pub mod sensitivities;
 pub mod sheet;
 pub mod sweep;
 pub mod tables;

@@ -10,6 +10,6 @@ mod way;
 
 pub use along::{Along, ways};
 pub use curves::{Curves, Line, curves};
-pub use parameters::{Derivative, Parameter, parameters};
+pub use parameters::{Derivative, Parameter, columns, parameters};
 pub use span::Span;
 pub use way::Way;

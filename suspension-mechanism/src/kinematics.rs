@@ -1,6 +1,7 @@
 //! A mechanism of any linkage, without type parameters: what commands work on.
 
 mod assembled;
+mod changed;
 mod equations;
 
 use std::ops::Deref;
@@ -81,6 +82,13 @@ pub trait Kinematics: Deref<Target = Description> {
     ///
     /// See [`UnmetSurface`].
     fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface>;
+
+    /// The mechanism of the same points but for one, in the file's coordinates, at its design position; `None` where none
+    /// can be built.
+    fn with_point_moved(&self, point: usize, by: Vector3<f64>) -> Option<Box<dyn Kinematics + '_>>;
+
+    /// The mechanism with one length changed, its drives as they are where this one starts; `None` where there is none.
+    fn with_length_changed(&self, length: usize, by: f64) -> Option<Box<dyn Kinematics + '_>>;
 
     /// What the motion takes in steps of `dt`, without the first, and how many they are; `None` where it has none, or stops.
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
@@ -164,6 +172,14 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
     fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface> {
         let held = L::Drives::from_values(self.first_drives());
         bake_surface(&self.model, &self.start, held, wanted)
+    }
+
+    fn with_point_moved(&self, point: usize, by: Vector3<f64>) -> Option<Box<dyn Kinematics + '_>> {
+        Some(Box::new(changed::with_point_moved(self, point, by)?))
+    }
+
+    fn with_length_changed(&self, length: usize, by: f64) -> Option<Box<dyn Kinematics + '_>> {
+        Some(Box::new(changed::with_length_changed(self, length, by)?))
     }
 
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)> {

@@ -23,6 +23,7 @@ mod plots;
 mod program;
 mod range;
 mod results;
+mod sensitivities;
 mod sheet;
 mod signals;
 mod stops;

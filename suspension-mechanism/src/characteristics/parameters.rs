@@ -36,7 +36,7 @@ pub struct Derivative {
 }
 
 /// The columns of a sheet.
-pub(super) fn columns(mechanism: &Description) -> Vec<Column> {
+pub fn columns(mechanism: &Description) -> Vec<Column> {
     const LEFT_OUT: [&Quantity; 4] = [&DRIVES, &POSITIONS, &MARKERS, &RESIDUAL];
     let all = quantities::columns(catalogue(), &mechanism.names).into_iter();
     all.filter(|column| {

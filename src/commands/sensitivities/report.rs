@@ -1,0 +1,149 @@
+//! What changes do, for people.
+
+use std::fmt::Write;
+
+use crate::mechanism::{Description, Unit};
+use crate::number::{rounded, without_rounding};
+use crate::quantities::Kind;
+use crate::sensitivities::{Change, Sensitivities};
+
+/// Digits of a sensitivity.
+const DIGITS: usize = 4;
+
+/// What the text is about.
+pub(super) struct Report<'a> {
+    pub(super) file: &'a str,
+    pub(super) mechanism: &'a Description,
+    pub(super) found: &'a Sensitivities,
+}
+
+/// A number of a quantity: its value, or a derivative with respect to a drive.
+pub(super) struct Number {
+    pub(super) column: usize,
+    /// 0, or 1 more than the number of the drive.
+    pub(super) number: usize,
+    pub(super) csv_name: String,
+    title: String,
+    /// From the file's unit and radians to what people read.
+    scale: f64,
+    symbol: String,
+}
+
+impl Report<'_> {
+    /// All numbers that the mechanism has at its design position.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = Number> {
+        let columns = 0..self.found.columns.len();
+        let all = columns.flat_map(move |column| {
+            let numbers = 0..self.found.values[column].len();
+            numbers.map(move |number| self.number(column, number))
+        });
+        all.filter(move |at| self.found.values[at.column][at.number].is_finite())
+    }
+
+    fn number(&self, at: usize, number: usize) -> Number {
+        let (column, unit) = (&self.found.columns[at], self.mechanism.unit);
+        let (scale, symbol) = column.kind.for_people(unit);
+        let (name, csv_name) = (&column.name, column.csv_name(unit));
+        let axis = column
+            .axis
+            .map_or_else(String::new, |axis| format!("_{axis}"));
+        let value = Number {
+            column: at,
+            number,
+            csv_name,
+            title: format!("{name}{axis}"),
+            scale,
+            symbol,
+        };
+        let drive = number
+            .checked_sub(1)
+            .and_then(|drive| self.mechanism.names.drives.get(drive));
+        match drive {
+            None => value,
+            Some(drive) => Number {
+                csv_name: format!("{}_per_{}", value.csv_name, drive.name),
+                title: format!("{} per {}", value.title, drive.name),
+                symbol: format!("{}/{}", value.symbol, Kind::from(drive.kind).symbol(unit)),
+                ..value
+            },
+        }
+    }
+
+    /// What a change is called.
+    pub(super) fn changed(&self, change: Change) -> String {
+        let names = &self.mechanism.names;
+        match change {
+            Change::Coordinate(point, axis) => format!("{}.{axis}", names.points[point]),
+            Change::Length(length) => format!("length {}", names.lengths[length]),
+        }
+    }
+
+    /// The largest sensitivities of the numbers whose names begin with one of `of`, of all where there is none.
+    ///
+    /// # Errors
+    ///
+    /// In words, where a name is that of none.
+    pub(super) fn text(&self, of: &[String], largest: usize) -> Result<String, String> {
+        let (per, _) = self.per();
+        let axes = self.mechanism.axes.in_words();
+        let mut out = format!(
+            "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}\n",
+            self.file
+        );
+        for wanted in of {
+            if !self
+                .numbers()
+                .any(|number| number.title.starts_with(wanted.as_str()))
+            {
+                let mut known: Vec<String> = self.numbers().map(|number| number.title).collect();
+                known.retain(|title| !title.contains(' '));
+                return Err(format!(
+                    "no quantity begins with `{wanted}`; known are {}",
+                    known.join(", ")
+                ));
+            }
+        }
+        let is_wanted = |number: &Number| {
+            of.is_empty()
+                || of
+                    .iter()
+                    .any(|wanted| number.title.starts_with(wanted.as_str()))
+        };
+        for number in self.numbers().filter(is_wanted) {
+            let value = self.found.values[number.column][number.number] * number.scale;
+            let value = without_rounding(value);
+            let (title, symbol) = (&number.title, &number.symbol);
+            // Writing into a string has no way to fail.
+            let _ = writeln!(out, "\n{title}: {} {symbol}", rounded(value, DIGITS));
+            let _ = writeln!(out, "  {}", self.largest(&number, largest));
+        }
+        Ok(out)
+    }
+
+    /// What people move a hardpoint by, and its length in the file's unit.
+    fn per(&self) -> (&'static str, f64) {
+        match self.mechanism.unit {
+            Unit::Metre => ("mm", 1e-3),
+            other => (other.symbol(), 1.0),
+        }
+    }
+
+    fn largest(&self, at: &Number, count: usize) -> String {
+        let numbers = self.found.each.iter();
+        let scale = at.scale * self.per().1;
+        let numbers = numbers.map(|each| (each.change, each.of[at.column][at.number] * scale));
+        let mut numbers: Vec<(Change, f64)> = numbers.filter(|(_, by)| by.is_finite()).collect();
+        numbers.sort_by(|(_, a), (_, b)| b.abs().total_cmp(&a.abs()));
+        let greatest = numbers.first().map_or(0.0, |(_, by)| by.abs());
+        // Differences of what does not change leave rounding.
+        const ROUNDING: f64 = 1e-9;
+        numbers.retain(|(_, by)| by.abs() > ROUNDING * greatest);
+        if greatest < ROUNDING {
+            return "nothing changes it".to_owned();
+        }
+        let each = numbers.iter().take(count);
+        let each =
+            each.map(|(change, by)| format!("{} {}", self.changed(*change), rounded(*by, DIGITS)));
+        each.collect::<Vec<_>>().join(", ")
+    }
+}

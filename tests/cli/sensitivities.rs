@@ -1,0 +1,147 @@
+//! What moving a hardpoint does.
+
+use std::collections::BTreeMap;
+
+use super::program::{CORNER, folder, run, text};
+
+/// The rows of the table, by what is changed.
+fn table(file: &str) -> BTreeMap<String, BTreeMap<String, f64>> {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["sensitivities", "a.toml", "--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+    let headings: Vec<String> = reader
+        .headers()
+        .expect("headings")
+        .iter()
+        .map(str::to_owned)
+        .collect();
+    let row = |record: csv::StringRecord| {
+        let numbers = headings.iter().zip(record.iter()).skip(1);
+        let numbers =
+            numbers.map(|(name, number)| (name.clone(), number.parse().expect("a number")));
+        (record[0].to_owned(), numbers.collect())
+    };
+    reader
+        .records()
+        .map(|record| row(record.expect("a row")))
+        .collect()
+}
+
+/// Arms that are not parallel in the side view: the instant centre there is not far away.
+fn corner(upper_rear_z: f64) -> String {
+    format!("{CORNER}[points]\nupper_rear = [-0.15, 0.42, {upper_rear_z:?}]\n")
+}
+
+/// A suspension that is moved as a whole along the vehicle has the same kinematics.
+#[test]
+fn all_points_moved_together_along_x_change_nothing() {
+    let table = table(&corner(0.36));
+    let of_x: Vec<_> = table
+        .iter()
+        .filter(|(changed, _)| changed.ends_with(".x"))
+        .collect();
+    assert!(of_x.len() > 15, "{}", of_x.len());
+    let mut checked = 0;
+    for name in of_x[0].1.keys().filter(|name| !name.ends_with("_x")) {
+        let terms: Vec<f64> = of_x.iter().map(|(_, row)| row[name]).collect();
+        let largest = terms
+            .iter()
+            .fold(0.0_f64, |largest, term| largest.max(term.abs()));
+        let sum: f64 = terms.iter().sum();
+        assert!(
+            sum.abs() <= 1e-7 * largest + 1e-9,
+            "{name}: {sum:e} of {largest}"
+        );
+        checked += usize::from(largest > 1e-3);
+    }
+    assert!(checked > 30, "{checked}");
+}
+
+/// Formulas of geometry: camber by the spin axis' height, and what does not touch it.
+#[test]
+fn camber_follows_the_ends_of_the_spin_axis() {
+    let table = table(&corner(0.36));
+    // The axis is 0.1 m long and level.
+    assert!((table["axle.z"]["camber_rad"] - 10.0).abs() < 1e-8);
+    assert!((table["wheel_centre.z"]["camber_rad"] + 10.0).abs() < 1e-8);
+    assert!(table["damper_inner.y"]["camber_rad"].abs() < 1e-12);
+    // The tie rod turns the upright: a longer one turns the front of the wheel inboard.
+    assert!(table["length tie_rod"]["toe_rad"].abs() > 1.0);
+    assert!(
+        !table
+            .keys()
+            .any(|changed| changed.starts_with("length upright"))
+    );
+}
+
+/// Bump steer and its like against files with the hardpoint moved.
+#[test]
+fn a_moved_hardpoint_changes_the_sheets_numbers_so() {
+    let table = table(&corner(0.36));
+    let row = &table["upper_rear.z"];
+    let folder = folder();
+    let value = |z: f64, name: &str| -> f64 {
+        std::fs::write(folder.path().join("b.toml"), corner(z)).expect("written");
+        let output = run(
+            folder.path(),
+            &["sweep", "b.toml", "--drive", "bump=0.0", "--csv", "-"],
+        );
+        super::program::rows(&output.stdout)[0][name]
+    };
+    for name in [
+        "toe_rad_per_bump",
+        "camber_rad_per_bump",
+        "caster_rad_per_bump",
+        "damper_m_per_bump",
+        "roll_centre_m",
+        "side_arm_m",
+    ] {
+        let step = 2e-4;
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|steps| value(0.36 + steps * step, name));
+        let expected = (8.0 * (c - b) - (d - a)) / (12.0 * step);
+        let found = row[name];
+        assert!(
+            (found - expected).abs() <= 1e-6 * (1.0 + expected.abs()),
+            "{name}: {found} {expected}"
+        );
+    }
+}
+
+#[test]
+fn the_largest_are_printed_first_and_unknown_quantities_refused() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), corner(0.36)).expect("written");
+    let output = run(
+        folder.path(),
+        &[
+            "sensitivities",
+            "a.toml",
+            "--of",
+            "camber",
+            "--largest",
+            "2",
+        ],
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report = text(&output.stdout);
+    assert!(
+        report.contains("a.toml: per mm of each hardpoint coordinate and link length"),
+        "{report}"
+    );
+    assert!(
+        report.contains("\ncamber: 0 deg\n  axle.z 0.573, wheel_centre.z -0.573\n"),
+        "{report}"
+    );
+    assert!(!report.contains("\ntoe"), "{report}");
+    let output = run(
+        folder.path(),
+        &["sensitivities", "a.toml", "--of", "chamber"],
+    );
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(
+        text(&output.stderr).contains("no quantity begins with `chamber`; known are "),
+        "{output:?}"
+    );
+}
