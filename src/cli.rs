@@ -132,7 +132,8 @@ pub fn exit_code_of(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> Exi
 
 const NOTES: &str = "\
 Units: lengths in the unit that a motion file states (m, mm or in; the published motion: m), times in
-seconds, angles in radians; tables and plots are in millimetres or degrees where they say so.
+seconds, angles in radians or, where the file says so, degrees; tables and plots are in millimetres or degrees where
+they say so.
 
 Points 8 and 11 define the spin axis. The paper prints no coordinates for point 11, the wheel centre:
 it is assumed to lie 0.10 m outboard (+y) of point 8, the spin axis parallel to y, where theta = pi/2.

@@ -85,9 +85,13 @@ pub fn grid(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<
             }
             drives.push((drive, part));
         }
+        let first = drives
+            .first()
+            .map(|(drive, _)| mechanism.names.drives[*drive].kind);
+        let scale = first.map_or(1.0, |kind| mechanism.unit.per_drive(kind));
         axes.push(Axis {
             drives,
-            values: of_one.values(),
+            values: of_one.values().iter().map(|value| value / scale).collect(),
         });
     }
     let from = if absolute { From::Zero } else { From::Start };

@@ -25,8 +25,8 @@ use report::Report;
 pub struct Arguments {
     /// The motion file (TOML), as for `suspension motion`.
     file: PathBuf,
-    /// The drive's own values, as the file's [drives] have them, not changes from the design; in rad (angles) or the
-    /// file's unit. Without it that of the file's first instant.
+    /// The drive's own values, as the file's [drives] have them, not changes from the design, in the file's units.
+    /// Without it that of the file's first instant.
     #[arg(long, value_name = "VALUE", num_args = 1.., allow_negative_numbers = true)]
     at: Vec<f64>,
     /// The drive; needed with --at where the linkage has several. The others are held as at the

@@ -27,8 +27,8 @@ pub struct Arguments {
     /// file's first instant. The range may stand behind the name, in place of --from and --to.
     #[arg(long = "drive", value_name = "NAME[=FROM:TO]")]
     drives: Vec<Wished>,
-    /// The drive's first value, its own, as the file's [drives] have it, not a change from the design; in rad (angles)
-    /// or the file's unit. Without it the least that it has in the file's motion.
+    /// The drive's first value, its own, as the file's [drives] have it, not a change from the design, in the
+    /// file's units. Without it the least that it has in the file's motion.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     from: Option<f64>,
     /// The drive's last value, its own too; without it the greatest that it has in the file's motion.
@@ -169,6 +169,8 @@ the tolerance is met, and a header that says what, from which file, range, units
 and reached, segments and bytes. Outputs are the coordinates of points; of the wheel, its centre
 and its spin axis (unit length, outboard), which counts as a point one metre from the centre: the
 turn about the axis is the wheel's own and not baked.
+
+Whatever the file's unit of angles, a baked drive that is an angle is in radians.
 
 The tolerance is checked against the solver at 32 Chebyshev points in each segment, between the
 places where polynomial and motion meet, and holds for motions as smooth as their decay shows

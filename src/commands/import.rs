@@ -22,7 +22,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::mechanism::{self, Axes, Unit};
+use crate::mechanism::{self, Axes, Length};
 use crate::output::files::{announce, print, refuse_input, write_file};
 use choice::choose;
 use corner::Corner;
@@ -46,7 +46,7 @@ pub struct Arguments {
     linkage: Option<String>,
     /// The unit of lengths: m, mm or in; without it what the file says, or else what its size says.
     #[arg(long, value_name = "UNIT", value_parser = unit)]
-    unit: Option<Unit>,
+    unit: Option<Length>,
     /// The axes; without it those that the points have.
     #[arg(long, value_parser = axes())]
     axes: Option<Axes>,
@@ -58,7 +58,7 @@ pub struct Arguments {
     out: Option<PathBuf>,
 }
 
-fn unit(word: &str) -> Result<Unit, String> {
+fn unit(word: &str) -> Result<Length, String> {
     row::unit(word).ok_or_else(|| "write m, mm or in".to_owned())
 }
 

@@ -128,10 +128,10 @@ The table, one row a place, in the order along the curve:
 
   freed              the number of the drive that is free, from 1
   turns              1 where it turns, else 0
-  each drive         in rad or the unit
-  speed              how far the free points move for a unit of the drive; inf where it turns
+  each drive         in the file's units
+  speed              how far the free points move for a unit of the drive, of angles a radian; inf where it turns
   points             _x _y _z, in the unit
-  kingpin, caster, camber, toe in rad; residual in the unit
+  kingpin, caster, camber, toe in the unit of angles; residual in the unit
 
 Where the first instant is out of reach the ranges are those from the design position, and a note says so.
 

@@ -99,7 +99,9 @@ fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<
         .map(heading);
     let mut table = CsvFile::create(target, &headings.collect::<Vec<_>>())?;
     for each in &found.each {
-        let numbers = report.numbers().map(|at| each.of[at.column][at.number]);
+        let numbers = report
+            .numbers()
+            .map(|at| each.of[at.column][at.number] * at.in_file);
         let texts: Vec<String> = numbers.map(|number| format!("{number}")).collect();
         let changed = report.changed(each.change);
         table.record(
@@ -124,7 +126,7 @@ changed. A link's length is changed with the chassis points and the drives held,
 number is a difference of sixth order over thousandths of the suspension's size, good to about nine digits.
 
 The CSV file has a row for each coordinate and length and a column for each number, per unit of length of the file, in that
-unit and radians: camber_rad, camber_rad_per_bump.
+unit and that of its angles: camber_rad, camber_rad_per_bump.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the design does not assemble, 130 interrupted.
 

@@ -25,7 +25,7 @@ pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
     /// A drive and COUNT values of it, evenly spaced from FROM to TO, both included, or one value; from where it is at
-    /// the design position, in rad (angles) or the file's unit. Given several times: a grid. Several drives with commas move
+    /// the design position, in the file's units. Given several times: a grid. Several drives with commas move
     /// together, one behind a minus the opposite way: bump_left,-bump_right is roll.
     #[arg(
         long = "drive",
@@ -88,7 +88,7 @@ impl Arguments {
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let grid = grid(mechanism, &self.drives, self.absolute).map_err(Failure::Input)?;
-        let columns = table::columns(&mechanism.names, self.derivatives.into());
+        let columns = table::columns(mechanism, self.derivatives.into());
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let order = match self.derivatives {
             2 => Order::Second,

@@ -29,7 +29,7 @@ impl Header {
         Self {
             linkage: mechanism.linkage.clone(),
             length: mechanism.unit.symbol(),
-            angle: "rad",
+            angle: mechanism.unit.angle.symbol(),
             time: "s",
             axes: mechanism.axes.in_words(),
         }

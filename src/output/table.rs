@@ -34,12 +34,13 @@ impl<T: 'static> Column<T> {
 
     /// One of the catalogue's, of the state of the thing.
     pub fn of_state(column: quantities::Column, unit: Unit, state: fn(&T) -> &State) -> Self {
+        let scale = column.kind.in_file(unit);
         Self {
             heading: Heading {
                 name: column.csv_name(unit),
                 counts: column.kind == Kind::Count,
             },
-            value: Box::new(move |thing| column.value(state(thing))),
+            value: Box::new(move |thing| column.value(state(thing)) * scale),
         }
     }
 }

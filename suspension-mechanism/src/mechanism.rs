@@ -38,7 +38,7 @@ pub use ready::Mechanism;
 pub use state::{Points, State};
 pub use through::OnState;
 pub use under::Borne;
-pub use unit::Unit;
+pub use unit::{Angle, Length, Unit};
 pub use vehicle::{Axle, Pair, Vehicle, Wheel, WheelPoints, is_within};
 pub use visit::{OnPlace, Place, VisitEnd, Visited};
 pub use words::advice;

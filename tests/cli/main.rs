@@ -1,6 +1,7 @@
 //! The program, run as a user runs it. It is a test program of its own, because it is built in a
 //! fraction of the time that the others take.
 
+mod angles;
 mod assemblies;
 mod axes;
 mod axle;

@@ -8,7 +8,7 @@ use suspension_core::listing::DriveKind;
 use crate::assemblies::Tally;
 use crate::failure::Failure;
 use crate::kinematics::{Assembly, Kinematics};
-use crate::mechanism::Drive;
+use crate::mechanism::Angle;
 
 /// Where assemblies are wanted.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,9 +55,13 @@ pub fn list(
             let drive = drive.map_err(refuse)?;
             let offset = mechanism.drive_offsets[drive];
             let with = |value: &f64| {
-                check(&mechanism.names.drives[drive], *value).map_err(refuse)?;
+                let kind = mechanism.names.drives[drive].kind;
+                let inside = value / mechanism.unit.per_drive(kind);
+                let angle = mechanism.unit.angle;
+                is_possible(kind, inside, angle)
+                    .map_err(|bound| refuse(format!("--at {value}: {bound}")))?;
                 let mut drives = first.clone();
-                drives[drive] = value - offset;
+                drives[drive] = inside - offset;
                 Ok(drives)
             };
             values.iter().map(with).collect::<Result<_, _>>()?
@@ -99,15 +103,16 @@ pub fn list(
 }
 
 /// Whether a drive can have a value.
-fn check(drive: &Drive, value: f64) -> Result<(), String> {
-    let is_angle = drive.kind == DriveKind::Angle;
+fn is_possible(kind: DriveKind, value: f64, angle: Angle) -> Result<(), String> {
+    let is_angle = kind == DriveKind::Angle;
     if value.is_finite() && (!is_angle || (0.0..=PI).contains(&value)) {
         return Ok(());
     }
-    let bound = if is_angle {
-        "the angle of a link from an axis lies between 0 and pi"
-    } else {
-        "a drive has a finite value"
-    };
-    Err(format!("--at {value}: {bound}"))
+    Err(match kind {
+        DriveKind::Angle => format!(
+            "the angle of a link from an axis lies between 0 and {}",
+            angle.half_turn()
+        ),
+        DriveKind::Coordinate => "a drive has a finite value".to_owned(),
+    })
 }

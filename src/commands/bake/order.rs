@@ -11,7 +11,7 @@ use crate::bake::source::{About, Ranged, Sheet, Table};
 use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
-use crate::mechanism::Description;
+use crate::mechanism::{Angle, Description, Unit};
 use crate::number::exact;
 
 /// An order: what to bake of the mechanism of a file.
@@ -77,6 +77,11 @@ impl Ordered<'_> {
                 self.refuse("the linkage has no wheel to bake; --points all bakes its points")
             );
         }
+        // Programs that read what is baked have angles in radians.
+        let inside = Unit {
+            angle: Angle::Radian,
+            ..*unit
+        };
         let drives = self.order.drives.iter().map(|wished| self.along(wished));
         let drives = drives.collect::<Result<Vec<Along>, Failure>>()?;
         let others = (0..names.drives.len())
@@ -85,12 +90,12 @@ impl Ordered<'_> {
             .map(|other| {
                 let drive = &names.drives[other];
                 let value = exact(self.given(other, self.first(other)));
-                format!("{} = {value} {}", drive.name, unit.of_drive(drive.kind))
+                format!("{} = {value} {}", drive.name, inside.of_drive(drive.kind))
             })
             .collect::<Vec<_>>();
         let ranged = drives.iter().map(|along| Ranged {
             name: names.drives[along.drive].name.clone(),
-            unit: unit.of_drive(names.drives[along.drive].kind),
+            unit: inside.of_drive(names.drives[along.drive].kind),
             range: along.range,
         });
         Ok(Sheet {
@@ -131,7 +136,10 @@ impl Ordered<'_> {
         let (low, high) = through.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
             (low.min(value), high.max(value))
         });
-        let [from, to] = wished.range;
+        let Description { names, unit, .. } = &**self.mechanism;
+        let (kind, angle) = (names.drives[drive].kind, unit.angle);
+        let inside = |end: f64| end / unit.per_drive(kind);
+        let [from, to] = wished.range.map(|end| end.map(inside));
         let range = [from.unwrap_or(low), to.unwrap_or(high)];
         let in_words = range.map(|end| self.in_words(drive, end)).join(" to ");
         if !(range[0] < range[1] && range.iter().all(|end| end.is_finite())) {
@@ -139,10 +147,10 @@ impl Ordered<'_> {
                 "{in_words} is no range; --from must be less than --to"
             )));
         }
-        let angle = self.mechanism.names.drives[drive].kind == DriveKind::Angle;
-        if angle && !(0.0 <= range[0] && range[1] <= PI) {
+        if kind == DriveKind::Angle && !(0.0 <= range[0] && range[1] <= PI) {
             return Err(self.refuse(&format!(
-                "{in_words}: the angle of a link from an axis lies between 0 and pi"
+                "{in_words}: the angle of a link from an axis lies between 0 and {}",
+                angle.half_turn()
             )));
         }
         Ok(range)

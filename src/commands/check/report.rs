@@ -164,9 +164,12 @@ impl Report<'_> {
 
     /// A drive and where it ends to either side.
     fn reach(&self, range: &DriveRange) -> [(String, String); 2] {
-        let symbol = self.unit.of_drive(range.kind);
+        let (symbol, scale) = (
+            self.unit.of_drive(range.kind),
+            self.unit.per_drive(range.kind),
+        );
         let end = |what: &str, end: &RangeEnd| {
-            let change = from_design(end.value - range.start, symbol);
+            let change = from_design((end.value - range.start) * scale, symbol);
             let limit = end.limit.in_words(self.unit);
             (what.to_owned(), format!("ends {change}: {limit}"))
         };

@@ -12,7 +12,7 @@ use super::names::Names;
 use super::orientation::Orientation;
 use super::stand_in::{Spin, number, stand_in};
 use crate::load;
-use crate::mechanism::Unit;
+use crate::mechanism::Length;
 
 /// What was found in a file.
 pub(super) struct Imported<'a> {
@@ -24,7 +24,7 @@ pub(super) struct Imported<'a> {
     pub(super) orientation: &'a Orientation,
     pub(super) corner: &'a Corner,
     /// The unit that the user states.
-    pub(super) unit: Option<Unit>,
+    pub(super) unit: Option<Length>,
 }
 
 /// What the motion file says, but for the drives' values.
@@ -34,7 +34,7 @@ pub(super) struct Draft<'a> {
     source: &'a str,
     listing: &'a Listing,
     linkage: &'a str,
-    unit: Unit,
+    unit: Length,
     /// What was assumed and done, a sentence each.
     pub(super) remarks: Vec<String>,
     /// Name, position and origin of each point.

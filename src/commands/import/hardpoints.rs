@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use super::names::spelled;
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::mechanism::{Axes, Unit};
+use crate::mechanism::{Axes, Length};
 
 /// A side of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -71,7 +71,7 @@ pub(super) struct Hardpoints<'a> {
     pub(super) points: Vec<Hardpoint>,
     pub(super) numbers: Vec<Number>,
     /// The unit of lengths, where the file states it.
-    pub(super) unit: Option<Unit>,
+    pub(super) unit: Option<Length>,
     /// Whether its angles are in radians.
     pub(super) radians: bool,
     /// The axes that are usual in such files.

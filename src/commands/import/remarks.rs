@@ -8,19 +8,19 @@ use super::hardpoints::Hardpoint;
 use super::orientation::Orientation;
 use crate::layouts::first_sentence;
 use crate::load::only_on_wrong_side;
-use crate::mechanism::{Axes, Unit};
+use crate::mechanism::{Axes, Length};
 use crate::number::rounded;
 
 impl Imported<'_> {
     /// The unit of lengths, and how it is known.
-    pub(super) fn unit(&self) -> (Unit, String) {
+    pub(super) fn unit(&self) -> (Length, String) {
         match (self.unit, self.stated.unit) {
             (Some(unit), _) => (unit, "as --unit says".to_owned()),
             (None, Some(unit)) => (unit, "as the file says".to_owned()),
             (None, None) => {
                 let apart = self.corner.apart();
                 let why = format!("as the points are up to {} apart", rounded(apart, 3));
-                (Unit::of_size(apart), why)
+                (Length::of_size(apart), why)
             }
         }
     }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::hardpoints::{Side, Sides};
-use crate::mechanism::Unit;
+use crate::mechanism::Length;
 
 /// What begins a remark.
 const REMARKS: [&str; 5] = ["#", "//", "%", "$", "!"];
@@ -136,13 +136,13 @@ fn sides_of(field: &str) -> Option<Sides> {
 }
 
 /// The unit that a word names.
-pub(super) fn unit(word: &str) -> Option<Unit> {
+pub(super) fn unit(word: &str) -> Option<Length> {
     match word {
         "mm" | "millimeter" | "millimetre" | "millimeters" | "millimetres" => {
-            Some(Unit::Millimetre)
+            Some(Length::Millimetre)
         }
-        "m" | "meter" | "metre" | "meters" | "metres" => Some(Unit::Metre),
-        "in" | "inch" | "inches" => Some(Unit::Inch),
+        "m" | "meter" | "metre" | "meters" | "metres" => Some(Length::Metre),
+        "in" | "inch" | "inches" => Some(Length::Inch),
         _ => None,
     }
 }

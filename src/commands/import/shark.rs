@@ -11,7 +11,7 @@ use super::hardpoints::{Hardpoints, Sides};
 use super::row::{Row, lines};
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::mechanism::{Axes, Unit};
+use crate::mechanism::{Axes, Length};
 
 const TEMPLATE: &str = "TEMP_SETTINGS";
 const SUSPENSIONS: [&str; 2] = ["FRONT SUSPENSION", "REAR SUSPENSION"];
@@ -42,7 +42,7 @@ pub(super) fn read(source: &Source) -> Result<Hardpoints<'_>, Failure> {
         return Err(source.refuse(&(0..0), message));
     };
     let mut stated = Hardpoints::new(source, Axes::Adams);
-    stated.unit = Some(Unit::Millimetre);
+    stated.unit = Some(Length::Millimetre);
     for (name, (place, at)) in names.iter().zip(suspension.coordinates) {
         stated.add_point(name, Sides::Unsaid, at, place);
     }

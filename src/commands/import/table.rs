@@ -5,7 +5,7 @@ use super::names::{Names, spelled};
 use super::row::{Row, lines, unit};
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::mechanism::{Axes, Unit};
+use crate::mechanism::{Axes, Length};
 
 /// Reads a table.
 ///
@@ -77,13 +77,13 @@ fn check_columns(words: &[&str]) -> Result<(), String> {
 }
 
 /// The unit in the headings of columns, in a line of units, and in a remark on units.
-fn unit_of_heading(words: &[&str]) -> Option<Unit> {
+fn unit_of_heading(words: &[&str]) -> Option<Length> {
     let said = |word: &str| words.contains(&word);
     let of_columns = said("x") && said("y") && said("z");
     let of_units = words.iter().all(|word| unit(word).is_some());
     let remarked = said("unit") || said("units");
     let mut found = words.iter().filter_map(|word| unit(word));
     // «in» may be no unit: «x, y, z in mm».
-    let other = found.clone().find(|unit| *unit != Unit::Inch);
+    let other = found.clone().find(|unit| *unit != Length::Inch);
     (of_columns || of_units || remarked).then(|| other.or_else(|| found.next()))?
 }

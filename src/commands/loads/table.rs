@@ -43,7 +43,7 @@ pub(super) fn write(
         let reader = Reader::of(state);
         let mut row: Vec<f64> = drives
             .iter()
-            .map(|column| column.read(&reader).value)
+            .map(|column| column.read(&reader).value * column.kind.in_file(mechanism.unit))
             .collect();
         for outcome in outcomes {
             match outcome {

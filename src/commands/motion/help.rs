@@ -12,9 +12,9 @@ pub(super) fn text() -> String {
     let of_rear_axles = [&ANTI_LIFT, &ANTI_SQUAT];
     format!(
         "{FILE}{}{}{AXLE}{}{EXIT_CODES}",
-        in_words(tabled, &front, Unit::Metre),
-        in_words(of_rear_axles, &rear, Unit::Metre),
-        in_words(of_axles(), &names_of_axle(), Unit::Metre),
+        in_words(tabled, &front, Unit::METRE),
+        in_words(of_rear_axles, &rear, Unit::METRE),
+        in_words(of_axles(), &names_of_axle(), Unit::METRE),
     )
 }
 
@@ -66,6 +66,7 @@ const FILE: &str = r#"The file:
                                      # listing = "corner.linkage", a file of statements beside this one, or
                                      # statements = '''...''' with the statements themselves
   unit = "m"                         # or "mm" or "in": of all lengths here, and of results; no conversion
+  angle = "rad"                      # or "deg"; may be left out: of all angles here, and of results
   axes = "ISO 8855"                  # or "Adams" or "SAE"; may be left out: of all coordinates here, and of results
   [points]                           # chassis points, free points and markers, each by name
   p1 = [-1.396, -0.025, -0.082]
@@ -92,14 +93,14 @@ const FILE: &str = r#"The file:
   stop = 1.95                        # the last instant is the last multiple of step within stop
   step = 0.05
   [drives]                           # polynomials of time in seconds, constant first,
-  theta = [0.7, 0.5, 0.125]          # in rad (angles) or the unit (coordinates); a number alone
+  theta = [0.7, 0.5, 0.125]          # in the units of angles or lengths; a number alone
                                      # holds the drive there
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
                                      # leads through turning points of the drive: attia2003 and
                                      # five_link have height, that of the wheel centre
 
-Results, one row an instant, its columns in this order, named here as for attia2003; lengths are in
-the file's unit:
+Results, one row an instant, its columns in this order, named here as for attia2003; lengths and angles are in
+the file's units (with angle = "deg" camber_deg in place of camber_rad, omega in deg/s):
 
 "#;
 

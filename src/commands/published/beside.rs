@@ -72,7 +72,7 @@ impl<'a> Compared<'a> {
 
 /// What to multiply our column with where it has this name.
 fn scale(ours: &quantities::Column, name: &str) -> Option<f64> {
-    let unit = Unit::Metre;
+    let unit = Unit::METRE;
     if ours.csv_name(unit) == name {
         Some(1.0)
     } else {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::mechanism::{Description, Unit};
+use crate::mechanism::{Description, Length};
 use crate::number::{rounded, without_rounding};
 use crate::quantities::Kind;
 use crate::sensitivities::{Change, Sensitivities};
@@ -23,8 +23,10 @@ pub(super) struct Number {
     /// 0, or 1 more than the number of the drive.
     pub(super) number: usize,
     pub(super) csv_name: String,
+    /// What a number inside is multiplied with for that in the file.
+    pub(super) in_file: f64,
     title: String,
-    /// From the file's unit and radians to what people read.
+    /// The same for what people read.
     scale: f64,
     symbol: String,
 }
@@ -51,6 +53,7 @@ impl Report<'_> {
             column: at,
             number,
             csv_name,
+            in_file: column.kind.in_file(unit),
             title: format!("{name}{axis}"),
             scale,
             symbol,
@@ -60,12 +63,18 @@ impl Report<'_> {
             .and_then(|drive| self.mechanism.names.drives.get(drive));
         match drive {
             None => value,
-            Some(drive) => Number {
-                csv_name: format!("{}_per_{}", value.csv_name, drive.name),
-                title: format!("{} per {}", value.title, drive.name),
-                symbol: format!("{}/{}", value.symbol, Kind::from(drive.kind).symbol(unit)),
-                ..value
-            },
+            Some(drive) => {
+                let kind = Kind::from(drive.kind);
+                let per = kind.in_file(unit);
+                Number {
+                    csv_name: format!("{}_per_{}", value.csv_name, drive.name),
+                    in_file: value.in_file / per,
+                    title: format!("{} per {}", value.title, drive.name),
+                    scale: value.scale / per,
+                    symbol: format!("{}/{}", value.symbol, kind.symbol(unit)),
+                    ..value
+                }
+            }
         }
     }
 
@@ -122,8 +131,8 @@ impl Report<'_> {
 
     /// What people move a hardpoint by, and its length in the file's unit.
     fn per(&self) -> (&'static str, f64) {
-        match self.mechanism.unit {
-            Unit::Metre => ("mm", 1e-3),
+        match self.mechanism.unit.length {
+            Length::Metre => ("mm", 1e-3),
             other => (other.symbol(), 1.0),
         }
     }

@@ -3,7 +3,7 @@
 use suspension_core::Signal;
 
 use crate::failure::Failure;
-use crate::mechanism::{Description, Names, Place, State};
+use crate::mechanism::{Description, Place, State};
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
 use crate::quantities::{self, Column, DRIVES, Reader, Shown, catalogue};
@@ -13,26 +13,30 @@ pub(super) type Row = Vec<f64>;
 
 /// What is read off a place.
 pub(super) struct Columns {
-    quantities: Vec<Column>,
-    /// How many drives there are derivatives with respect to.
-    drives: usize,
+    /// Each with what its number inside is multiplied with.
+    quantities: Vec<(Column, f64)>,
+    /// The same of each drive that there are derivatives with respect to.
+    drives: Vec<f64>,
     /// Up to which order.
     derivatives: usize,
 }
 
 /// All quantities that positions determine, with derivatives up to an order.
-pub(super) fn columns(names: &Names, derivatives: usize) -> Columns {
+pub(super) fn columns(mechanism: &Description, derivatives: usize) -> Columns {
+    let Description { names, unit, .. } = mechanism;
     let all = quantities::columns(catalogue(), names).into_iter();
     let of_positions = all.filter(|column| {
         column.kind.is_of_positions() && column.quantity.shown != Shown::InSummaries
     });
+    let of_drives = names.drives.iter().filter(|_| derivatives > 0);
     Columns {
-        quantities: of_positions.collect(),
-        drives: if derivatives == 0 {
-            0
-        } else {
-            names.drives.len()
-        },
+        quantities: of_positions
+            .map(|column| {
+                let scale = column.kind.in_file(*unit);
+                (column, scale)
+            })
+            .collect(),
+        drives: of_drives.map(|drive| unit.per_drive(drive.kind)).collect(),
         derivatives,
     }
 }
@@ -43,9 +47,11 @@ impl Columns {
         let read = |state: State| -> Vec<Signal<f64>> {
             let reader = Reader::of(&state);
             let quantities = self.quantities.iter();
-            quantities.map(|column| column.read(&reader)).collect()
+            let numbers = quantities.map(|(column, scale)| (column.read(&reader), scale));
+            let scaled = |(number, scale): (Signal<f64>, &f64)| number.map(|number| number * scale);
+            numbers.map(scaled).collect()
         };
-        let per = (0..self.drives).map(|drive| place.per(drive).map(read));
+        let per = (0..self.drives.len()).map(|drive| place.per(drive).map(read));
         let per: Vec<Option<Vec<Signal<f64>>>> = per.collect();
         // A state with derivatives has the same values as one without.
         let alone = per.iter().all(Option::is_none).then(|| read(place.state()));
@@ -55,9 +61,11 @@ impl Columns {
             Row::with_capacity(self.quantities.len() * (1 + per.len() * self.derivatives));
         row.extend(values);
         for (index, _) in self.with_derivatives() {
-            for numbers in &per {
+            for (numbers, scale) in per.iter().zip(&self.drives) {
                 let number = numbers.as_ref().map(|numbers| numbers[index]);
-                let both = number.map_or([f64::NAN; 2], |number| [number.rate, number.second_rate]);
+                let both = number.map_or([f64::NAN; 2], |number| {
+                    [number.rate / scale, number.second_rate / (scale * scale)]
+                });
                 row.extend(both.iter().take(self.derivatives));
             }
         }
@@ -66,7 +74,7 @@ impl Columns {
 
     /// The columns with derivatives, by number.
     fn with_derivatives(&self) -> impl Iterator<Item = (usize, &Column)> {
-        let columns = self.quantities.iter().enumerate();
+        let columns = self.quantities.iter().map(|(column, _)| column).enumerate();
         columns.filter(|(_, column)| column.has_derivatives && !column.is(&DRIVES))
     }
 }
@@ -82,7 +90,7 @@ pub(super) fn write(
     let values = columns
         .quantities
         .iter()
-        .map(|column| column.csv_name(*unit));
+        .map(|(column, _)| column.csv_name(*unit));
     let derivatives = columns.with_derivatives().flat_map(|(_, column)| {
         let name = column.csv_name(*unit);
         let drives = names.drives.iter();

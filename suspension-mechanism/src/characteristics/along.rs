@@ -71,7 +71,7 @@ pub fn ways(
                 note_length(file, &course.title, span, unit);
                 span.0.map(|end| end / unit.metre() * metre)
             }
-            (Some(Span(ends)), DriveKind::Angle) => ends,
+            (Some(Span(ends)), DriveKind::Angle) => ends.map(|end| end / unit.angle.radian()),
             (None, DriveKind::Coordinate) => [-metres, metres].map(|end| end * metre),
             (None, DriveKind::Angle) => [-USUAL_ANGLE, USUAL_ANGLE],
         };

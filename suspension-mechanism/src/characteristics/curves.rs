@@ -79,7 +79,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
         let (scale, symbol) = converted(column.kind);
         let title = name(&column);
         if column.is(&MEASURES) {
-            let scale = scale / kind.conversion(mechanism.unit, unit);
+            let scale = scale / (kind.conversion(mechanism.unit, unit) * kind.in_file(unit));
             let title = format!("motion ratio: {title} per {}", along.title);
             lines.push(Line {
                 of_wheel: title.clone(),

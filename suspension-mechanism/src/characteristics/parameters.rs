@@ -83,7 +83,8 @@ fn parameter(
     let scale = scale * column.kind.conversion(from, unit);
     let along = |per: &PerDrive| {
         let (drive, state) = per.as_ref().filter(|_| column.has_derivatives)?;
-        let value = column.along(state).rate * scale / drive.conversion(from, unit);
+        let value =
+            column.along(state).rate * scale / (drive.conversion(from, unit) * drive.in_file(unit));
         Some(Derivative {
             value,
             symbol: symbol_per(&symbol, *drive, unit),

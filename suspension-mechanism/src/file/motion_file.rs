@@ -15,7 +15,7 @@ use crate::file::explain::explained;
 use crate::file::load::Load;
 use crate::file::per_wheel::PerWheel;
 use crate::file::source::Source;
-use crate::mechanism::{Axes, Axle, Unit};
+use crate::mechanism::{Angle, Axes, Axle, Length, Unit};
 
 /// Values by name, each with its place in the file.
 pub type Table<V> = Spanned<BTreeMap<Spanned<String>, Spanned<V>>>;
@@ -31,7 +31,11 @@ pub struct MotionFile {
     /// In place of a name, the statements of the listing.
     pub statements: Option<Spanned<String>>,
     /// The unit of all lengths and coordinates, in the file and in the results.
-    pub unit: Unit,
+    #[serde(rename = "unit")]
+    pub length: Length,
+    /// The unit of all angles, in the file and in the results.
+    #[serde(default)]
+    pub angle: Angle,
     /// The axes of all points, offsets and statements, in the file and in the results.
     #[serde(default)]
     pub axes: Axes,
@@ -64,6 +68,30 @@ impl MotionFile {
             let message = explained(error.message(), source);
             source.refuse(&error.span().unwrap_or(0..0), message)
         })
+    }
+
+    /// Its units.
+    pub fn unit(&self) -> Unit {
+        Unit {
+            length: self.length,
+            angle: self.angle,
+        }
+    }
+
+    /// The same file with the values of some drives and measures, those that are angles, in radians.
+    pub fn in_radians<'a>(mut self, angles: impl Iterator<Item = &'a str>) -> Self {
+        let radian = self.angle.radian();
+        for name in angles {
+            let design = self.design.as_mut();
+            if let Some(value) = design.and_then(|values| values.get_mut().get_mut(name)) {
+                *value.get_mut() /= radian;
+            }
+            let law = self.drives.get_mut().get_mut(name);
+            for coefficient in law.into_iter().flat_map(|law| &mut law.get_mut().0) {
+                *coefficient /= radian;
+            }
+        }
+        self
     }
 
     /// The same file with its points in coordinates whose origin is at `origin`.

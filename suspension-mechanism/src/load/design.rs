@@ -56,7 +56,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
     if off.is_some() || file.lengths.is_some() || file.design.is_some() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
             let drives = given(&origin, &model, &drives);
-            let at = names.drives_in_words(&drives, file.unit, None);
+            let at = names.drives_in_words(&drives, file.unit(), None);
             unassembled(task, &at, &names.cause(&error), off)
         })?;
     }
@@ -131,7 +131,7 @@ fn check_spin_axis<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> Resu
     for wheel in &names.wheels {
         let [inner, centre] = wheel.points.axis;
         let length = (placed[centre] - placed[inner]).norm();
-        if length > SHORTEST * file.unit.metre() && length.is_finite() {
+        if length > SHORTEST * file.unit().metre() && length.is_finite() {
             continue;
         }
         let name = &names.points[centre];

@@ -8,7 +8,7 @@ use suspension_runtime::{CatalogueAndFiles, IncludeSource, Listing, Mistakes, Wa
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source};
 use crate::load::points::points;
-use crate::mechanism::{Axes, Unit};
+use crate::mechanism::{Axes, Length};
 
 /// The listings that one may include, and the first of the catalogue that it does.
 struct Included {
@@ -48,7 +48,7 @@ pub(super) fn check_unit(
         return Ok(());
     };
     let stated = file.points.get_ref();
-    let is_as_there = file.unit == Unit::Metre && file.axes == Axes::Iso;
+    let is_as_there = file.length == Length::Metre && file.axes == Axes::Iso;
     if is_as_there || points(listing).all(|point| stated.contains_key(point)) {
         return Ok(());
     }

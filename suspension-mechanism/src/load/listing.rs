@@ -14,7 +14,7 @@ use crate::kinematics::Kinematics;
 use crate::load::included;
 use crate::load::points::points;
 use crate::load::prepare::{Request, prepare};
-use crate::mechanism::{Axes, Mechanism, Unit};
+use crate::mechanism::{Axes, Length, Mechanism};
 
 /// The listing of a motion file.
 #[derive(Clone, Debug)]
@@ -95,7 +95,7 @@ fn of_catalogue(
         .map_err(|mistakes| refused(&Source::new(wanted, text), &mistakes))?;
     let stated = file.points.get_ref();
     let all_are_stated = points(&listing).all(|point| stated.contains_key(point));
-    if file.unit != Unit::Metre && !all_are_stated {
+    if file.length != Length::Metre && !all_are_stated {
         let message = format!(
             "the catalogue has the hardpoints of `{wanted}` in metres; state all points, or unit = \"m\""
         );

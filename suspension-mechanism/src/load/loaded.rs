@@ -126,7 +126,7 @@ impl Loaded<'_> {
 
     /// The unit of its lengths.
     pub fn unit(&self) -> Unit {
-        self.file.unit
+        self.file.unit()
     }
 
     /// The axes of its coordinates.

@@ -9,7 +9,7 @@ use crate::load::outlier::Outlier;
 use crate::load::task::Task;
 use crate::load::unsatisfied::Unsatisfied;
 use crate::load::wrong_side::only_on_wrong_side;
-use crate::mechanism::{Unit, Wheel};
+use crate::mechanism::{Length, Wheel};
 use crate::number::{number, rounded};
 
 /// No suspension is so large, in metres, nor so small.
@@ -60,8 +60,8 @@ fn size<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
     let first = points.first()?;
     let apart = |point: &Vector3<f64>| (point - first).norm();
     let apart = points.iter().map(apart).fold(0.0, f64::max);
-    let unit = task.file.unit;
-    let other = Unit::of_size(apart);
+    let unit = task.file.length;
+    let other = Length::of_size(apart);
     if (SMALLEST..LARGEST).contains(&(apart / unit.metre())) || other == unit {
         return None;
     }
@@ -83,7 +83,7 @@ fn furthest<'a, P: Values<Vector3<f64>>>(
     let pairs = given.values().zip(placed.values()).take(free);
     let off = pairs.map(|(given, placed)| (given - placed).norm());
     let (point, off) = off.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let unit = task.file.unit;
+    let unit = task.file.length;
     (off > metres * unit.metre()).then(|| {
         let off = format!("{} {}", rounded(off, 3), unit.symbol());
         (names[point].as_str(), off)
@@ -177,12 +177,12 @@ fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
 
 /// A length that is outside what is usual, in metres.
 fn length(task: &Task<'_>, name: &str, stated: f64, usual: Range<f64>) -> Option<String> {
-    let unit = task.file.unit;
+    let unit = task.file.length;
     if usual.contains(&(stated / unit.metre())) {
         return None;
     }
     let (length, symbol) = (number(stated), unit.symbol());
-    let doubt = match Unit::of_size(stated) {
+    let doubt = match Length::of_size(stated) {
         other if other == unit => "it is in the unit of the file".to_owned(),
         other => format!(
             "is it in {}? The file is in {}",

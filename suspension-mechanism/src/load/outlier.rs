@@ -8,7 +8,7 @@ use suspension_core::Values;
 use crate::failure::Failure;
 use crate::file::{Position, Source};
 use crate::load::task::Task;
-use crate::mechanism::Unit;
+use crate::mechanism::Length;
 use crate::number::rounded;
 
 /// How many times as far from the others as these are from each other. Between metres, inches and millimetres lie
@@ -42,7 +42,7 @@ impl Outlier {
             let [away, apart] = distances(&places, index)?;
             (away > FAR * apart).then(|| Self {
                 place,
-                in_words: in_words(name, task.file.unit, [away, apart]),
+                in_words: in_words(name, task.file.length, [away, apart]),
             })
         })
     }
@@ -59,7 +59,7 @@ impl Outlier {
     }
 }
 
-fn in_words(name: &str, unit: Unit, [away, apart]: [f64; 2]) -> String {
+fn in_words(name: &str, unit: Length, [away, apart]: [f64; 2]) -> String {
     let doubt = match unit_within(unit, [away, apart]) {
         Some(other) => format!("is it in {}?", other.in_words()),
         None => "is it mistyped?".to_owned(),
@@ -82,9 +82,9 @@ fn distances(places: &[Vector3<f64>], index: usize) -> Option<[f64; 2]> {
 }
 
 /// The unit in which it would lie among the others; of several the largest.
-fn unit_within(unit: Unit, [away, apart]: [f64; 2]) -> Option<Unit> {
-    let factor = |other: &Unit| other.metre() / unit.metre();
-    let others = Unit::ALL.into_iter();
+fn unit_within(unit: Length, [away, apart]: [f64; 2]) -> Option<Length> {
+    let factor = |other: &Length| other.metre() / unit.metre();
+    let others = Length::ALL.into_iter();
     let within = others.filter(|other| *other != unit && away <= apart * factor(other));
     within.min_by(|a, b| factor(a).total_cmp(&factor(b)))
 }

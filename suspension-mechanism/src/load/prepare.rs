@@ -55,6 +55,11 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         middle: 0.0,
     };
     let stand_in = check_names(&task)?;
+    let file = file.clone().in_radians(names.angles());
+    let task = Task {
+        file: &file,
+        ..task
+    };
     let given: L::Points = guess(&task);
     parts::finite(given.values().take(names.points.len()))
         .map_err(|error| task.refuse_geometry(&error))?;
@@ -117,7 +122,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let measure_offsets = origin.of_measures(&design.model);
     let description = Description {
         linkage: linkage.to_owned(),
-        unit: file.unit,
+        unit: file.unit(),
         axes: file.axes,
         origin: origin.position(),
         instants: instants.clone(),

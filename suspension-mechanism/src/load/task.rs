@@ -56,7 +56,7 @@ impl Task<'_> {
     /// An equation that points do not satisfy, and by how much.
     pub(super) fn unsatisfied_in_words(&self, Unsatisfied { equation, by }: Unsatisfied) -> String {
         const DIGITS: usize = 3;
-        let (by, unit) = (rounded(by, DIGITS), self.file.unit.symbol());
+        let (by, unit) = (rounded(by, DIGITS), self.file.unit().symbol());
         let equation = self.names.name(Part::Equation(equation));
         format!("equation `{equation}`, by {by} {unit}")
     }
@@ -82,11 +82,13 @@ impl Task<'_> {
     ) -> Result<(), Failure> {
         for (drive, value) in self.names.drives.iter().zip(values) {
             if drive.kind == DriveKind::Angle && !(0.0..=PI).contains(&value) {
-                let name = &drive.name;
+                let (name, angle) = (&drive.name, self.file.angle);
                 let place = table.get_ref().get(name.as_str()).map(Spanned::span);
                 let message = format!(
-                    "drive `{name}` begins at {} rad; the angle of a link from an axis lies between 0 and pi",
-                    number(value)
+                    "drive `{name}` begins at {} {}; the angle of a link from an axis lies between 0 and {}",
+                    number(value * angle.radian()),
+                    angle.symbol(),
+                    angle.half_turn()
                 );
                 return Err(self
                     .source

@@ -94,7 +94,8 @@ impl<const N: usize> Lead<N> {
     }
 
     fn value_in_words(&self, names: &Names, value: f64, unit: Unit) -> String {
-        let unit = unit.of_measure(names.measures[self.measure].kind);
-        format!("{} {unit}", number(value + self.offset))
+        let kind = names.measures[self.measure].kind;
+        let value = (value + self.offset) * unit.per_measure(kind);
+        format!("{} {}", number(value), unit.of_measure(kind))
     }
 }

@@ -54,7 +54,7 @@ impl Lock {
             Some(turns) => {
                 let drive = &names.drives[turns];
                 let change = from_design(
-                    self.drives[turns] - design[turns],
+                    (self.drives[turns] - design[turns]) * unit.per_drive(drive.kind),
                     unit.of_drive(drive.kind),
                 );
                 format!("the drive `{}` locks {change} ({drives})", drive.name)

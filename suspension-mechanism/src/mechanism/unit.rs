@@ -1,11 +1,11 @@
-//! The unit of lengths.
+//! The units of a file.
 
 use serde::Deserialize;
 use suspension_core::listing::{DriveKind, MeasureKind};
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
-pub enum Unit {
+pub enum Length {
     /// Metres.
     #[serde(rename = "m")]
     Metre,
@@ -17,7 +17,7 @@ pub enum Unit {
     Inch,
 }
 
-impl Unit {
+impl Length {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Metre, Self::Millimetre, Self::Inch];
 
@@ -64,11 +64,76 @@ impl Unit {
             Self::Inch => 4,
         }
     }
+}
+
+/// A unit of angles.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+pub enum Angle {
+    /// Radians.
+    #[default]
+    #[serde(rename = "rad")]
+    Radian,
+    /// Degrees.
+    #[serde(rename = "deg")]
+    Degree,
+}
+
+impl Angle {
+    /// Its symbol.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Radian => "rad",
+            Self::Degree => "deg",
+        }
+    }
+
+    /// A radian in this unit.
+    pub fn radian(self) -> f64 {
+        match self {
+            Self::Radian => 1.0,
+            Self::Degree => 1_f64.to_degrees(),
+        }
+    }
+
+    /// Half a turn, in words.
+    pub fn half_turn(self) -> &'static str {
+        match self {
+            Self::Radian => "pi",
+            Self::Degree => "180 deg",
+        }
+    }
+}
+
+/// The units of a file. Inside, lengths are in that of the file, angles in radians.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unit {
+    /// That of lengths.
+    pub length: Length,
+    /// That of angles.
+    pub angle: Angle,
+}
+
+impl Unit {
+    /// Metres and radians.
+    pub const METRE: Self = Self {
+        length: Length::Metre,
+        angle: Angle::Radian,
+    };
+
+    /// The symbol of lengths.
+    pub fn symbol(self) -> &'static str {
+        self.length.symbol()
+    }
+
+    /// A metre in the unit of lengths.
+    pub fn metre(self) -> f64 {
+        self.length.metre()
+    }
 
     /// The symbol of a drive's unit.
     pub fn of_drive(self, kind: DriveKind) -> &'static str {
         match kind {
-            DriveKind::Angle => "rad",
+            DriveKind::Angle => self.angle.symbol(),
             DriveKind::Coordinate => self.symbol(),
         }
     }
@@ -76,8 +141,24 @@ impl Unit {
     /// The symbol of a measure's unit.
     pub fn of_measure(self, kind: MeasureKind) -> &'static str {
         match kind {
-            MeasureKind::Angle => "rad",
+            MeasureKind::Angle => self.angle.symbol(),
             MeasureKind::Length => self.symbol(),
+        }
+    }
+
+    /// What a drive's value inside is multiplied with for that in the file.
+    pub fn per_drive(self, kind: DriveKind) -> f64 {
+        match kind {
+            DriveKind::Angle => self.angle.radian(),
+            DriveKind::Coordinate => 1.0,
+        }
+    }
+
+    /// The same of a measure.
+    pub fn per_measure(self, kind: MeasureKind) -> f64 {
+        match kind {
+            MeasureKind::Angle => self.angle.radian(),
+            MeasureKind::Length => 1.0,
         }
     }
 }

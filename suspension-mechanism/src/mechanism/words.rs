@@ -12,11 +12,14 @@ pub fn advice(file: &str) -> String {
 }
 
 impl Names {
-    /// A drive's value in words, as `theta = 0.7 rad`.
+    /// A drive's value inside in words, as `theta = 0.7 rad`.
     pub fn drive_in_words(&self, drive: usize, value: f64, unit: Unit) -> String {
         let drive = &self.drives[drive];
-        let unit = unit.of_drive(drive.kind);
-        format!("{} = {} {unit}", drive.name, number(value))
+        let (value, symbol) = (
+            value * unit.per_drive(drive.kind),
+            unit.of_drive(drive.kind),
+        );
+        format!("{} = {} {symbol}", drive.name, number(value))
     }
 
     /// All drives' values in words, `instead` in place of one of them.

@@ -32,19 +32,19 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The unit's symbol where lengths are in `unit`.
+    /// The unit's symbol in a file of such units.
     pub fn symbol(self, unit: Unit) -> String {
-        let length = unit.symbol();
+        let (length, angle) = (unit.symbol(), unit.angle.symbol());
         match self {
             Self::Time => "s".to_owned(),
             Self::Length => length.to_owned(),
             Self::Velocity => format!("{length}/s"),
             Self::Acceleration => format!("{length}/s^2"),
-            Self::Angle => "rad".to_owned(),
-            Self::AngularVelocity => "rad/s".to_owned(),
-            Self::AngularAcceleration => "rad/s^2".to_owned(),
-            Self::LengthPerAngle => format!("{length}/rad"),
-            Self::AnglePerAngle => "rad/rad".to_owned(),
+            Self::Angle => angle.to_owned(),
+            Self::AngularVelocity => format!("{angle}/s"),
+            Self::AngularAcceleration => format!("{angle}/s^2"),
+            Self::LengthPerAngle => format!("{length}/{angle}"),
+            Self::AnglePerAngle => format!("{angle}/{angle}"),
             Self::Percent => "percent".to_owned(),
             Self::Count => String::new(),
         }
@@ -64,7 +64,7 @@ impl Kind {
             Self::Angle => (1_f64.to_degrees(), "deg".to_owned()),
             Self::Percent => (1.0, "%".to_owned()),
             Self::AnglePerAngle => (1.0, "deg/deg".to_owned()),
-            _ => (1.0, self.symbol(unit)),
+            _ => (self.in_file(unit), self.symbol(unit)),
         }
     }
 
@@ -84,13 +84,28 @@ impl Kind {
         }
     }
 
+    /// What a number inside is multiplied with for that in a file of such units.
+    pub fn in_file(self, unit: Unit) -> f64 {
+        match self {
+            Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => unit.angle.radian(),
+            Self::LengthPerAngle => 1.0 / unit.angle.radian(),
+            Self::Time
+            | Self::Length
+            | Self::Velocity
+            | Self::Acceleration
+            | Self::AnglePerAngle
+            | Self::Percent
+            | Self::Count => 1.0,
+        }
+    }
+
     /// Decimals in text for people.
     pub fn decimals(self, unit: Unit) -> usize {
         match self {
             Self::Count => 0,
             Self::Time => 4,
             Self::Length | Self::Velocity | Self::Acceleration | Self::LengthPerAngle => {
-                unit.decimals()
+                unit.length.decimals()
             }
             Self::Angle
             | Self::AngularVelocity

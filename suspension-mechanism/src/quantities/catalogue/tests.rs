@@ -1,7 +1,7 @@
 //! What the catalogue has for linkages with and without a wheel.
 
 use super::*;
-use crate::mechanism::{Names, Unit, Wheel, WheelPoints};
+use crate::mechanism::{Length, Names, Unit, Wheel, WheelPoints};
 use crate::quantities::quantity::{Shown, columns};
 
 /// Three points, the last a marker and the wheel centre.
@@ -24,11 +24,13 @@ fn names(wheel: bool, kingpin: bool) -> Names {
 }
 
 fn tabled(names: &Names) -> Vec<String> {
+    let unit = Unit {
+        length: Length::Millimetre,
+        ..Unit::METRE
+    };
     let all = columns(catalogue(), names).into_iter();
     let tabled = all.filter(|column| column.quantity.shown != Shown::InSummaries);
-    tabled
-        .map(|column| column.csv_name(Unit::Millimetre))
-        .collect()
+    tabled.map(|column| column.csv_name(unit)).collect()
 }
 
 #[test]

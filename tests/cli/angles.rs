@@ -1,0 +1,203 @@
+//! Angles in degrees.
+
+use super::program::{Rows, folder, rows, run, text};
+
+const FIVE_LINK: &str = include_str!("../../examples/five_link.toml");
+
+/// The example in degrees, its drive at the same angles.
+fn in_degrees() -> String {
+    let [start, rate] = [0.8_f64, 0.6].map(f64::to_degrees);
+    let turned = FIVE_LINK.replace("unit = \"mm\"", "unit = \"mm\"\nangle = \"deg\"");
+    let turned = turned.replace(
+        "theta = [0.8, 0.6]",
+        &format!("theta = [{start:?}, {rate:?}]"),
+    );
+    assert!(turned.contains("\"deg\"") && !turned.contains("[0.8, 0.6]"));
+    turned
+}
+
+fn degrees(radians: f64) -> String {
+    format!("{:?}", radians.to_degrees())
+}
+
+/// Both tables of a command, in radians and in degrees.
+fn both(in_radians: &[&str], with_degrees: &[&str]) -> [Rows; 2] {
+    let folder = folder();
+    std::fs::write(folder.path().join("rad.toml"), FIVE_LINK).expect("written");
+    std::fs::write(folder.path().join("deg.toml"), in_degrees()).expect("written");
+    [("rad.toml", in_radians), ("deg.toml", with_degrees)].map(|(file, arguments)| {
+        let arguments = [&arguments[..1], &[file], &arguments[1..], &["--csv", "-"]].concat();
+        let output = run(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        rows(&output.stdout)
+    })
+}
+
+/// The same numbers, those in degrees under their own names.
+fn are_the_same([radians, degrees]: &[Rows; 2]) {
+    assert_eq!(radians.len(), degrees.len());
+    let mut angles = 0;
+    for (radians, degrees) in radians.iter().zip(degrees) {
+        assert_eq!(radians.len(), degrees.len());
+        for (name, value) in radians {
+            let is_rate = ["omega_", "alpha_"]
+                .iter()
+                .any(|rate| name.starts_with(rate));
+            let (quantity, drive) = name.split_once("_per_").unwrap_or((name, ""));
+            let mut scale = match quantity.strip_suffix("_rad").is_some() || is_rate {
+                true => 1_f64.to_degrees(),
+                false => 1.0,
+            };
+            scale *= match drive {
+                "" => 1.0,
+                "theta" => 1_f64.to_radians(),
+                _ => 1_f64.to_radians().powi(2),
+            };
+            let found = degrees[&name.replace("_rad", "_deg")];
+            let expected = value * scale;
+            let are_close = (found - expected).abs() <= 1e-9 * (1e-3 + expected.abs());
+            assert!(
+                are_close || (found.is_nan() && expected.is_nan()),
+                "{name}: {found} {expected}"
+            );
+            angles += usize::from(scale != 1.0);
+        }
+    }
+    assert!(angles > 0);
+}
+
+#[test]
+fn a_motion_is_the_same_in_degrees() {
+    are_the_same(&both(&["motion"], &["motion"]));
+}
+
+#[test]
+fn a_sweep_and_its_derivatives_are_the_same_in_degrees() {
+    let [from, to] = [-0.1, 0.3].map(degrees);
+    let in_degrees = format!("theta={from}:{to}:5");
+    are_the_same(&both(
+        &["sweep", "--derivatives", "2", "--drive", "theta=-0.1:0.3:5"],
+        &["sweep", "--derivatives", "2", "--drive", &in_degrees],
+    ));
+}
+
+#[test]
+fn assemblies_are_the_same_in_degrees() {
+    let at = degrees(1.1);
+    are_the_same(&both(
+        &["assemblies", "--at", "1.1"],
+        &["assemblies", "--at", &at],
+    ));
+}
+
+#[test]
+fn loads_are_the_same_in_degrees() {
+    let folder = folder();
+    let case = "\n[loads.weight]\nwheel_centre = [0.0, 0.0, 3000.0]\n";
+    let found = [FIVE_LINK.to_owned(), in_degrees()].map(|file| {
+        std::fs::write(folder.path().join("a.toml"), file + case).expect("written");
+        rows(&run(folder.path(), &["loads", "a.toml", "--csv", "-"]).stdout)[0]["weight_theta_Nm"]
+    });
+    assert!(
+        (found[0] - found[1]).abs() < 1e-9 * found[0].abs(),
+        "{found:?}"
+    );
+}
+
+/// What is baked is for programs, which have angles in radians.
+#[test]
+fn a_baked_file_is_the_same() {
+    let [from, to] = [0.9, 1.5].map(degrees);
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), FIVE_LINK).expect("written");
+    let bake = |from: &str, to: &str| {
+        let arguments = [
+            "bake", "a.toml", "--from", from, "--to", to, "--output", "a.rs",
+        ];
+        let output = run(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        std::fs::read_to_string(folder.path().join("a.rs")).expect("a file")
+    };
+    let in_radians = bake("0.9", "1.5");
+    std::fs::write(folder.path().join("a.toml"), in_degrees()).expect("written");
+    let found = bake(&from, &to);
+    let head = |text: &str| {
+        text.lines()
+            .take_while(|line| line.starts_with("//"))
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    let rad = |lines: Vec<String>| {
+        lines
+            .into_iter()
+            .filter(|line| line.contains(" rad"))
+            .count()
+    };
+    assert_eq!(rad(head(&in_radians)), rad(head(&found)));
+    assert_eq!(in_radians.lines().count(), found.lines().count());
+}
+
+#[test]
+fn comparing_both_finds_no_difference() {
+    let folder = folder();
+    let travel = "\nvehicle = { travel = \"theta\" }\n";
+    let with = |file: String| file.replacen("unit = \"mm\"", &format!("unit = \"mm\"{travel}"), 1);
+    std::fs::write(folder.path().join("rad.toml"), with(FIVE_LINK.to_owned())).expect("written");
+    std::fs::write(folder.path().join("deg.toml"), with(in_degrees())).expect("written");
+    let output = run(
+        folder.path(),
+        &["compare", "rad.toml", "deg.toml", "--csv", "-"],
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+    let mut count = 0;
+    for record in reader.records() {
+        let record = record.expect("a row");
+        let [a, b]: [f64; 2] = [4, 5].map(|column| record[column].parse().expect("a number"));
+        assert!((a - b).abs() <= 1e-8 * (1e-3 + a.abs()), "{record:?}");
+        count += 1;
+    }
+    assert!(count > 10, "{count}");
+}
+
+#[test]
+fn messages_are_in_degrees() {
+    let folder = folder();
+    let path = folder.path().join("a.toml");
+    std::fs::write(&path, in_degrees()).expect("written");
+    let check = run(folder.path(), &["check", "a.toml"]);
+    let report = text(&check.stdout);
+    assert!(report.contains("theta = 90 deg"), "{report}");
+    assert!(report.contains(" deg above the design"), "{report}");
+    let locked = run(folder.path(), &["sweep", "a.toml", "--drive", "theta=80.0"]);
+    assert_eq!(locked.status.code(), Some(3), "{locked:?}");
+    assert!(
+        text(&locked.stderr).contains(" deg above the design (theta = 12"),
+        "{locked:?}"
+    );
+    let beyond = run(folder.path(), &["assemblies", "a.toml", "--at", "200"]);
+    assert!(
+        text(&beyond.stderr)
+            .contains("--at 200: the angle of a link from an axis lies between 0 and 180 deg"),
+        "{beyond:?}"
+    );
+    std::fs::write(&path, in_degrees().replace("\"deg\"", "\"grad\"")).expect("written");
+    let refused = run(folder.path(), &["check", "a.toml"]);
+    assert_eq!(refused.status.code(), Some(2), "{refused:?}");
+    assert!(
+        text(&refused.stderr).contains("unknown variant `grad`, expected `rad` or `deg`"),
+        "{refused:?}"
+    );
+}
+
+/// JSON says so above its rows.
+#[test]
+fn a_header_names_the_unit_of_angles() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), in_degrees()).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml", "--json", "-"]);
+    assert!(
+        text(&output.stdout).contains("\"angle\":\"deg\""),
+        "{output:?}"
+    );
+}
