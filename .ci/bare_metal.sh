@@ -8,6 +8,6 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # The versions that the workspace is tested with.
 cp "$root/Cargo.lock" "$root/tests/firmware/"
 cd "$root/tests/firmware"
-# Beside what the workspace's tests have built.
-cargo test --quiet --package measure --target-dir "$root/target"
-cargo run --quiet --package measure --target-dir "$root/target" -- "$@"
+# In a folder of its own: one that others build in would have to be waited for.
+cargo test --quiet --package measure
+cargo run --quiet --package measure -- "$@"
