@@ -1,5 +1,6 @@
 //! `suspension loads`: the forces in a mechanism under the load cases of its file.
 
+mod found;
 mod report;
 mod table;
 
@@ -14,12 +15,13 @@ use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::loads::{Case, Outcome, Structure};
-use crate::mechanism::Order;
+use crate::mechanism::{Order, State};
 use crate::output::files::{announce, print};
 use crate::output::progress::Progress;
 use crate::output::rows::Forms;
 use crate::output::target::Target;
-use table::Loaded;
+use found::Found;
+use report::Report;
 
 /// What `suspension loads` is given.
 #[derive(Args, Clone, Debug)]
@@ -104,38 +106,51 @@ impl Work<'_> {
         let grid = grid(self.mechanism, &arguments.drives, arguments.absolute);
         let grid = grid.map_err(Failure::Input)?;
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
-        let visited =
-            self.mechanism
-                .visit(&grid, Order::First, interrupted, &mut |place| -> Loaded {
-                    progress.step();
-                    let outcomes = self.cases.iter();
-                    let outcomes =
-                        outcomes.map(|case| self.structure.under(self.mechanism, case, place));
-                    (place.state(), outcomes.collect())
-                });
-        let places: Vec<Loaded> = visited.places.iter().flatten().cloned().collect();
+        let visited = self
+            .mechanism
+            .visit(&grid, Order::First, interrupted, &mut |place| {
+                progress.step();
+                let cases = self.cases.iter();
+                let outcomes = cases.map(|case| self.structure.under(self.mechanism, case, place));
+                (place.state(), outcomes.collect::<Vec<_>>())
+            });
+        let failure = visited.failure(self.source);
+        let places = visited.places.into_iter().flatten();
+        let (states, outcomes): (Vec<State>, Vec<_>) = places.unzip();
+        if !states.is_empty() {
+            self.write(&states, outcomes, forms)?;
+        }
+        failure.map_or(Ok(()), Err)
+    }
+
+    /// `outcomes` are those of each case, at each place.
+    fn write(
+        &self,
+        states: &[State],
+        outcomes: Vec<Vec<Option<Outcome>>>,
+        forms: &Forms,
+    ) -> Result<(), Failure> {
+        let found = self.cases.iter().enumerate().map(|(number, case)| {
+            let of_case = outcomes.iter().map(|outcomes| outcomes[number].clone());
+            Found::new(self.source, case, of_case.collect())
+        });
+        let found = found.collect::<Result<Vec<_>, _>>()?;
         if !forms.is_empty() {
-            let parts = (self.structure, self.cases);
-            table::write(self.mechanism, parts, &places, forms)?;
+            table::write(self.mechanism, self.structure, states, &found, forms)?;
             let written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
             announce(&written);
         }
-        let on_stdout = [&forms.csv, &forms.json].contains(&&Some(Target::Stdout));
-        if !on_stdout {
-            let report = report::Report {
-                file: self.source,
-                mechanism: self.mechanism,
-                structure: self.structure,
-            };
-            for (number, case) in self.cases.iter().enumerate() {
-                let outcomes: Vec<&Outcome> = places
-                    .iter()
-                    .filter_map(|(_, outcomes)| outcomes[number].as_ref())
-                    .collect();
-                print(&report.text(case, &outcomes))?;
-            }
+        if [&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
+            return Ok(());
         }
-        visited.failure(self.source).map_or(Ok(()), Err)
+        let report = Report {
+            file: self.source,
+            mechanism: self.mechanism,
+            structure: self.structure,
+        };
+        found
+            .iter()
+            .try_for_each(|found| print(&report.text(found)))
     }
 }
 

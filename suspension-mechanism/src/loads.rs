@@ -1,15 +1,19 @@
 //! What load cases do to the parts of a mechanism: what its drives bear, the force in each link, and the forces that
 //! bodies exert at their joints.
 
+mod forces;
+mod site;
+
 use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use suspension_core::listing::{DriveKind, MeasureKind};
-use suspension_core::statics::spread;
-use suspension_core::wheel::contact;
+use suspension_core::listing::DriveKind;
 use suspension_runtime::{Listing, Statement};
 
-use crate::mechanism::{Description, Place, State};
+use crate::mechanism::{Borne, Description, Place};
+use forces::{Force, Here, summed};
+
+pub use site::Site;
 
 /// A load case: what acts where.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,17 +26,6 @@ pub struct Case {
     pub along: Vec<(usize, f64)>,
     /// Drives that bear nothing, each with the measure that does, a spring's say; both by number.
     pub borne_by: Vec<(usize, usize)>,
-}
-
-/// Where a load acts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Site {
-    /// At a free point, which passes the load to whatever it joins.
-    Point(usize),
-    /// At a point of a body that these three points determine.
-    Body(usize, [usize; 3]),
-    /// Where a wheel by this number touches the ground, the wheel being held by its carrier.
-    Contact(usize),
 }
 
 /// What a case does at a place.
@@ -57,13 +50,6 @@ pub struct Structure<'l> {
     carriers: Vec<(usize, [usize; 3])>,
 }
 
-/// A force at a point, with the body on which it acts, where it does not act on the point itself.
-struct Force {
-    point: usize,
-    force: Vector3<f64>,
-    body: Option<[usize; 3]>,
-}
-
 impl<'l> Structure<'l> {
     /// That of a listing. Drives of free points are no part of it: [`Outcome::on_drives`] has what they bear.
     pub fn of(listing: &'l Listing) -> Self {
@@ -77,168 +63,101 @@ impl<'l> Structure<'l> {
         }
     }
 
-    /// What a case does at a place; `None` where the mechanism locks.
+    /// What a case does at a place; `None` where the mechanism locks, or where what is to bear the load of a drive does not
+    /// move with it.
     pub fn under(
         &self,
         mechanism: &Description,
         case: &Case,
         place: &dyn Place,
     ) -> Option<Outcome> {
-        let state = place.state();
-        let mut forces = self.at_places(mechanism, case, &state);
-        for (measure, along) in &case.along {
-            forces.extend(self.in_measure(mechanism, *measure, *along, place, &state));
-        }
-        let bearing = self.bearing(mechanism, case, &forces, place, &state)?;
-        for (measure, along) in &bearing {
-            forces.extend(self.in_measure(mechanism, *measure, *along, place, &state));
-        }
-        let borne = place.under(&summed(&forces, &state), &self.groups)?;
+        let here = Here::new(mechanism, &self.carriers, place);
+        let mut forces = here.at_sites(&case.at);
+        forces.extend(here.in_measures(&case.along));
+        let in_measures = bearing(&here, &case.borne_by, &forces)?;
+        forces.extend(here.in_measures(&in_measures));
+        let Borne {
+            on_drives,
+            by_groups,
+        } = place.under(&summed(&forces, here.points()), &self.groups)?;
         let mut outcome = Outcome {
-            on_drives: in_newton_metres(mechanism, borne.on_drives),
-            in_measures: bearing,
+            on_drives: in_newton_metres(mechanism, on_drives),
+            in_measures,
             links: Vec::new(),
             joints: Vec::new(),
         };
-        for (number, mut by) in borne.by_groups.into_iter().enumerate() {
-            let statement = &self.statements[number];
-            for Force { point, force, .. } in forces.iter().filter(|force| force.is_on(statement)) {
-                by[*point] += force;
-            }
-            match statement.points.as_slice() {
-                [from, to] if statement.kind == "link" => {
-                    let along = state.points.value[*to] - state.points.value[*from];
-                    outcome
-                        .links
-                        .push((number, by[*from].dot(&along.normalize())));
-                }
-                points => {
-                    let at = points.iter().map(|point| (number, *point, by[*point]));
-                    outcome.joints.extend(at);
-                }
-            }
+        for (number, by) in by_groups.into_iter().enumerate() {
+            self.add(
+                &mut outcome,
+                number,
+                with_own(&self.statements[number], by, &forces),
+                here.points(),
+            );
         }
         Some(outcome)
     }
 
-    /// What measures must bear so that their drives bear nothing; `None` where they cannot.
-    fn bearing(
+    /// Adds the forces `by` a statement on all points.
+    fn add(
         &self,
-        mechanism: &Description,
-        case: &Case,
-        forces: &[Force],
-        place: &dyn Place,
-        state: &State,
-    ) -> Option<Vec<(usize, f64)>> {
-        let on_drives = |forces: &[Force]| {
-            let borne = place.under(&summed(forces, state), &[])?.on_drives;
-            let relieved = case.borne_by.iter().map(|(drive, _)| borne[*drive]);
-            Some(DVector::from_iterator(case.borne_by.len(), relieved))
-        };
-        if case.borne_by.is_empty() {
-            return Some(Vec::new());
-        }
-        let of_units = case.borne_by.iter().map(|(_, measure)| {
-            let unit: Vec<Force> = self.in_measure(mechanism, *measure, 1.0, place, state);
-            on_drives(&unit)
-        });
-        let of_units: Vec<DVector<f64>> = of_units.collect::<Option<_>>()?;
-        let loads = on_drives(forces)?;
-        let along = DMatrix::from_columns(&of_units).lu().solve(&-loads)?;
-        let measures = case.borne_by.iter().map(|(_, measure)| *measure);
-        let is_finite = along.iter().all(|along| along.is_finite());
-        is_finite.then(|| measures.zip(along.iter().copied()).collect())
-    }
-
-    /// The forces of a case at places, those on bodies spread over three points of each.
-    fn at_places(&self, mechanism: &Description, case: &Case, state: &State) -> Vec<Force> {
-        let points = &state.points.value;
-        let metre = mechanism.unit.metre();
-        let mut forces = Vec::new();
-        for (site, [force, moment]) in &case.at {
-            let load = [*force, moment * metre];
-            match *site {
-                Site::Point(point) => forces.push(Force::at(point, *force)),
-                Site::Body(point, body) => {
-                    forces.extend(Force::spread(points, body, points[point], load));
-                }
-                Site::Contact(wheel) => {
-                    let body = mechanism.names.wheels[wheel].points.carrier;
-                    let at = touching(mechanism, wheel, state);
-                    forces.extend(Force::spread(points, body, at, load));
-                }
+        outcome: &mut Outcome,
+        number: usize,
+        by: Vec<Vector3<f64>>,
+        at: &[Vector3<f64>],
+    ) {
+        let statement = &self.statements[number];
+        match statement.points.as_slice() {
+            [from, to] if statement.kind == "link" => {
+                let along = (at[*to] - at[*from]).normalize();
+                outcome.links.push((number, by[*from].dot(&along)));
+            }
+            points => {
+                let joints = points.iter().map(|point| (number, *point, by[*point]));
+                outcome.joints.extend(joints);
             }
         }
-        forces
-    }
-
-    /// The forces at the points of a measure.
-    fn in_measure(
-        &self,
-        mechanism: &Description,
-        measure: usize,
-        along: f64,
-        place: &dyn Place,
-        state: &State,
-    ) -> Vec<Force> {
-        let is_angle = mechanism.names.measures[measure].kind == MeasureKind::Angle;
-        let along = if is_angle {
-            along * mechanism.unit.metre()
-        } else {
-            along
-        };
-        let points = &state.points.value;
-        let mut forces = Vec::new();
-        for (point, gradient) in place.gradient(measure).into_iter().enumerate() {
-            let force = gradient * along;
-            match self.carriers.iter().find(|(marker, _)| *marker == point) {
-                None => forces.push(Force::at(point, force)),
-                Some((_, body)) => {
-                    let alone = [force, Vector3::zeros()];
-                    forces.extend(Force::spread(points, *body, points[point], alone));
-                }
-            }
-        }
-        forces
     }
 }
 
-/// The forces at each point together.
-fn summed(forces: &[Force], state: &State) -> Vec<Vector3<f64>> {
-    let mut sums = vec![Vector3::zeros(); state.points.value.len()];
-    for Force { point, force, .. } in forces {
-        sums[*point] += force;
+/// What a statement exerts, with what acts on its own body: what it passes on.
+fn with_own(
+    statement: &Statement<'_>,
+    mut by: Vec<Vector3<f64>>,
+    forces: &[Force],
+) -> Vec<Vector3<f64>> {
+    for force in forces.iter().filter(|force| force.is_on(statement)) {
+        by[force.point] += force.force;
     }
-    sums
+    by
 }
 
-impl Force {
-    fn at(point: usize, force: Vector3<f64>) -> Self {
-        let body = None;
-        Self { point, force, body }
+/// What measures must bear so that their drives bear nothing; `None` where they cannot.
+fn bearing(
+    here: &Here<'_>,
+    borne_by: &[(usize, usize)],
+    forces: &[Force],
+) -> Option<Vec<(usize, f64)>> {
+    if borne_by.is_empty() {
+        return Some(Vec::new());
     }
-
-    /// A force and a moment at a place of a body.
-    fn spread(
-        points: &[Vector3<f64>],
-        body: [usize; 3],
-        place: Vector3<f64>,
-        [force, moment]: [Vector3<f64>; 2],
-    ) -> impl Iterator<Item = Self> {
-        let parts = spread(body.map(|point| points[point]), force, place, moment);
-        let each = body.into_iter().zip(parts);
-        each.map(move |(point, force)| Self {
-            point,
-            force,
-            body: Some(body),
-        })
-    }
-
-    /// Whether it acts on the body of a statement.
-    fn is_on(&self, statement: &Statement<'_>) -> bool {
-        let has = |points: [usize; 3]| points.iter().all(|point| statement.points.contains(point));
-        self.body.is_some_and(has)
-    }
+    let on_drives = |forces: &[Force]| {
+        let borne = here
+            .place
+            .under(&summed(forces, here.points()), &[])?
+            .on_drives;
+        let relieved = borne_by.iter().map(|(drive, _)| borne[*drive]);
+        Some(DVector::from_iterator(borne_by.len(), relieved))
+    };
+    let of_units = borne_by
+        .iter()
+        .map(|(_, measure)| on_drives(&here.in_measure(*measure, 1.0)));
+    let of_units: Vec<DVector<f64>> = of_units.collect::<Option<_>>()?;
+    let along = DMatrix::from_columns(&of_units)
+        .lu()
+        .solve(&-on_drives(forces)?)?;
+    let measures = borne_by.iter().map(|(_, measure)| *measure);
+    let is_finite = along.iter().all(|along| along.is_finite());
+    is_finite.then(|| measures.zip(along.iter().copied()).collect())
 }
 
 /// Moments about angles per metre, not per the unit of lengths.
@@ -249,15 +168,4 @@ fn in_newton_metres(mechanism: &Description, mut on_drives: Vec<f64>) -> Vec<f64
         }
     }
     on_drives
-}
-
-/// Where a wheel touches the ground, in local coordinates.
-fn touching(mechanism: &Description, wheel: usize, state: &State) -> Vector3<f64> {
-    let wheel = &mechanism.names.wheels[wheel];
-    let axis = wheel.points.axis;
-    let [inner, centre] = axis.map(|point| state.axes.turned(state.points.value[point]));
-    let radius = wheel.radius.unwrap_or(f64::NAN);
-    state
-        .axes
-        .turned(contact(&centre, &(centre - inner), radius))
 }

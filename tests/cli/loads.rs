@@ -242,3 +242,25 @@ fn what_is_no_load_is_refused_with_its_place() {
         );
     }
 }
+
+/// Cases differ in what bears their loads, and so do their columns.
+#[test]
+fn each_case_has_its_own_columns() {
+    let cases = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\nbump = \"damper\"\n[loads.b]\ncontact = [0.0, 0.0, 4000.0]\n";
+    let row = &table(&loaded(cases), &[])[0];
+    assert!(row.contains_key("a_damper_N") && !row.contains_key("b_damper_N"));
+    assert!(row["a_bump_N"].abs() < 1e-8 && (row["b_bump_N"] - 4000.0).abs() < 100.0);
+    assert_eq!(row["a_tie_rod_N"].signum(), row["b_tie_rod_N"].signum());
+}
+
+#[test]
+fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
+    let folder = folder();
+    // The bar's arm is tied to the rocker, which steering does not move where the wheel stays.
+    let case = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\nsteer = \"bar_arm\"\nbump = \"damper\"\n";
+    std::fs::write(folder.path().join("a.toml"), loaded(case)).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml", "--csv", "a.csv"]);
+    let is_told = text(&output.stderr).contains("load case `a` has no answer");
+    assert!(is_told && output.status.code() == Some(3), "{output:?}");
+    assert!(!folder.path().join("a.csv").exists());
+}

@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use suspension_core::listing::{DriveKind, MeasureKind};
 
-use crate::loads::{Case, Outcome, Structure};
+use crate::commands::loads::found::Found;
+use crate::loads::{Outcome, Structure};
 use crate::mechanism::{Description, Drive, Measure};
 use crate::number::{aligned, fixed};
 
@@ -19,15 +20,15 @@ pub(super) struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// A case at all places that have a configuration.
-    pub(super) fn text(&self, case: &Case, outcomes: &[&Outcome]) -> String {
+    /// A case at all places that have an answer.
+    pub(super) fn text(&self, found: &Found<'_>) -> String {
         let Report {
             file, mechanism, ..
         } = self;
-        let places = match outcomes {
-            [] => return format!("{file}: load case {}: the mechanism locks\n\n", case.name),
-            [_] => "one place".to_owned(),
-            several => format!("least and greatest of {} places", several.len()),
+        let (case, outcomes) = (found.case, found.all());
+        let places = match outcomes.len() {
+            1 => "one place".to_owned(),
+            several => format!("least and greatest of {several} places"),
         };
         let axes = mechanism.axes.in_words();
         let mut out = format!(
@@ -40,7 +41,7 @@ impl Report<'_> {
             line(drive.name.clone(), loads, unit_of(drive))
         });
         table(&mut out, "drive", "bears", drives.collect());
-        let bearing = outcomes[0].in_measures.iter().enumerate();
+        let bearing = found.first.in_measures.iter().enumerate();
         let bearing = bearing.map(|(number, (measure, _))| {
             let loads = outcomes.iter().map(|outcome| outcome.in_measures[number].1);
             let measure = &mechanism.names.measures[*measure];
@@ -48,7 +49,7 @@ impl Report<'_> {
         });
         table(&mut out, "measure", "bears", bearing.collect());
         let statements = &self.structure.statements;
-        let links = outcomes[0].links.iter().enumerate();
+        let links = found.first.links.iter().enumerate();
         let links = links.map(|(number, (statement, _))| {
             let forces = outcomes.iter().map(|outcome| outcome.links[number].1);
             line(statements[*statement].name.to_owned(), forces, "N")
@@ -57,17 +58,10 @@ impl Report<'_> {
         table(
             &mut out,
             "joint",
-            self.joints_in_words(outcomes),
-            self.joints(outcomes),
+            joints_in_words(&outcomes),
+            self.joints(&outcomes),
         );
         out
-    }
-
-    fn joints_in_words(&self, outcomes: &[&Outcome]) -> &'static str {
-        match outcomes {
-            [_] => "force along x, y and z",
-            _ => "size of the force",
-        }
     }
 
     /// Of one place the components, of several the sizes.
@@ -92,6 +86,13 @@ impl Report<'_> {
             }
         });
         joints.collect()
+    }
+}
+
+fn joints_in_words(outcomes: &[&Outcome]) -> &'static str {
+    match outcomes {
+        [_] => "force along x, y and z",
+        _ => "size of the force",
     }
 }
 

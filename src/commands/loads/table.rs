@@ -2,36 +2,29 @@
 
 use nalgebra::Vector3;
 
+use crate::commands::loads::found::Found;
 use crate::commands::loads::report::{unit_in, unit_of};
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
-use crate::loads::{Case, Outcome, Structure};
+use crate::loads::{Outcome, Structure};
 use crate::mechanism::State;
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
 use crate::quantities::{self, DRIVES, Reader, catalogue};
 
-/// A place with what each case does there; `None` where the mechanism locks.
-pub(super) type Loaded = (State, Vec<Option<Outcome>>);
-
-/// Writes the drives and what each case does.
+/// Writes the drives and what each case does, a row a place.
 pub(super) fn write(
     mechanism: &dyn Kinematics,
-    (structure, cases): (&Structure<'_>, &[Case]),
-    places: &[Loaded],
+    structure: &Structure<'_>,
+    states: &[State],
+    found: &[Found<'_>],
     forms: &Forms,
 ) -> Result<(), Failure> {
     let drives = quantities::columns(catalogue(), &mechanism.names).into_iter();
     let drives: Vec<_> = drives.filter(|column| column.is(&DRIVES)).collect();
-    let shape = places
+    let names = found
         .iter()
-        .flat_map(|(_, outcomes)| outcomes.iter().flatten());
-    let Some(shape) = shape.clone().next() else {
-        return Ok(());
-    };
-    let names = cases
-        .iter()
-        .flat_map(|case| names(mechanism, structure, case, shape));
+        .flat_map(|found| names(mechanism, structure, found));
     let of_drives = drives.iter().map(|column| column.csv_name(mechanism.unit));
     let heading = |name| Heading {
         name,
@@ -39,16 +32,16 @@ pub(super) fn write(
     };
     let headings: Vec<Heading> = of_drives.chain(names).map(heading).collect();
     let mut file = Rows::create(forms, &Header::of(mechanism), &headings)?;
-    for (state, outcomes) in places {
+    for (place, state) in states.iter().enumerate() {
         let reader = Reader::of(state);
+        let drives = drives.iter();
         let mut row: Vec<f64> = drives
-            .iter()
             .map(|column| column.read(&reader).value * column.kind.in_file(mechanism.unit))
             .collect();
-        for outcome in outcomes {
-            match outcome {
+        for found in found {
+            match &found.outcomes[place] {
                 Some(outcome) => row.extend(numbers(outcome)),
-                None => row.extend(numbers(shape).map(|_| f64::NAN)),
+                None => row.extend(numbers(&found.first).map(|_| f64::NAN)),
             }
         }
         file.add(&row)?;
@@ -57,13 +50,8 @@ pub(super) fn write(
 }
 
 /// The names of the columns of a case.
-fn names(
-    mechanism: &dyn Kinematics,
-    structure: &Structure<'_>,
-    case: &Case,
-    shape: &Outcome,
-) -> Vec<String> {
-    let (case, statements) = (&case.name, &structure.statements);
+fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_>) -> Vec<String> {
+    let (case, shape, statements) = (&found.case.name, &found.first, &structure.statements);
     let drives = mechanism.names.drives.iter();
     let drives = drives.map(|drive| {
         let unit = unit_of(drive).replace(' ', "");
