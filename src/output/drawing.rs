@@ -11,6 +11,7 @@ mod view;
 
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{Pos, VPos};
 
 use crate::mechanism::Axes;
 use disc::rim;
@@ -188,15 +189,16 @@ impl Drawing {
         }
         let mut labels = Labels::among(&places, self.segments(view), shown, FINE as i32);
         for ((name, _), place) in self.points.iter().zip(&places) {
-            let Boxed { left, top, leader } = labels.put(name, *place);
+            let Boxed { at, anchor, leader } = labels.put(name, *place);
             if let Some(end) = leader {
                 area.draw(&PathElement::new(
                     [*place, end],
                     CHASSIS.mix(0.5).stroke_width(FINE),
                 ))?;
             }
-            let style = ("sans-serif", FONT_SIZE * FINE).into_font().color(&CHASSIS);
-            area.draw(&Text::new(name.as_str(), (left, top), style))?;
+            let font = ("sans-serif", labels.font_size()).into_font();
+            let style = font.color(&CHASSIS).pos(Pos::new(anchor, VPos::Top));
+            area.draw(&Text::new(name.as_str(), at, style))?;
         }
         Ok(())
     }

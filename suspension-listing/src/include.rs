@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenStream};
 use syn::{Error, Ident, LitStr};
 
 use crate::include_source::Wanted;
@@ -62,9 +62,39 @@ impl Include {
         Error::new(self.source.span(), message)
     }
 
-    /// What is wrong with the other listing's text.
+    /// The text that it includes, as `tokens`.
+    pub(crate) fn included(&self, text: String, tokens: Option<&TokenStream>) -> Included {
+        let first = tokens.and_then(|tokens| tokens.clone().into_iter().next());
+        Included {
+            name: self.source.name(),
+            place: self.source.span(),
+            file: first.map(|token| token.span().file()),
+            text,
+        }
+    }
+}
+
+/// A text that was included, for the places of what is wrong in it.
+#[derive(Clone)]
+pub(crate) struct Included {
+    name: String,
+    /// Where it is named.
+    place: Span,
+    /// What the lexer calls it.
+    file: Option<String>,
+    pub(crate) text: String,
+}
+
+impl Included {
+    /// Whether a place is in it.
+    pub(crate) fn has(&self, place: Span) -> bool {
+        self.file == Some(place.file())
+    }
+
+    /// What is wrong in it, where it is named.
     pub(crate) fn wrong(&self, mistakes: Vec<Mistake>) -> Error {
-        let name = self.source.name();
+        let name = &self.name;
+        let refused = |message| Error::new(self.place, message);
         let mut errors = mistakes.into_iter().map(|mistake| {
             let Mistake {
                 line,
@@ -72,10 +102,10 @@ impl Include {
                 message,
                 ..
             } = mistake;
-            self.refused(format!("{name}:{line}:{column}: {message}"))
+            refused(format!("{name}:{line}:{column}: {message}"))
         });
         let first = errors.next();
-        let first = first.unwrap_or_else(|| self.refused(format!("`{name}` cannot be read")));
+        let first = first.unwrap_or_else(|| refused(format!("`{name}` cannot be read")));
         errors.fold(first, |mut all, error| {
             all.combine(error);
             all

@@ -4,6 +4,7 @@ use proc_macro2::{Group, LexError, Literal, Span, TokenStream, TokenTree, fallba
 use syn::Error;
 
 use crate::errors;
+use crate::include::Included;
 
 /// The most brackets within each other; statements need one.
 pub const DEEPEST: usize = 8;
@@ -24,11 +25,16 @@ pub struct Mistake {
     pub length: usize,
 }
 
-/// Does something by the lexer that tells places in a text, as the compiler's own does not.
-pub(crate) fn with_places<T>(work: impl FnOnce() -> T) -> T {
+/// Whether the lexer tells places in a text, as the compiler's own does not.
+fn has_places() -> bool {
     let tokens = "a b".parse::<TokenStream>();
     let second = tokens.ok().and_then(|tokens| tokens.into_iter().nth(1));
-    if second.is_some_and(|second| second.span().start().column == 2) {
+    second.is_some_and(|second| second.span().start().column == 2)
+}
+
+/// Does something by the lexer that tells places in a text.
+pub(crate) fn with_places<T>(work: impl FnOnce() -> T) -> T {
+    if has_places() {
         return work();
     }
     fallback::force();
@@ -41,9 +47,17 @@ pub(crate) fn with_places<T>(work: impl FnOnce() -> T) -> T {
 pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
     let tokens: TokenStream = text.parse().map_err(|e| vec![unreadable(text, &e)])?;
     match exceeded(&tokens) {
-        Some(error) => Err(mistakes(text, error)),
+        Some(error) => Err(mistakes(text, &[], error)),
         None => Ok(tokens),
     }
+}
+
+/// Tokens that were read with their places; for a lexer that tells none, all at `place`.
+pub(crate) fn handed_on(tokens: TokenStream, place: Span) -> TokenStream {
+    if has_places() {
+        return tokens;
+    }
+    placed(tokens.to_string().parse().unwrap_or_default(), place)
 }
 
 /// The same tokens, all at one place.
@@ -112,12 +126,17 @@ fn unreadable(text: &str, error: &LexError) -> Mistake {
     }
 }
 
-/// All that is wrong, each at its place.
-pub(crate) fn mistakes(text: &str, error: Error) -> Vec<Mistake> {
-    error
-        .into_iter()
-        .map(|error| mistake(text, &error))
-        .collect()
+/// All that is wrong, each at its place; what is wrong in an included text also where that is included.
+pub(crate) fn mistakes(text: &str, included: &[Included], error: Error) -> Vec<Mistake> {
+    let mistake_of = |error: Error| {
+        let inner = included.iter().find(|inner| inner.has(error.span()));
+        let mistake = mistake(inner.map_or(text, |inner| &inner.text), &error);
+        match inner {
+            Some(inner) => mistakes(text, included, inner.wrong(vec![mistake])),
+            None => vec![mistake],
+        }
+    };
+    error.into_iter().flat_map(mistake_of).collect()
 }
 
 fn mistake(text: &str, error: &Error) -> Mistake {

@@ -9,7 +9,7 @@ use proc_macro2::Span;
 use syn::Ident;
 
 use crate::errors::Errors;
-use crate::include::Include;
+use crate::include::{Include, Included};
 use crate::kind::Kind;
 use crate::name::{self, Name};
 use crate::system::System;
@@ -25,6 +25,8 @@ pub struct Listing {
     pub(crate) mirror: Option<[Ident; 2]>,
     /// The statement that was read last, where it includes another listing.
     pub(crate) include: Option<Include>,
+    /// The texts that it includes, those included in them among them.
+    pub(crate) included: Vec<Included>,
     /// The token for messages about the listing as a whole.
     pub(crate) span: Span,
     /// Where the free points are declared: the token for messages about counts.
@@ -65,6 +67,7 @@ impl Listing {
             statements: Vec::new(),
             mirror: None,
             include: None,
+            included: Vec::new(),
             span,
             free_span: span,
             incomplete: false,

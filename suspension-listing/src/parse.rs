@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 use std::collections::BTreeSet;
+use std::mem;
 use std::path::{Path, PathBuf};
 
 use proc_macro2::{Span, TokenStream, TokenTree};
@@ -10,7 +11,7 @@ use syn::{Attribute, Ident, Token};
 
 use crate::did_you_mean::did_you_mean;
 use crate::errors::{self, Errors};
-use crate::include::Include;
+use crate::include::{Include, Included};
 use crate::include_source::IncludeSource;
 use crate::lexed::{self, Mistake};
 use crate::listing::Listing;
@@ -43,6 +44,7 @@ pub fn statements(
         errors: Errors::default(),
         texts: Vec::new(),
         includes,
+        includes_named: BTreeSet::new(),
         file: PathBuf::new(),
         depth: 0,
         included: &included,
@@ -58,6 +60,8 @@ struct Reading<'a> {
     /// The statements that were read, those of included listings among them.
     texts: Vec<Vec<TokenTree>>,
     includes: &'a dyn IncludeSource,
+    /// The names that listings are included under.
+    includes_named: BTreeSet<String>,
     /// The path of an included one, from the folder of the one that is read.
     file: PathBuf,
     /// In how many others it is included.
@@ -122,12 +126,13 @@ impl Reading<'_> {
     }
 
     fn try_include(&mut self, include: &Include) -> syn::Result<()> {
+        self.check_stated_once(&include.name)?;
         let file = include.source.path(&self.file);
         let text = self.text(include, &file)?;
-        let flat = lexed::with_places(|| self.flat(&text, file));
-        let flat = flat.map_err(|mistakes| include.wrong(mistakes))?;
+        let flat = lexed::with_places(|| self.flat(include, text, file))?;
+        self.listing.included.extend(flat.included);
         let mut statements = flat.statements.iter();
-        statements.try_for_each(|text| self.add(include.statement(text, &flat.names)?))
+        statements.try_for_each(|tokens| self.add(include.statement(tokens, &flat.names)?))
     }
 
     /// The text of another listing.
@@ -152,25 +157,49 @@ impl Reading<'_> {
         Ok(text)
     }
 
+    /// Refuses a name that something else is included under: each of its names would be stated twice.
+    fn check_stated_once(&mut self, name: &Ident) -> syn::Result<()> {
+        if self.includes_named.insert(name.to_string()) {
+            return Ok(());
+        }
+        let message = format!("the name `{name}` is already taken by an include; choose another");
+        Err(errors::at(name, message))
+    }
+
     /// What an included text says.
-    fn flat(&self, text: &str, file: PathBuf) -> Result<Flat, Vec<Mistake>> {
-        let of_text = |error| lexed::mistakes(text, error);
+    fn flat(&self, include: &Include, text: String, file: PathBuf) -> syn::Result<Flat> {
+        let tokens = lexed::tokens(&text);
+        let inner = include.included(text, tokens.as_ref().ok());
+        let read = tokens.and_then(|tokens| self.read(&inner.text, tokens, file));
+        let mut flat = read.map_err(|mistakes| inner.wrong(mistakes))?;
+        flat.included.push(inner);
+        Ok(flat)
+    }
+
+    fn read(&self, text: &str, tokens: TokenStream, file: PathBuf) -> Result<Flat, Vec<Mistake>> {
         let mut reading = Self {
             listing: Listing::empty(Span::call_site()),
             errors: Errors::default(),
             texts: Vec::new(),
+            includes_named: BTreeSet::new(),
             file,
             depth: self.depth + 1,
             ..*self
         };
         let read = |input: ParseStream<'_>| reading.all(input);
-        read.parse2(lexed::tokens(text)?).map_err(of_text)?;
-        reading.errors.into_result().map_err(of_text)?;
+        let read = read.parse2(tokens);
+        let read = read.and_then(|()| mem::take(&mut reading.errors).into_result());
+        let included = mem::take(&mut reading.listing.included);
+        read.map_err(|error| lexed::mistakes(text, &included, error))?;
         let names = reading.listing.declared();
-        let statement = |tokens: Vec<TokenTree>| TokenStream::from_iter(tokens).to_string();
         Ok(Flat {
             names: names.map(|(name, _)| name.to_string()).collect(),
-            statements: reading.texts.into_iter().map(statement).collect(),
+            statements: reading
+                .texts
+                .into_iter()
+                .map(TokenStream::from_iter)
+                .collect(),
+            included,
         })
     }
 }
@@ -178,7 +207,9 @@ impl Reading<'_> {
 /// A listing that includes no other, and no mirror.
 struct Flat {
     names: BTreeSet<String>,
-    statements: Vec<String>,
+    statements: Vec<TokenStream>,
+    /// The texts that it is of.
+    included: Vec<Included>,
 }
 
 fn is_mirror(text: &[TokenTree]) -> bool {

@@ -90,9 +90,11 @@ fn front(text: &str, bounded: bool, includes: &dyn IncludeSource) -> Read {
     let listing = tokens(text).and_then(|tokens| {
         let statements =
             |input: ParseStream<'_>| parse::statements(input, Span::call_site(), includes);
-        let (listing, errors) = statements.parse2(tokens).map_err(|e| mistakes(text, e))?;
+        let (listing, errors) = statements
+            .parse2(tokens)
+            .map_err(|e| mistakes(text, &[], e))?;
         if bounded {
-            limits::listing(&listing).map_err(|e| mistakes(text, e))?;
+            limits::listing(&listing).map_err(|e| mistakes(text, &[], e))?;
         }
         Ok((listing, errors))
     });
@@ -106,7 +108,9 @@ fn front(text: &str, bounded: bool, includes: &dyn IncludeSource) -> Read {
             Read {
                 system: Some(system),
                 names: listing.names(),
-                mistakes: found.err().map_or_else(Vec::new, |e| mistakes(text, e)),
+                mistakes: found
+                    .err()
+                    .map_or_else(Vec::new, |e| mistakes(text, &listing.included, e)),
             }
         }
         Err(mistakes) => Read {

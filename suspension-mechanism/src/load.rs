@@ -10,6 +10,7 @@ mod notes;
 mod outlier;
 mod points;
 mod prepare;
+mod said_of_wheels;
 mod start;
 mod task;
 mod unsatisfied;

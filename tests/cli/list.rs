@@ -89,3 +89,68 @@ fn the_page_has_a_row_for_every_layout() {
         assert!(row.contains(&tail), "{row}: not{tail}");
     }
 }
+
+/// A name in a drawing: the text, and its left, top, right and bottom, letters half as wide as the type is high.
+type Label = (String, [f64; 4]);
+
+fn labels(svg: &str) -> Vec<Label> {
+    let texts = svg.split("<text ").skip(1).filter_map(|element| {
+        let attribute = |name: &str| {
+            let (_, behind) = element.split_once(&format!("{name}=\""))?;
+            behind.split('"').next()
+        };
+        let number = |name: &str| attribute(name)?.parse::<f64>().ok();
+        let name = element.split(['>', '<']).nth(1)?.trim().to_owned();
+        let size = number("font-size")?;
+        let width = 0.5 * size * name.chars().count() as f64;
+        let part = match attribute("text-anchor")? {
+            "end" => 1.0,
+            "middle" => 0.5,
+            _ => 0.0,
+        };
+        let (left, top) = (number("x")? - part * width, number("y")?);
+        Some((name, [left, top, left + width, top + size]))
+    });
+    texts.filter(|(name, _)| name.contains('_')).collect()
+}
+
+/// The ends of the lines from points to their names.
+fn leaders(svg: &str) -> Vec<[f64; 2]> {
+    let lines = svg.split("<polyline ").skip(1);
+    let faint =
+        lines.filter(|line| line.starts_with("fill=\"none\" opacity=\"0.5\" stroke=\"#3C3C3C\""));
+    let end = |line: &str| {
+        let (_, points) = line.split_once("points=\"")?;
+        let (points, _) = points.split_once('"')?;
+        let (x, y) = points.split_whitespace().next_back()?.split_once(',')?;
+        Some([x.parse().ok()?, y.parse().ok()?])
+    };
+    faint.filter_map(end).collect()
+}
+
+#[test]
+fn the_names_in_the_drawing_of_a_car_are_apart_and_at_their_leaders() {
+    let folder = folder();
+    let car = include_str!("../../examples/front_and_rear_axle.toml");
+    std::fs::write(folder.path().join("car.toml"), car).expect("written");
+    let output = run(folder.path(), &["draw", "car.toml", "--out", "car.svg"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let svg = std::fs::read_to_string(folder.path().join("car.svg")).expect("written");
+    let labels = labels(&svg);
+    assert!(labels.len() > 30, "{}", labels.len());
+    let leaders = leaders(&svg);
+    assert!(!leaders.is_empty());
+    for [x, y] in leaders {
+        let near = |[left, top, right, bottom]: [f64; 4]| {
+            let gap = bottom - top;
+            (left - gap..right + gap).contains(&x) && (top - gap..bottom + gap).contains(&y)
+        };
+        assert!(labels.iter().any(|(_, label)| near(*label)), "{x}, {y}");
+    }
+    for (index, (name, a)) in labels.iter().enumerate() {
+        for (other, b) in &labels[..index] {
+            let meet = |low: usize, high: usize| a[high].min(b[high]) > a[low].max(b[low]);
+            assert!(!(meet(0, 2) && meet(1, 3)), "{name} and {other}");
+        }
+    }
+}

@@ -120,3 +120,80 @@ fn lengths_of_the_vehicle_in_another_unit_are_remarked() {
         assert_eq!(notes(&file(&vehicle)), expected);
     }
 }
+
+/// A strut of the catalogue with its top mount moved outboard, and more tables.
+fn strut(outboard: f64, more: &str) -> String {
+    format!(
+        "linkage = \"macpherson\"\nunit = \"m\"\npoints = {{ top = [-0.03, {}, 0.83] }}\n{more}\
+         time = {{ instants = [0.0] }}\ndrives = {{ bump = 0.31, steer = 0.33 }}\n",
+        0.575 + outboard
+    )
+}
+
+#[test]
+fn small_misfits_are_remarked_with_a_design_too() {
+    let design = "design = { bump = 0.33, steer = 0.33 }\n";
+    assert_eq!(notes(&strut(0.0, "")), notes(&strut(0.0, design)));
+    for more in ["", design] {
+        let told = notes(&strut(0.01, more));
+        assert!(
+            told.starts_with("note: a.toml: the points do not satisfy equation `strut"),
+            "{told}"
+        );
+    }
+    assert!(notes(&strut(0.01, "")).contains("has moved by"));
+    assert!(notes(&strut(0.01, design)).ends_with("of the assembled mechanism\n"));
+}
+
+#[test]
+fn points_far_off_what_is_stated_of_them_are_refused() {
+    for more in ["", "design = { bump = 0.31, steer = 0.33 }\n"] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), strut(-0.15, more)).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        let told = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{told}");
+        assert!(
+            told.contains("more than a tenth of the suspension's size; correct a point of"),
+            "{told}"
+        );
+        assert!(text(&output.stdout).is_empty());
+    }
+}
+
+/// The wheel centre of the published motion by coordinates, all of the guess moved rearward.
+fn guessed(back: f64) -> String {
+    let points = [
+        ("p6", [-1.324, 0.415, -0.059]),
+        ("p7", [-1.327, 0.41, 0.155]),
+        ("p8", [-1.287, 0.345, 0.14]),
+        ("p9", [-1.29, 0.325, -0.084]),
+        ("p10", [-1.212, 0.453, 0.089]),
+        ("p11", [-1.287, 0.445, 0.14]),
+    ];
+    let mut text = example("attia2003.toml");
+    for (name, [x, y, z]) in points {
+        let begin = format!("{name} = ");
+        let line = text.lines().find(|line| line.starts_with(&begin));
+        let line = line.expect("the point").to_owned();
+        text = text.replacen(&line, &format!("{name} = [{}, {y}, {z}]", x - back), 1);
+    }
+    text
+}
+
+#[test]
+fn a_marker_with_coordinates_goes_where_lengths_put_its_body() {
+    let moved = |back| {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), guessed(back)).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+        super::program::rows(&output.stdout)
+    };
+    let (here, there) = (moved(0.0), moved(0.01));
+    assert!(!here.is_empty());
+    for (here, there) in here.iter().zip(&there) {
+        for name in ["p11_x", "p11_y", "p11_z"] {
+            assert!((here[name] - there[name]).abs() < 1e-9, "{name}");
+        }
+    }
+}

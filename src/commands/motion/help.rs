@@ -72,9 +72,10 @@ const FILE: &str = r#"The file:
   p1 = [-1.396, -0.025, -0.082]
   p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, off another point
   [lengths]                          # optional: all lengths; free points are then but a guess
-  d6_1 = 0.445872
+  d6_1 = 0.445872                    # that may miss a slide or a plane; else a misfit is told, or refused
   [design]                           # optional: the drives' values at which the mechanism is
-  theta = 1.5707963267948966         # assembled and markers are attached; else as the points are
+  theta = 1.5707963267948966         # assembled and markers with an offset are attached; else as the
+                                     # points are, as markers with coordinates always are
   [vehicle]                          # optional: what more quantities need
   wheel_radius = 0.3                 # in the unit: contact point, scrub radius, mechanical trail, roll centre;
                                      # of several axles { front = 0.30, rear = 0.31 }

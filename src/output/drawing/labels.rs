@@ -1,9 +1,14 @@
 //! Where names stand beside their points.
 
-/// A name: its upper left corner, and where a line from the point to it ends that stands away from it.
+use plotters::style::text_anchor::HPos;
+
+use super::FONT_SIZE;
+
+/// A name: the upper corner, or the middle, that is nearest to its point, so that it stands there however wide its letters
+/// are; and where a line from the point to it ends that stands away from it.
 pub(super) struct Boxed {
-    pub(super) left: i32,
-    pub(super) top: i32,
+    pub(super) at: (i32, i32),
+    pub(super) anchor: HPos,
     pub(super) leader: Option<(i32, i32)>,
 }
 
@@ -15,11 +20,16 @@ pub(super) struct Labels {
     taken: Vec<[i32; 4]>,
     lines: Vec<Segment>,
     unit: i32,
+    /// Of a name, as shown.
+    font_size: u32,
 }
 
-/// Of a name, as shown: the width of a letter and the height of a line.
-const LETTER: i32 = 7;
-const LINE: i32 = 16;
+/// The size of type where points are more than some, as shown.
+const SMALL: u32 = 10;
+const MANY: usize = 24;
+/// The width of a letter and the height of a line, in parts of the size of type.
+const LETTER: f64 = 0.5;
+const LINE: f64 = 8.0 / 7.0;
 /// Between a point and its name: beside it first, then farther away.
 const GAPS: [i32; 4] = [9, 22, 40, 62];
 /// How much a name is struck through by a line of length one, and how much a step away counts, both as an overlap with
@@ -48,14 +58,25 @@ impl Labels {
             taken: points.iter().map(around).chain(sides).collect(),
             lines,
             unit,
+            font_size: if points.len() > MANY {
+                SMALL
+            } else {
+                FONT_SIZE
+            },
         }
+    }
+
+    /// The size of type, in drawing units.
+    pub(super) fn font_size(&self) -> i32 {
+        self.font_size as i32 * self.unit
     }
 
     /// Finds a place for a name beside its point: the first that collides least.
     pub(super) fn put(&mut self, name: &str, (x, y): (i32, i32)) -> Boxed {
         let unit = self.unit;
-        let width = LETTER * name.chars().count() as i32 * unit;
-        let height = LINE * unit;
+        let size = f64::from(self.font_size());
+        let width = (LETTER * size * name.chars().count() as f64) as i32;
+        let height = (LINE * size) as i32;
         let around = |away: usize| {
             let gap = GAPS[away] * unit;
             let columns = [x + gap, x - gap - width, x - width / 2];
@@ -72,19 +93,28 @@ impl Labels {
             ];
             places.map(|(column, row): (usize, usize)| {
                 let (left, top) = (columns[column], rows[row]);
-                (away, [left, top, left + width, top + height])
+                (away, column, [left, top, left + width, top + height])
             })
         };
         let places = (0..GAPS.len()).flat_map(around);
-        let cost = |(away, place): &(usize, [i32; 4])| self.collisions(place) + AWAY * *away as f64;
+        let cost = |(away, _, place): &(usize, usize, [i32; 4])| {
+            self.collisions(place) + AWAY * *away as f64
+        };
         let best = places.min_by(|a, b| cost(a).total_cmp(&cost(b)));
-        let (away, place) = best.unwrap_or((0, [x, y, x, y]));
+        let (away, column, place) = best.unwrap_or((0, 0, [x, y, x, y]));
         self.taken.push(place);
         let [left, top, right, bottom] = place;
+        let leader = (away > 0).then(|| (x.clamp(left, right), y.clamp(top, bottom)));
+        self.lines.extend(leader.map(|end| [(x, y), end]));
+        let (anchor, across) = match column {
+            0 => (HPos::Left, left),
+            1 => (HPos::Right, right),
+            _ => (HPos::Center, x),
+        };
         Boxed {
-            left,
-            top,
-            leader: (away > 0).then(|| (x.clamp(left, right), y.clamp(top, bottom))),
+            at: (across, top),
+            anchor,
+            leader,
         }
     }
 

@@ -16,7 +16,7 @@ use super::role::{KINGPIN, WHEEL};
 use super::word::Word;
 use crate::errors;
 use crate::include::{Include, Source};
-use crate::lexed::placed;
+use crate::lexed::handed_on;
 use crate::vector::Vector;
 
 pub(crate) const INCLUDE: Word = Word {
@@ -57,22 +57,26 @@ impl Include {
     /// Where one of the names would be taken for a word of the language.
     pub(crate) fn statement(
         &self,
-        text: &str,
+        tokens: &TokenStream,
         names: &BTreeSet<String>,
     ) -> syn::Result<TokenStream> {
         if let Some(word) = WORDS.iter().find(|word| names.contains(**word)) {
             return Err(self.named_as_a_word(word));
         }
-        let tokens = text.parse().unwrap_or_default();
-        Ok(placed(self.renamed(tokens, names), self.name.span()))
+        let tokens = handed_on(tokens.clone(), self.name.span());
+        Ok(self.renamed(tokens, names))
     }
 
     /// Behind its docs a statement has its word, and behind that of a role the name of the wheel.
     fn renamed(&self, tokens: TokenStream, names: &BTreeSet<String>) -> TokenStream {
         let mut tokens = tokens.into_iter();
         let mut renamed = Vec::new();
-        for token in tokens.by_ref() {
+        for mut token in tokens.by_ref() {
             let is_word = matches!(token, TokenTree::Ident(_));
+            if is_word {
+                // What is wrong with the listing as a whole is nothing of the other's.
+                token.set_span(self.name.span());
+            }
             renamed.push(token);
             if is_word {
                 break;
@@ -117,7 +121,9 @@ impl Include {
                         (Delimiter::Bracket, _) => group.stream(),
                         _ => self.operands(Vec::new(), group.stream().into_iter(), names),
                     };
-                    Group::new(group.delimiter(), content).into()
+                    let mut renamed = Group::new(group.delimiter(), content);
+                    renamed.set_span(group.span());
+                    renamed.into()
                 }
                 other => other,
             });

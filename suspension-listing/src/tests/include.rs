@@ -65,6 +65,15 @@ impl IncludeSource for Files {
                 "include again: \"circle\"; include more: \"circle\";",
             ),
             ("words", "free: on;"),
+            (
+                "unknown",
+                "fixed: a;\nfree: b;\nlink rod:\n    a -> nowhere;\n",
+            ),
+            ("outer", "\n include inner: \"unknown\";"),
+            (
+                "unused",
+                "fixed: a,\n  lonely;\nfree: b;\nlink rod: a -> b;\ndrive x: b.x;\ndrive y: b.y;",
+            ),
         ];
         let found = files.iter().find(|(name, _)| Path::new(name) == path);
         found.map_or_else(
@@ -112,10 +121,41 @@ fn what_cannot_be_included_is_refused_at_the_statement() {
         ),
         (
             "fixed: middle, left_rear; include left: \"corner\";",
-            "vehicle:1:35: the name `left_rear` is already taken by a chassis point; choose another",
+            "vehicle:1:41: corner:2:36: the name `left_rear` is already taken by a chassis point; choose another",
+        ),
+        (
+            "include left: \"unknown\";",
+            "vehicle:1:15: unknown:4:10: there is no point `nowhere`",
+        ),
+        (
+            "include far: \"outer\";",
+            "vehicle:1:14: outer:2:17: unknown:4:10: there is no point `nowhere`",
+        ),
+        (
+            "include left: \"unused\"; include right: \"unused\";",
+            "vehicle:1:40: unused:2:3: nothing depends on chassis point `right_lonely`",
         ),
     ] {
         let message = read(text).expect_err(text);
         assert!(message.contains(expected), "{text}: {message}");
     }
+}
+
+#[test]
+fn two_includes_of_one_name_are_one_mistake() {
+    let message = read("fixed: middle; include left: \"corner\"; include left: \"corner\";");
+    assert_eq!(
+        message.expect_err("one name"),
+        "vehicle:1:48: the name `left` is already taken by an include; choose another"
+    );
+}
+
+#[test]
+fn what_is_wrong_with_the_whole_is_at_the_statement() {
+    let message = read("fixed: middle; include left: \"corner\"; link more: middle -> left_ball;");
+    let message = message.expect_err("a drive too many");
+    assert!(
+        message.starts_with("vehicle:1:24: 7 equations for 6 unknowns"),
+        "{message}"
+    );
 }

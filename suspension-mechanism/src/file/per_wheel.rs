@@ -67,6 +67,11 @@ impl<'de, T: OfWheel + Deserialize<'de>> Visitor<'de> for OfWheelVisitor<T> {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<PerWheel<T>, A::Error> {
-        Deserialize::deserialize(MapAccessDeserializer::new(map)).map(PerWheel::Of)
+        let of_some = BTreeMap::deserialize(MapAccessDeserializer::new(map))?;
+        if of_some.is_empty() {
+            let message = format!("the table is empty; write {}, or leave it out", T::WRITTEN);
+            return Err(de::Error::custom(message));
+        }
+        Ok(PerWheel::Of(of_some))
     }
 }

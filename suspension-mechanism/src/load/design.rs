@@ -1,7 +1,7 @@
 //! The design position: where the mechanism is assembled and its markers are attached.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::listing::Kind;
+use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::local::LocalOrigin;
 use suspension_core::{Linkage, Newton, Values, assemble};
 
@@ -52,7 +52,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
     let mut q = model.unknowns(guess);
     let coordinates = model.coordinates(&inputs.drives).value;
     let fixed = model.drive_anchors(*model.fixed(), &coordinates);
-    let off = Unsatisfied::of(&model.residual(&q, &fixed, &coordinates), model.size());
+    let off = unsatisfied(task, &model, guess);
     if off.is_some() || file.lengths.is_some() || file.design.is_some() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
             let drives = given(&origin, &model, &drives);
@@ -60,6 +60,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
             unassembled(task, &at, &names.cause(&error), off)
         })?;
     }
+    check_nearness(task, off, model.size())?;
     let points = place_markers(task, &model.points(&q, &fixed));
     check_spin_axis(task, &points)?;
     let model = model
@@ -73,6 +74,40 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
         points,
         off,
     })
+}
+
+/// What the points do not satisfy where they stand; nothing where lengths make them a guess.
+fn unsatisfied<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    model: &L,
+    points: &L::Points,
+) -> Option<Unsatisfied> {
+    if task.file.lengths.is_some() {
+        return None;
+    }
+    let drives = DriveLaws::held(model.drives_at(points).values());
+    let inputs = drives.inputs::<L::Drives>(0.0);
+    let coordinates = model.coordinates(&inputs.drives).value;
+    let fixed = model.drive_anchors(*model.fixed(), &coordinates);
+    let residual = model.residual(&model.unknowns(points), &fixed, &coordinates);
+    Unsatisfied::of(&residual, model.size())
+}
+
+/// The part of the mechanism's size from which on a misfit is a mistake, and no rounding.
+const MISTAKE: f64 = 0.1;
+
+/// Refuses points that another mechanism than the one stated would be assembled of.
+fn check_nearness(task: &Task<'_>, off: Option<Unsatisfied>, size: f64) -> Result<(), Failure> {
+    let Some(off) = off.filter(|off| off.by > MISTAKE * size) else {
+        return Ok(());
+    };
+    let statement = task.names.name(Part::Equation(off.equation));
+    let message = format!(
+        "the points do not satisfy {}, more than a tenth of the suspension's size; correct a point of the statement \
+         `{statement}`, or the statement",
+        task.unsatisfied_in_words(off)
+    );
+    Err(task.source.refuse(&task.file.points.span(), message))
 }
 
 /// The equation that a solver ends at says little about the number that was mistyped.
@@ -97,11 +132,10 @@ fn unassembled(task: &Task<'_>, at: &str, cause: &str, off: Option<Unsatisfied>)
     ))
 }
 
-/// Puts markers where the file wants them in the configuration `points`. Where the points of the
-/// file are exact, a marker with coordinates is already attached to them.
+/// Puts markers where the file wants them in the configuration `points`: one with an offset there, while one with
+/// coordinates is attached to its body as the file's points stand.
 fn place_markers<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> P {
     let Task { file, names, .. } = task;
-    let first_marker = names.points.len() - names.markers().len();
     let placed: Vec<Vector3<f64>> = points.values().collect();
     let position = |wanted: &str| {
         let found = names.points.iter().position(|name| name == wanted);
@@ -112,9 +146,6 @@ fn place_markers<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> P {
         |(point, name)| match file.points.get_ref()[name.as_str()].get_ref() {
             Position::Off(Offset { from, offset }) => {
                 position(from.get_ref()) + Vector3::from(*offset)
-            }
-            Position::At(at) if file.lengths.is_some() && point >= first_marker => {
-                Vector3::from(*at)
             }
             Position::At(_) => placed[point],
         },

@@ -100,19 +100,22 @@ fn moved<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, placed: &P) -> Opt
     ))
 }
 
-/// Points that should lie on a line, or in a plane, and do not.
+/// Points that should lie on a line, or in a plane, and do not. Where drives are stated for the design, they move points too.
 fn assembled<P: Values<Vector3<f64>>>(
     task: &Task<'_>,
     given: &P,
     placed: &P,
     off: Option<Unsatisfied>,
 ) -> Option<String> {
-    let off = off.filter(|_| task.file.lengths.is_none() && task.file.design.is_none())?;
-    let (point, moved) = furthest(task, [given, placed], TOLD)?;
+    let off = off?;
+    let by = off.by;
     let off = task.unsatisfied_in_words(off);
-    Some(format!(
-        "the points do not satisfy {off}; results are of the assembled mechanism, in which `{point}` has moved by {moved}"
-    ))
+    let told = format!("the points do not satisfy {off}; results are of the assembled mechanism");
+    if task.file.design.is_some() {
+        return (by > TOLD * task.file.unit().metre()).then_some(told);
+    }
+    let (point, moved) = furthest(task, [given, placed], TOLD)?;
+    Some(format!("{told}, in which `{point}` has moved by {moved}"))
 }
 
 /// A free point of a corner is on the other side of the vehicle than its wheel.

@@ -11,7 +11,7 @@ use crate::load::notes::notes;
 use crate::load::outlier::Outlier;
 use crate::load::task::Task;
 use crate::load::vehicle::with_vehicle;
-use crate::load::{led, start};
+use crate::load::{led, said_of_wheels, start};
 use crate::mechanism::{Description, DriveLaws, Instants, Mechanism, Names, Suspension};
 
 /// What is to be prepared.
@@ -93,6 +93,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     };
     let design = at_design(&task, model, origin, &guess).map_err(outlier_first)?;
     let mut notes = notes(&task, &guess, &design.points, design.off, outlier.as_ref());
+    notes.extend(said_of_wheels::notes(&task, &design));
     let drives = task.drive_laws(design.drives.values());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &file.drives)?;

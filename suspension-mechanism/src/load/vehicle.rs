@@ -9,6 +9,7 @@ use crate::failure::Failure;
 use crate::file::{PerWheel, VehicleTable};
 use crate::load::task::Task;
 use crate::mechanism::{Axle, Names, Vehicle, Wheel, is_within};
+use crate::number::number;
 
 /// The drives of travel and of steering where the file does not name them.
 const TRAVEL: &str = "bump";
@@ -181,7 +182,39 @@ fn car(task: &Task<'_>, wheels: &mut [Wheel], stated: &VehicleTable) -> Result<(
             return Err(incomplete(task, missing));
         }
     }
-    Ok(())
+    check_sum(task, wheels, ("brake_share", brake_share), |wheel| {
+        wheel.brake_share
+    })?;
+    check_sum(task, wheels, ("drive_share", drive_share), |wheel| {
+        wheel.drive_share
+    })
+}
+
+/// By how much shares may exceed the whole by rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Refuses shares of axles that are more than the whole together.
+fn check_sum(
+    task: &Task<'_>,
+    wheels: &[Wheel],
+    (name, stated): (&str, &Option<Spanned<PerWheel<f64>>>),
+    of: fn(&Wheel) -> Option<f64>,
+) -> Result<(), Failure> {
+    let of_axle = |axle| {
+        let wheels = wheels.iter().filter(|wheel| wheel.axle == Some(axle));
+        wheels.filter_map(of).fold(0.0, f64::max)
+    };
+    let [front, rear] = [Axle::Front, Axle::Rear].map(of_axle);
+    let Some(stated) = stated.as_ref().filter(|_| front + rear > 1.0 + ROUNDING) else {
+        return Ok(());
+    };
+    let message = format!(
+        "{name} is {} in front and {} at the rear, more than 1 in all; state how the axles share the force, \
+         {{ front = 0.6, rear = 0.4 }} for one",
+        number(front),
+        number(rear)
+    );
+    Err(task.source.refuse(&stated.span(), message))
 }
 
 fn incomplete(task: &Task<'_>, missing: &str) -> Failure {

@@ -120,6 +120,18 @@ fn what_is_said_of_wheels_that_are_not_there_is_refused() {
             "brake_share is the axle's share of the force, from 0 to 1",
         ),
         (
+            "brake_share = 0.6\nwheelbase = 2.6\ncg_height = 0.5\n",
+            "car.toml:4:15: brake_share is 0.6 in front and 0.6 at the rear, more than 1 in all; state how the axles share the force",
+        ),
+        (
+            "drive_share = { front = 0.5, rear = 0.6 }\nwheelbase = 2.6\ncg_height = 0.5\n",
+            "car.toml:4:15: drive_share is 0.5 in front and 0.6 at the rear",
+        ),
+        (
+            "wheel_radius = {}\n",
+            "car.toml:4:16: the table is empty; write a number or { front = number, rear = number }, or leave it out",
+        ),
+        (
             "wheel_radius = \"big\"\n",
             "invalid type: string \"big\", expected a number or { front = number, rear = number }",
         ),
@@ -188,4 +200,34 @@ fn a_corner_in_a_file_makes_an_axle() {
             .contains("axle.linkage:2:15: corner.linkage:2:10: expected `:`; a `link` is written"),
         "{message}"
     );
+}
+
+#[test]
+fn what_the_mechanism_contradicts_of_wheels_is_remarked() {
+    for (vehicle, expected) in [
+        ("wheelbase = 2.65\n", ""),
+        (
+            "wheelbase = 2.9\n",
+            "note: car.toml: wheelbase is 2.9 m, but the wheel centres of the axles are 2.6 m apart\n",
+        ),
+        (
+            "travel = { front_left = \"front_bump_right\", front_right = \"front_bump_left\" }\n",
+            "note: car.toml: travel of the front_left wheel is `front_bump_right`, which moves the front_right wheel: are the drives \
+             of travel crossed?\n\
+             note: car.toml: travel of the front_right wheel is `front_bump_left`, which moves the front_left wheel: are the drives \
+             of travel crossed?\n",
+        ),
+        ("steer = { front = \"front_steer\" }\n", ""),
+        (
+            "steer = { rear_left = \"front_steer\" }\n",
+            "note: car.toml: steer of the rear_left wheel is `front_steer`, which does not turn it: is it another drive?\n",
+        ),
+    ] {
+        let folder = folder();
+        let file = moved("front_and_rear_axle", vehicle, AT_DESIGN);
+        std::fs::write(folder.path().join("car.toml"), file).expect("written");
+        let output = run(folder.path(), &["motion", "car.toml"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        assert_eq!(text(&output.stderr), expected, "{vehicle}");
+    }
 }

@@ -1,0 +1,116 @@
+//! What a file says of wheels that the mechanism at its design contradicts.
+
+use nalgebra::Vector3;
+use suspension_core::Values;
+use suspension_core::directions::Directions;
+
+use crate::load::design::Design;
+use crate::load::task::Task;
+use crate::mechanism::{Axle, Suspension, Wheel};
+use crate::number::{number, rounded};
+
+/// How far the wheelbase may be off the distance of the axles, as a part of it.
+const OFF: f64 = 0.05;
+
+/// How many times as far as its own wheel a crossed drive moves another.
+const FAR: f64 = 10.0;
+
+/// The least turn of a wheel that is steered, times the suspension's size, against the fastest point.
+const STEERS: f64 = 1e-6;
+
+/// Notes on wheels, at the design.
+pub(super) fn notes<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    design: &Design<L, N>,
+) -> Vec<String> {
+    let points: Vec<_> = design.points.values().collect();
+    let mut notes: Vec<String> = wheelbase(task, &points).into_iter().collect();
+    let vehicle = task.file.vehicle.as_ref();
+    let names_travel = vehicle.is_some_and(|vehicle| vehicle.travel.is_some());
+    let names_steer = vehicle.is_some_and(|vehicle| vehicle.steer.is_some());
+    if (names_travel || names_steer)
+        && let Ok(directions) = Directions::new(&design.model, design.drives, &design.q)
+    {
+        let none = L::Drives::from_values([]);
+        let by = |drive| {
+            let moved = directions.points(none.with(drive, 1.0)).ok()?;
+            Some(moved.rate.values().collect::<Vec<_>>())
+        };
+        let wheels = task.names.wheels.iter();
+        notes.extend(
+            wheels
+                .flat_map(|wheel| {
+                    let travel = wheel.travel.filter(|_| names_travel);
+                    let steer = wheel.steer.filter(|_| names_steer);
+                    [
+                        travel.and_then(|drive| crossed(task, (wheel, drive), &by(drive)?)),
+                        steer.and_then(|drive| {
+                            let size = design.model.size();
+                            unsteered(task, (wheel, drive), (&points, &by(drive)?), size)
+                        }),
+                    ]
+                })
+                .flatten(),
+        );
+    }
+    let name = task.source.name();
+    notes.iter().map(|note| format!("{name}: {note}")).collect()
+}
+
+/// The wheelbase is another than that of the points.
+fn wheelbase(task: &Task<'_>, points: &[Vector3<f64>]) -> Option<String> {
+    let stated = task.names.vehicle.wheelbase?;
+    let middle = |axle| {
+        let wheels = task.names.wheels.iter();
+        let of_axle = wheels.filter(|wheel| Axle::of(&wheel.name) == Some(axle));
+        let along: Vec<f64> = of_axle
+            .map(|wheel| points[wheel.points.axis[1]].x)
+            .collect();
+        (!along.is_empty()).then(|| along.iter().sum::<f64>() / along.len() as f64)
+    };
+    let apart = (middle(Axle::Front)? - middle(Axle::Rear)?).abs();
+    let (unit, stated_in_words) = (task.file.unit().symbol(), number(stated));
+    ((stated - apart).abs() > OFF * apart).then(|| {
+        let apart = rounded(apart, 4);
+        format!("wheelbase is {stated_in_words} {unit}, but the wheel centres of the axles are {apart} {unit} apart")
+    })
+}
+
+/// A drive moves another wheel up and down than the one that it is said to move.
+fn crossed(
+    task: &Task<'_>,
+    (wheel, drive): (&Wheel, usize),
+    rates: &[Vector3<f64>],
+) -> Option<String> {
+    let names = task.names;
+    let lift = |wheel: &Wheel| rates[wheel.points.axis[1]].z.abs();
+    let others = names.wheels.iter();
+    let most = others.max_by(|a, b| lift(a).total_cmp(&lift(b)))?;
+    (lift(most) > FAR * lift(wheel)).then(|| {
+        let drive = &names.drives[drive].name;
+        format!(
+            "travel of the {} is `{drive}`, which moves the {}: are the drives of travel crossed?",
+            wheel.title("wheel"),
+            most.title("wheel")
+        )
+    })
+}
+
+/// A drive does not turn the wheel that it is said to steer.
+fn unsteered(
+    task: &Task<'_>,
+    (wheel, drive): (&Wheel, usize),
+    (points, rates): (&[Vector3<f64>], &[Vector3<f64>]),
+    size: f64,
+) -> Option<String> {
+    let [inner, centre] = wheel.points.axis;
+    let along = (points[centre] - points[inner]).xy();
+    let rate = (rates[centre] - rates[inner]).xy();
+    let turn = along.perp(&rate) / along.norm_squared();
+    let fastest = rates.iter().map(|rate| rate.norm()).fold(0.0, f64::max);
+    (turn.abs() * size <= STEERS * fastest).then(|| {
+        let drive = &task.names.drives[drive].name;
+        let wheel = wheel.title("wheel");
+        format!("steer of the {wheel} is `{drive}`, which does not turn it: is it another drive?")
+    })
+}
