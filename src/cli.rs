@@ -7,7 +7,7 @@ use clap::{Parser, Subcommand};
 
 use crate::commands::{
     assemblies, bake, check, compare, draw, import, list, loads, motion, published, range,
-    sensitivities, sheet, sweep, tables,
+    sensitivities, sheet, sweep, tables, tune,
 };
 use crate::failure::Failure;
 use crate::interrupt;
@@ -85,6 +85,10 @@ pub enum Command {
     ///
     /// Camber, toe and movement of the wheel over jounce for CarSim, or a linear suspension for CarMaker.
     Tables(tables::Arguments),
+    /// Moves hardpoints of a file within boxes until curves are met.
+    ///
+    /// Bump steer, camber gain, roll centre, motion ratio and all others; writes a motion file.
+    Tune(tune::Arguments),
 }
 
 impl Options {
@@ -110,6 +114,7 @@ impl Options {
             Some(Command::Sheet(arguments)) => arguments.run(interrupted),
             Some(Command::Sweep(arguments)) => arguments.run(interrupted),
             Some(Command::Tables(arguments)) => arguments.run(interrupted),
+            Some(Command::Tune(arguments)) => arguments.run(interrupted),
         }
     }
 }

@@ -15,3 +15,4 @@ pub mod sensitivities;
 pub mod sheet;
 pub mod sweep;
 pub mod tables;
+pub mod tune;

@@ -8,10 +8,14 @@ mod mark;
 mod motion_file;
 mod per_wheel;
 mod source;
+mod table;
+mod tune;
 
 pub use explain::{is_listing, is_motion};
 pub use leading::{StandIn, stand_in};
 pub use load::{Load, Wrench};
-pub use motion_file::{Coefficients, MotionFile, Offset, Position, Table, Time, VehicleTable};
+pub use motion_file::{Coefficients, MotionFile, Offset, Position, Time, VehicleTable};
 pub use per_wheel::PerWheel;
 pub use source::Source;
+pub use table::Table;
+pub use tune::{AxisName, Direction, MoveTable, TargetTable, TuneTable, Wanted};

@@ -23,6 +23,7 @@ use crate::reach::{self, DriveRange};
 use assembled::Enumerated;
 
 pub use assembled::{Assembled, Assembly};
+pub use changed::Changes;
 pub use equations::Equations;
 
 /// A mechanism of any linkage at the first instant of its motion. It can be read as its [`Description`].
@@ -83,12 +84,9 @@ pub trait Kinematics: Deref<Target = Description> {
     /// See [`UnmetSurface`].
     fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface>;
 
-    /// The mechanism of the same points but for one, in the file's coordinates, at its design position; `None` where none
-    /// can be built.
-    fn with_point_moved(&self, point: usize, by: Vector3<f64>) -> Option<Box<dyn Kinematics + '_>>;
-
-    /// The mechanism with one length changed, its drives as they are where this one starts; `None` where there is none.
-    fn with_length_changed(&self, length: usize, by: f64) -> Option<Box<dyn Kinematics + '_>>;
+    /// The mechanism with other hardpoints, at its own design position, then with other lengths; `None` where there is
+    /// none.
+    fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>>;
 
     /// What the motion takes in steps of `dt`, without the first, and how many they are; `None` where it has none, or stops.
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
@@ -174,12 +172,8 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         bake_surface(&self.model, &self.start, held, wanted)
     }
 
-    fn with_point_moved(&self, point: usize, by: Vector3<f64>) -> Option<Box<dyn Kinematics + '_>> {
-        Some(Box::new(changed::with_point_moved(self, point, by)?))
-    }
-
-    fn with_length_changed(&self, length: usize, by: f64) -> Option<Box<dyn Kinematics + '_>> {
-        Some(Box::new(changed::with_length_changed(self, length, by)?))
+    fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>> {
+        Some(Box::new(changed::changed(self, changes)?))
     }
 
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)> {

@@ -13,6 +13,7 @@ mod prepare;
 mod said_of_wheels;
 mod start;
 mod task;
+mod tuning;
 mod unsatisfied;
 mod vehicle;
 mod wrong_side;

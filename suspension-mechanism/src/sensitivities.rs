@@ -7,10 +7,8 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use nalgebra::Vector3;
-
 use crate::characteristics::columns;
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Changes, Kinematics};
 use crate::mechanism::{Description, From, Grid, Order, Place};
 use crate::quantities::{Axis, Column, Reader};
 
@@ -71,8 +69,8 @@ pub fn sensitivities(
         }
         on_change();
         let at = |steps: i32| -> Option<Vec<Vec<f64>>> {
-            let changed = changed(mechanism, change, f64::from(steps) * step)?;
-            read(&*changed, &columns)
+            let changes = changes_by(change, f64::from(steps) * step);
+            read(&*mechanism.changed(&changes)?, &columns)
         };
         let neighbours = [-3, -2, -1, 1, 2, 3].map(at);
         let neighbours: Option<Vec<_>> = neighbours.into_iter().collect();
@@ -98,21 +96,16 @@ fn size(mechanism: &dyn Kinematics) -> f64 {
     (0..3).map(extent).fold(0.0, f64::max)
 }
 
-fn changed<'a>(
-    mechanism: &'a dyn Kinematics,
-    change: Change,
-    by: f64,
-) -> Option<Box<dyn Kinematics + 'a>> {
+fn changes_by(change: Change, by: f64) -> Changes {
     match change {
-        Change::Coordinate(point, axis) => {
-            let unit = match axis {
-                Axis::X => Vector3::x(),
-                Axis::Y => Vector3::y(),
-                Axis::Z => Vector3::z(),
-            };
-            mechanism.with_point_moved(point, unit * by)
-        }
-        Change::Length(length) => mechanism.with_length_changed(length, by),
+        Change::Coordinate(point, axis) => Changes {
+            points: vec![(point, axis.vector() * by)],
+            ..Changes::default()
+        },
+        Change::Length(length) => Changes {
+            lengths: vec![(length, by)],
+            ..Changes::default()
+        },
     }
 }
 

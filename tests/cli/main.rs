@@ -33,6 +33,7 @@ mod support;
 mod support_angles;
 mod sweep;
 mod tables;
+mod tune;
 mod units;
 
 /// The program that is run.

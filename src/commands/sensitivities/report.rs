@@ -45,16 +45,13 @@ impl Report<'_> {
     fn number(&self, at: usize, number: usize) -> Number {
         let (column, unit) = (&self.found.columns[at], self.mechanism.unit);
         let (scale, symbol) = column.kind.for_people(unit);
-        let (name, csv_name) = (&column.name, column.csv_name(unit));
-        let axis = column
-            .axis
-            .map_or_else(String::new, |axis| format!("_{axis}"));
+        let csv_name = column.csv_name(unit);
         let value = Number {
             column: at,
             number,
             csv_name,
             in_file: column.kind.in_file(unit),
-            title: format!("{name}{axis}"),
+            title: column.title(),
             scale,
             symbol,
         };

@@ -9,8 +9,9 @@ use suspension_listing::did_you_mean::did_you_mean;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position, Table};
+use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position};
 use crate::file::source::Source;
+use crate::file::table::Table;
 use crate::number::exact;
 
 pub use instants::instants;

@@ -4,8 +4,8 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::check;
-use crate::file::motion_file::Table;
 use crate::file::source::Source;
+use crate::file::table::Table;
 
 /// A measure that stands in for a drive.
 #[derive(Clone, Debug, PartialEq)]

@@ -15,10 +15,9 @@ use crate::file::explain::explained;
 use crate::file::load::Load;
 use crate::file::per_wheel::PerWheel;
 use crate::file::source::Source;
+use crate::file::table::Table;
+use crate::file::tune::TuneTable;
 use crate::mechanism::{Angle, Axes, Axle, Length, Unit};
-
-/// Values by name, each with its place in the file.
-pub type Table<V> = Spanned<BTreeMap<Spanned<String>, Spanned<V>>>;
 
 /// A motion file as written; names and values are not checked yet.
 #[derive(Clone, Debug, Deserialize)]
@@ -51,6 +50,8 @@ pub struct MotionFile {
     pub vehicle: Option<VehicleTable>,
     /// Load cases by name, each with what acts where.
     pub loads: Option<Table<BTreeMap<Spanned<String>, Spanned<Load>>>>,
+    /// What may be moved to reach which curves.
+    pub tune: Option<Spanned<TuneTable>>,
     /// The instants.
     pub time: Spanned<Time>,
     /// Each drive as a polynomial of time in seconds.

@@ -1,36 +1,41 @@
-//! A mechanism of other hardpoints, or of other lengths.
+//! A mechanism of other hardpoints and lengths.
 
 use nalgebra::Vector3;
 use suspension_core::{Inputs, Motion, Newton, Signal, Still, Values, assemble};
 
 use crate::mechanism::{Description, DriveLaws, Mechanism, Suspension};
 
-/// Built anew of the points where the mechanism starts, one of them moved.
-pub(super) fn with_point_moved<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
-    point: usize,
-    by: Vector3<f64>,
-) -> Option<Mechanism<L, N>> {
-    let points = points(mechanism);
-    let moved = points.values().nth(point)? + by;
-    let points = points.with(point, moved);
-    let model = L::of(mechanism.model.listing(), &points).ok()?;
-    let drives = model.drives_at(&points);
-    at_rest(mechanism, model, &points, drives)
+/// What another mechanism has different, in the file's axes and unit.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Changes {
+    /// Points by number, each with how far it is moved.
+    pub points: Vec<(usize, Vector3<f64>)>,
+    /// Lengths by number, each with how much longer it is.
+    pub lengths: Vec<(usize, f64)>,
 }
 
-/// With a length changed, the drives as they are where the mechanism starts.
-pub(super) fn with_length_changed<L: Suspension<N>, const N: usize>(
+/// Built anew of the points where the mechanism starts, with the drives as those have them; then lengths change, and the
+/// drives are held.
+pub(super) fn changed<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
-    length: usize,
-    by: f64,
+    changes: &Changes,
 ) -> Option<Mechanism<L, N>> {
-    let lengths = mechanism.model.lengths();
-    let changed = lengths.values().nth(length)? + by;
-    let points = points(mechanism);
+    let mut points = points(mechanism);
+    for (point, by) in &changes.points {
+        let moved = points.values().nth(*point)? + by;
+        points = points.with(*point, moved);
+    }
     let model = L::of(mechanism.model.listing(), &points).ok()?;
-    let model = model.with_lengths(&lengths.with(length, changed)).ok()?;
-    let drives = L::Drives::from_values(mechanism.first_drives());
+    let drives = model.drives_at(&points);
+    if changes.lengths.is_empty() {
+        return at_rest(mechanism, model, &points, drives);
+    }
+    let mut lengths = model.lengths();
+    for (length, by) in &changes.lengths {
+        let changed = lengths.values().nth(*length)? + by;
+        lengths = lengths.with(*length, changed);
+    }
+    let model = model.with_lengths(&lengths).ok()?;
     at_rest(mechanism, model, &points, drives)
 }
 

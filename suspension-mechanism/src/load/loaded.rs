@@ -8,8 +8,10 @@ use crate::kinematics::Kinematics;
 use crate::load::cases::cases;
 use crate::load::listing::Chosen;
 use crate::load::prepare::{Request, Start, prepare};
+use crate::load::tuning::tuning;
 use crate::loads::Case;
 use crate::mechanism::{Axes, Description, Instants, Mechanism, Suspension, Unit};
+use crate::tune::{Move, Target};
 
 /// A motion file that was read. Its mechanism is prepared when it is asked for.
 #[derive(Clone, Debug)]
@@ -234,6 +236,15 @@ impl Loaded<'_> {
     /// [`Failure::Input`] with the place of what is no load of the mechanism.
     pub fn load_cases(&self, mechanism: &Description) -> Result<Vec<Case>, Failure> {
         cases(self.source, &self.file, self.listing(), mechanism)
+    }
+
+    /// What the file has for `suspension tune`: what may be moved, and the targets, in its order.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] with the place of what is none of the mechanism's, and where nothing is stated.
+    pub fn tuning(&self, mechanism: &Description) -> Result<(Vec<Move>, Vec<Target>), Failure> {
+        tuning(self.source, &self.file, self.listing(), mechanism)
     }
 
     fn noted(&self, to: Start) -> Result<Box<dyn Kinematics + '_>, Failure> {

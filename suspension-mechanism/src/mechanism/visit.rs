@@ -75,28 +75,41 @@ pub type OnPlace<'a> = dyn FnMut(usize, &dyn Place) + 'a;
 impl<R> Visited<R> {
     /// What remains to be said where places are missing.
     pub fn failure(&self, source: &str) -> Option<Failure> {
-        let all = self.places.len();
-        let missing = self.places.iter().filter(|place| place.is_none()).count();
-        let are = if missing == 1 { "is" } else { "are" };
+        let (all, missing) = self.counts();
         let written = match all - missing {
             0 => "none was written".to_owned(),
             1 => "the other one was written".to_owned(),
             others => format!("the {others} others were written"),
         };
         if self.end.interrupted {
+            let are = if missing == 1 { "is" } else { "are" };
             return Some(Failure::Interrupted(format!(
                 "{source}: interrupted; {missing} of {all} places {are} missing, {written}"
             )));
         }
+        let why = self.out_of_reach(source)?;
+        Some(Failure::Solver(format!("{source}: {why}; {written}")))
+    }
+
+    /// Why places are missing, where the mechanism locks, in words.
+    pub fn out_of_reach(&self, source: &str) -> Option<String> {
         if self.end.locks.is_empty() {
             return None;
         }
+        let (all, missing) = self.counts();
+        let are = if missing == 1 { "is" } else { "are" };
         let locks = self.end.locks.iter().map(|end| end.in_words.as_str());
         let locks = locks.collect::<Vec<_>>().join("; also, ");
-        Some(Failure::Solver(format!(
-            "{source}: {missing} of {all} places {are} out of reach from the design position: {locks}; {}; {written}",
+        Some(format!(
+            "{missing} of {all} places {are} out of reach from the design position: {locks}; {}",
             advice(source)
-        )))
+        ))
+    }
+
+    /// How many places there are, and how many are missing.
+    fn counts(&self) -> (usize, usize) {
+        let missing = self.places.iter().filter(|place| place.is_none()).count();
+        (self.places.len(), missing)
     }
 }
 

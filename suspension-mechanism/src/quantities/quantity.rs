@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use nalgebra::Vector3;
 use suspension_core::Signal;
 
 use crate::mechanism::{Names, State, Unit};
@@ -66,6 +67,13 @@ pub enum Axis {
 impl Axis {
     /// All three, in the order of a vector's components.
     pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
+    /// The unit vector along it.
+    pub fn vector(self) -> Vector3<f64> {
+        let mut vector = Vector3::zeros();
+        vector[self as usize] = 1.0;
+        vector
+    }
 }
 
 impl fmt::Display for Axis {
@@ -110,6 +118,12 @@ impl Column {
     /// NaN of what is not determined by positions.
     pub fn read(&self, reader: &Reader<'_>) -> Signal<f64> {
         (self.value)(reader)
+    }
+
+    /// Its name without a unit: `camber`, `roll_centre_z`.
+    pub fn title(&self) -> String {
+        let axis = self.axis.map(|axis| format!("_{axis}"));
+        format!("{}{}", self.name, axis.unwrap_or_default())
     }
 
     /// Its name in a CSV file: `p6_x`, `p6_vx`, `omega_x`, `camber_rad`.

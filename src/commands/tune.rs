@@ -1,0 +1,145 @@
+//! `suspension tune`: hardpoints moved within boxes until curves are met.
+
+mod report;
+mod rewritten;
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::file::{MotionFile, Source};
+use crate::load::load;
+use crate::output::files::{announce, print, refuse_input, write_file};
+use crate::output::progress::Progress;
+use crate::tune::{MOST_STEPS, Tuned, tune};
+use report::Report;
+use rewritten::rewritten;
+
+/// What `suspension tune` is given.
+#[derive(Args, Clone, Debug)]
+#[command(after_long_help = NOTES)]
+pub struct Arguments {
+    /// The motion file (TOML) with [tune], see below.
+    file: PathBuf,
+    /// Write the motion file with the hardpoints found to PATH; without it beside FILE, as NAME_tuned.toml.
+    #[arg(short, long, value_name = "PATH")]
+    out: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// Moves the hardpoints and writes the file.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure`]; [`Failure::Solver`] too where a target is not met, the file being written.
+    pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
+        let source = Source::read(&self.file)?;
+        let out = self.out.clone();
+        let out = out.unwrap_or_else(|| beside(&self.file));
+        refuse_input(&out, &self.file, "--out")?;
+        let stated = MotionFile::parse(&source)?;
+        refuse_rough_points(&source, &stated)?;
+        let loaded = load(&source)?;
+        let mechanism = &*loaded.at_design()?;
+        let (moves, targets) = loaded.tuning(mechanism)?;
+        let mut progress = Progress::new(MOST_STEPS, "steps");
+        let whole = (source.name(), mechanism);
+        let tuned = tune(whole, &moves, &targets, interrupted, || progress.step())?;
+        drop(progress);
+        let report = Report {
+            file: source.name(),
+            mechanism,
+            moves: &moves,
+            targets: &targets,
+            tuned: &tuned,
+        };
+        print(&report.text())?;
+        let text = rewritten(&source, &stated, mechanism, &tuned, &mechanism.points());
+        check(&out, &text, &tuned)?;
+        write_file(&out, &text)?;
+        announce(&[out]);
+        if tuned.interrupted {
+            let message = format!(
+                "{}: interrupted; the best so far was written",
+                source.name()
+            );
+            return Err(Failure::Interrupted(message));
+        }
+        report.unmet().map_or(Ok(()), |unmet| {
+            Err(Failure::Solver(format!("{}: {unmet}", source.name())))
+        })
+    }
+}
+
+fn beside(file: &Path) -> PathBuf {
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    file.with_file_name(format!("{stem}_tuned.toml"))
+}
+
+/// Points that lengths correct are not those of the design.
+fn refuse_rough_points(source: &Source, file: &MotionFile) -> Result<(), Failure> {
+    let lengths = file.lengths.as_ref().map(toml::Spanned::span);
+    let design = file.design.as_ref().map(toml::Spanned::span);
+    lengths.or(design).map_or(Ok(()), |place| {
+        let message = "suspension tune moves the points of the design: state these in [points], without [lengths] and [design]; \
+                       suspension motion prints them";
+        Err(source.refuse(&place, message))
+    })
+}
+
+/// Whether a file gives the points that were found.
+fn check(out: &Path, text: &str, tuned: &Tuned) -> Result<(), Failure> {
+    let source = Source::new(out.display().to_string(), text);
+    let loaded = load(&source)?;
+    let points = loaded.at_design_without_notes()?.points();
+    let is_near = |[a, b]: [&nalgebra::Vector3<f64>; 2]| {
+        let size = 1.0 + a.amax().max(b.amax());
+        (a - b).amax() <= rewritten::ROUNDING * size
+    };
+    let mut pairs = points.iter().zip(&tuned.points);
+    if pairs.all(|(a, b)| is_near([a, b])) {
+        return Ok(());
+    }
+    let message = "the points found cannot be put into the file: state those that move as coordinates, a line each, in [points]";
+    Err(Failure::Input(format!("{}: {message}", source.name())))
+}
+
+const NOTES: &str = "\
+The motion file says what may be moved, and what is to be reached; lengths in its unit, angles in its unit of angles:
+
+  [tune.moves.tie_rod_height]
+  points = [\"tie_ball\"]             # these move together; a ball joint is one point
+  mirrored = [\"right_tie_ball\"]     # those of the other side go with them, as in a mirror
+  along = \"z\"                       # \"x\", \"y\", \"z\" or a direction [x, y, z], in the file's axes
+  by = [-0.020, 0.020]              # the box: from the least to the greatest
+
+  [tune.moves.turnbuckle]
+  length = \"tie_rod\"                # or a link's length, the drives held
+  by = [-0.005, 0.005]
+
+  [tune.targets.bump_steer]
+  of = \"toe\"                        # a quantity by its name in tables, without the unit; a measure
+  over = { bump = [-0.060, 0.060] } # drives, from the design position; without it at the design position
+  change = 0.0                      # from the design position; or value = ...; or a number for each place: [0.1, 0.0, 0.2]
+  within = 0.00035                  # how far it may be off
+
+  [tune.targets.motion_ratio]
+  of = \"damper\"
+  per = \"bump\"                      # its derivative with respect to a drive
+  value = -0.65
+  within = 0.005
+
+A suspension is built of each trial's points and solved at thirteen places along each drive. The sum of squares of what
+the targets are off, in parts of what is allowed, is made least, from the points of the file. Trials that lock are left
+out. What is near the file's points is found: a better design far from them may be missed.
+
+A table of the moves and of the targets is printed, and the motion file is written with the points found, all else as it
+stands. Where a move changes what a drive is at the design position, the drive's law begins by as much later.
+
+Exit codes: 0 all targets are met, 1 a result cannot be written, 2 wrong input, 3 some targets are not met (the file is
+written), or the design locks before all places of a target, 130 interrupted (the best so far is written).
+
+Example:
+  suspension tune examples/macpherson.toml";

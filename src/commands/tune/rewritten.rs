@@ -1,0 +1,146 @@
+//! The text of a motion file with other points: all else stays as it was written.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use crate::file::{Coefficients, MotionFile, Position, Source};
+use crate::mechanism::Description;
+use crate::number::exact;
+use crate::quantities::Kind;
+use crate::tune::Tuned;
+
+/// What is rounded off coordinates, in the unit of the file.
+pub(super) const ROUNDING: f64 = 1e-9;
+
+/// Decimals of coordinates.
+const DECIMALS: usize = 9;
+
+/// The text with the points and drives found.
+pub(super) fn rewritten(
+    source: &Source,
+    file: &MotionFile,
+    mechanism: &Description,
+    tuned: &Tuned,
+    before: &[Vector3<f64>],
+) -> String {
+    let mut edits = Vec::new();
+    let mut added = Vec::new();
+    let each = mechanism.names.points.iter().zip(&tuned.points).zip(before);
+    for ((name, point), before) in each {
+        if (point - before).amax() < ROUNDING {
+            continue;
+        }
+        let stated = file.points.get_ref().get(name.as_str());
+        match stated.map(|stated| (stated.span(), stated.get_ref())) {
+            Some((place, Position::At(_))) => edits.push((place, coordinates(point))),
+            // A marker goes with its point.
+            Some((_, Position::Off(_))) => {}
+            None => added.push(format!("{name} = {}\n", coordinates(point))),
+        }
+    }
+    edits.extend(drives(source, file, mechanism, &tuned.drives));
+    let added = added.concat();
+    if !added.is_empty() {
+        edits.push(addition(source, file, &added));
+    }
+    edited(source.text(), edits)
+}
+
+fn coordinates(point: &Vector3<f64>) -> String {
+    let [x, y, z] = [point.x, point.y, point.z].map(decimal);
+    format!("[{x}, {y}, {z}]")
+}
+
+/// With a point, as TOML has it.
+fn decimal(value: f64) -> String {
+    let text = format!("{value:.DECIMALS$}");
+    let text = text.trim_end_matches('0');
+    match text.strip_suffix('.') {
+        Some("-0") => "0.0".to_owned(),
+        Some(whole) => format!("{whole}.0"),
+        None => text.to_owned(),
+    }
+}
+
+/// Drives whose values at the design position changed begin by as much later.
+fn drives(
+    source: &Source,
+    file: &MotionFile,
+    mechanism: &Description,
+    tuned: &[f64],
+) -> Vec<(Range<usize>, String)> {
+    let each = mechanism.names.drives.iter();
+    let each = each.zip(mechanism.design.iter().zip(tuned));
+    let edits = each.filter_map(|(drive, (before, after))| {
+        let law = file.drives.get_ref().get(drive.name.as_str())?;
+        let by = (after - before) * Kind::from(drive.kind).in_file(mechanism.unit);
+        let Coefficients(coefficients) = law.get_ref();
+        let (first, others) = coefficients.split_first()?;
+        if by.abs() < ROUNDING {
+            return None;
+        }
+        let later = decimal(first + by);
+        let is_list = source.text()[law.span()].starts_with('[');
+        let text = if is_list {
+            let others = others.iter().map(|other| exact(*other));
+            let all: Vec<String> = [later].into_iter().chain(others).collect();
+            format!("[{}]", all.join(", "))
+        } else {
+            later
+        };
+        Some((law.span(), text))
+    });
+    edits.collect()
+}
+
+/// Lines behind the last point that the file states, or in a table of their own.
+fn addition(source: &Source, file: &MotionFile, lines: &str) -> (Range<usize>, String) {
+    let text = source.text();
+    let ends = file.points.get_ref().values().map(|point| point.span().end);
+    let Some(last) = ends.max() else {
+        let end = text.len();
+        let newline = if text.ends_with('\n') { "" } else { "\n" };
+        return (end..end, format!("{newline}\n[points]\n{lines}"));
+    };
+    let line_end = text[last..].find('\n').map(|end| last + end + 1);
+    let at = line_end.unwrap_or(text.len());
+    let newline = if line_end.is_none() { "\n" } else { "" };
+    (at..at, format!("{newline}{lines}"))
+}
+
+fn edited(text: &str, mut edits: Vec<(Range<usize>, String)>) -> String {
+    edits.sort_by_key(|(place, _)| place.start);
+    let mut out = String::new();
+    let mut done = 0;
+    for (place, new) in edits {
+        out.push_str(&text[done..place.start]);
+        out.push_str(&new);
+        done = place.end;
+    }
+    out.push_str(&text[done..]);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimals_are_those_of_toml() {
+        for (value, expected) in [
+            (0.1 + 0.2, "0.3"),
+            (-0.0312, "-0.0312"),
+            (250.0, "250.0"),
+            (-1e-12, "0.0"),
+        ] {
+            assert_eq!(decimal(value), expected);
+        }
+    }
+
+    #[test]
+    fn edits_are_made_where_they_belong() {
+        let edits = vec![(7..8, "3".to_owned()), (4..5, "22".to_owned())];
+        assert_eq!(edited("a = 1, 2 # b", edits), "a = 22, 3 # b");
+    }
+}

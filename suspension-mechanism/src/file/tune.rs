@@ -1,0 +1,87 @@
+//! What a motion file says of tuning: what may be moved, and what is to be reached.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::file::table::Table;
+
+/// The table `[tune]`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TuneTable {
+    /// What may be moved, by name.
+    pub moves: Table<MoveTable>,
+    /// What is to be reached, by name.
+    pub targets: Table<TargetTable>,
+}
+
+/// Points that move together, or a length.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MoveTable {
+    /// Points that move together.
+    #[serde(default)]
+    pub points: Vec<Spanned<String>>,
+    /// Points that move with them on the other side of the vehicle.
+    #[serde(default)]
+    pub mirrored: Vec<Spanned<String>>,
+    /// The way that points move.
+    pub along: Option<Spanned<Direction>>,
+    /// In place of points the length of a link.
+    pub length: Option<Spanned<String>>,
+    /// The least and the greatest that they are moved, or that the length is made longer, in the unit.
+    pub by: Spanned<[f64; 2]>,
+}
+
+/// A direction in the file's axes.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged, expecting = "expected \"x\", \"y\", \"z\" or [x, y, z]")]
+pub enum Direction {
+    /// Along an axis.
+    Axis(AxisName),
+    /// Of any vector but zero.
+    Vector([f64; 3]),
+}
+
+/// An axis.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum AxisName {
+    /// Along the vehicle.
+    X,
+    /// Across it.
+    Y,
+    /// The vertical one.
+    Z,
+}
+
+/// A quantity, where it is read, and what it is to be there.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TargetTable {
+    /// The quantity, by its name in tables without the unit: `toe`, `left_camber`, `roll_centre`, a measure.
+    pub of: Spanned<String>,
+    /// The drive with respect to which its derivative is meant.
+    pub per: Option<Spanned<String>>,
+    /// Drives with how far they go from the design position; without it the quantity is read there.
+    pub over: Option<Table<[f64; 2]>>,
+    /// What it is to be.
+    pub value: Option<Spanned<Wanted>>,
+    /// What it is to differ by from the design position.
+    pub change: Option<Spanned<Wanted>>,
+    /// How far it may be off.
+    pub within: Spanned<f64>,
+}
+
+/// One number for all places, or one for each.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "expected a number, or one for each of evenly spaced values of the drive as [0.0, 0.1, 0.3]"
+)]
+pub enum Wanted {
+    /// The same everywhere.
+    Everywhere(f64),
+    /// At evenly spaced values of the drive, from the first to the last.
+    Each(Vec<f64>),
+}

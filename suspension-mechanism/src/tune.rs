@@ -1,0 +1,109 @@
+//! Hardpoints and lengths, moved within boxes until quantities are what is wanted of them.
+//!
+//! The suspension is built anew for each trial and solved at all places of all targets; the squares of what the targets
+//! are off, each in parts of what is allowed, are made least.
+
+mod fit;
+mod target;
+
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::{DVector, Vector3};
+
+use crate::failure::Failure;
+use crate::kinematics::{Changes, Kinematics};
+use fit::{Bounds, Fit, fit};
+
+pub use fit::MOST_STEPS;
+pub use target::{Deviations, Reading, Target, Wanted};
+
+/// Something that may be moved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Move {
+    /// Its name.
+    pub name: String,
+    /// What changes where it is moved by one unit of length.
+    pub per_unit: Changes,
+    /// The least and the greatest that it may be moved.
+    pub by: [f64; 2],
+}
+
+/// What was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tuned {
+    /// How far each move went.
+    pub moved: Vec<f64>,
+    /// How far each target is off before, and with the moves.
+    pub targets: Vec<[Deviations; 2]>,
+    /// All points of the design, in the file's coordinates.
+    pub points: Vec<Vector3<f64>>,
+    /// The drives at the design, in the file's coordinates.
+    pub drives: Vec<f64>,
+    /// Whether the user interrupted before the best was found.
+    pub interrupted: bool,
+}
+
+/// Moves what may be moved until the targets are met, or as near as they can be.
+///
+/// # Errors
+///
+/// [`Failure::Solver`] where the mechanism as it is does not get to all places of a target.
+pub fn tune(
+    (source, mechanism): (&str, &dyn Kinematics),
+    moves: &[Move],
+    targets: &[Target],
+    interrupted: &AtomicBool,
+    on_step: impl FnMut(),
+) -> Result<Tuned, Failure> {
+    let before = targets.iter().map(|target| target.check(source, mechanism));
+    let before = before.collect::<Result<Vec<_>, _>>()?;
+    let boxes = moves.iter().map(|each| Bounds {
+        least: each.by[0],
+        greatest: each.by[1],
+    });
+    let trial = |moved: &DVector<f64>| {
+        let mechanism = mechanism.changed(&changes(moves, moved))?;
+        let off = targets.iter().map(|target| target.deviations(&*mechanism));
+        let off = off.collect::<Option<Vec<_>>>()?;
+        let parts = off.iter().zip(targets);
+        let parts = parts.flat_map(|(off, target)| off.iter().map(|off| off / target.within));
+        Some(DVector::from_vec(parts.collect()))
+    };
+    let boxes: Vec<Bounds> = boxes.collect();
+    let Fit { at, is_cut } = fit(&boxes, trial, interrupted, on_step);
+    let unmoved = || {
+        Failure::Solver(format!(
+            "{source}: the moves have no place in their boxes at which the mechanism gets to all places of the targets; widen \
+             the boxes"
+        ))
+    };
+    let at = at.ok_or_else(unmoved)?;
+    let tuned = mechanism
+        .changed(&changes(moves, &at))
+        .ok_or_else(unmoved)?;
+    let after = targets.iter().map(|target| target.deviations(&*tuned));
+    let after = after.collect::<Option<Vec<_>>>().ok_or_else(unmoved)?;
+    Ok(Tuned {
+        moved: at.iter().copied().collect(),
+        targets: before.into_iter().zip(after).map(|(a, b)| [a, b]).collect(),
+        points: tuned.points(),
+        drives: tuned.given(&tuned.first_drives()),
+        interrupted: is_cut,
+    })
+}
+
+/// All moves together.
+fn changes(moves: &[Move], moved: &DVector<f64>) -> Changes {
+    let mut changes = Changes::default();
+    for (each, by) in moves.iter().zip(moved.iter()) {
+        let points = each.per_unit.points.iter();
+        changes
+            .points
+            .extend(points.map(|(point, unit)| (*point, unit * *by)));
+        let lengths = each.per_unit.lengths.iter();
+        changes
+            .lengths
+            .extend(lengths.map(|(length, unit)| (*length, unit * by)));
+    }
+    changes
+}

@@ -1,0 +1,223 @@
+//! Least squares within boxes: steps of Levenberg and Marquardt over those unknowns that are not held by their boxes,
+//! cut where they leave them. No library was found that has boxes and the `nalgebra` of this crate.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use nalgebra::{DMatrix, DVector};
+
+/// Between what an unknown may be.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    pub(super) least: f64,
+    pub(super) greatest: f64,
+}
+
+impl Bounds {
+    fn width(self) -> f64 {
+        self.greatest - self.least
+    }
+
+    /// Whether the unknown is where it may not go further along the way that makes the sum of squares less.
+    fn holds(self, at: f64, gradient: f64) -> bool {
+        (at <= self.least && gradient > 0.0) || (at >= self.greatest && gradient < 0.0)
+    }
+}
+
+/// What was found.
+pub(super) struct Fit {
+    /// Where the sum of squares is least; `None` where there are no residuals at the start.
+    pub(super) at: Option<DVector<f64>>,
+    /// Whether the user interrupted.
+    pub(super) is_cut: bool,
+}
+
+/// Steps at most; a dozen are usual.
+pub const MOST_STEPS: usize = 100;
+
+/// The steps of differences, as a part of a box.
+const STEP: f64 = 1e-4;
+
+/// Sums of squares that differ by less than this part are the same.
+const SAME: f64 = 1e-9;
+
+/// Makes the sum of squares of `residuals` least, from zero or from what is next to it in the boxes. Where there are no
+/// residuals, nothing is sought.
+pub(super) fn fit(
+    boxes: &[Bounds],
+    residuals: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
+    interrupted: &AtomicBool,
+    mut on_step: impl FnMut(),
+) -> Fit {
+    let start = boxes
+        .iter()
+        .map(|bounds| 0_f64.clamp(bounds.least, bounds.greatest));
+    let start = DVector::from_vec(start.collect());
+    let Some(first) = residuals(&start) else {
+        return Fit {
+            at: None,
+            is_cut: false,
+        };
+    };
+    let mut here = Here {
+        at: start,
+        residuals: first,
+        damping: 1e-3,
+    };
+    let mut is_cut = false;
+    for _ in 0..MOST_STEPS {
+        is_cut = interrupted.load(Ordering::Relaxed);
+        if is_cut || !here.step(boxes, &residuals) {
+            break;
+        }
+        on_step();
+    }
+    Fit {
+        at: Some(here.at),
+        is_cut,
+    }
+}
+
+struct Here {
+    at: DVector<f64>,
+    residuals: DVector<f64>,
+    damping: f64,
+}
+
+impl Here {
+    /// Goes on; `false` where there is nothing to gain.
+    fn step(
+        &mut self,
+        boxes: &[Bounds],
+        residuals: &impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
+    ) -> bool {
+        const MOST_DAMPING: f64 = 1e12;
+        let jacobian = self.jacobian(boxes, residuals);
+        let gradient = jacobian.tr_mul(&self.residuals);
+        let held =
+            (0..boxes.len()).filter(|&each| boxes[each].holds(self.at[each], gradient[each]));
+        let held: Vec<usize> = held.collect();
+        let normal = jacobian.tr_mul(&jacobian);
+        let before = self.residuals.norm_squared();
+        while self.damping < MOST_DAMPING {
+            let step = damped_step(&normal, &gradient, &held, self.damping);
+            let at = within(boxes, &(&self.at + step));
+            let trial = residuals(&at).filter(|trial| trial.norm_squared() < before);
+            if let Some(trial) = trial {
+                let gained = before - trial.norm_squared();
+                (self.at, self.residuals) = (at, trial);
+                self.damping *= 0.1;
+                return gained > SAME * before;
+            }
+            self.damping *= 4.0;
+        }
+        false
+    }
+
+    /// Central differences; zero where neighbours have no residuals.
+    fn jacobian(
+        &self,
+        boxes: &[Bounds],
+        residuals: &impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
+    ) -> DMatrix<f64> {
+        let column = |(unknown, bounds): (usize, &Bounds)| {
+            let step = STEP * bounds.width();
+            let at = |sign: f64| {
+                let mut at = self.at.clone();
+                at[unknown] += sign * step;
+                residuals(&at)
+            };
+            match (at(-1.0), at(1.0)) {
+                (Some(before), Some(behind)) => (behind - before) / (2.0 * step),
+                _ => DVector::zeros(self.residuals.len()),
+            }
+        };
+        let columns: Vec<DVector<f64>> = boxes.iter().enumerate().map(column).collect();
+        DMatrix::from_columns(&columns)
+    }
+}
+
+/// The step that makes the damped squares of the linear residuals least, zero along what is held.
+fn damped_step(
+    normal: &DMatrix<f64>,
+    gradient: &DVector<f64>,
+    held: &[usize],
+    damping: f64,
+) -> DVector<f64> {
+    let mut matrix = normal.clone();
+    let mut right = -gradient;
+    // What nothing depends on stays where it is.
+    let smallest = normal.diagonal().max() * 1e-12 + f64::MIN_POSITIVE;
+    for each in 0..normal.nrows() {
+        matrix[(each, each)] += damping * normal[(each, each)].max(smallest);
+    }
+    for &each in held {
+        matrix.row_mut(each).fill(0.0);
+        matrix.column_mut(each).fill(0.0);
+        matrix[(each, each)] = 1.0;
+        right[each] = 0.0;
+    }
+    let solution = matrix.cholesky().map(|factors| factors.solve(&right));
+    solution.unwrap_or_else(|| DVector::zeros(gradient.len()))
+}
+
+fn within(boxes: &[Bounds], at: &DVector<f64>) -> DVector<f64> {
+    let each = boxes.iter().zip(at.iter());
+    let clamped = each.map(|(bounds, at)| at.clamp(bounds.least, bounds.greatest));
+    DVector::from_vec(clamped.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(boxes: &[Bounds], residuals: impl Fn(&DVector<f64>) -> Vec<f64>) -> DVector<f64> {
+        let never = AtomicBool::new(false);
+        let of = |at: &DVector<f64>| Some(DVector::from_vec(residuals(at)));
+        fit(boxes, of, &never, || ()).at.expect("a fit")
+    }
+
+    fn square(half: f64) -> [Bounds; 2] {
+        [Bounds {
+            least: -half,
+            greatest: half,
+        }; 2]
+    }
+
+    /// Rosenbrock's valley, 1960: the least is at (1, 1), the way there is bent.
+    #[test]
+    fn the_least_inside_is_found() {
+        let valley = |at: &DVector<f64>| vec![10.0 * (at[1] - at[0] * at[0]), 1.0 - at[0]];
+        let at = found(&square(2.0), valley);
+        assert!(
+            (at[0] - 1.0).abs() < 1e-6 && (at[1] - 1.0).abs() < 1e-6,
+            "{at}"
+        );
+    }
+
+    /// On the side `x = 0.5` of the box Rosenbrock's valley is deepest at `y = x^2`.
+    #[test]
+    fn at_a_side_of_the_box_the_others_go_on() {
+        let valley = |at: &DVector<f64>| vec![10.0 * (at[1] - at[0] * at[0]), 1.0 - at[0]];
+        let at = found(&square(0.5), valley);
+        assert!(
+            (at[0] - 0.5).abs() < 1e-12 && (at[1] - 0.25).abs() < 1e-7,
+            "{at}"
+        );
+    }
+
+    #[test]
+    fn what_nothing_depends_on_stays() {
+        let at = found(&square(1.0), |at| vec![at[0] - 0.25]);
+        assert!((at[0] - 0.25).abs() < 1e-9 && at[1] == 0.0, "{at}");
+    }
+
+    /// Where there are no residuals beyond 0.7, as where a mechanism locks.
+    #[test]
+    fn it_stays_where_residuals_are() {
+        let never = AtomicBool::new(false);
+        let of = |at: &DVector<f64>| (at[0] < 0.7).then(|| DVector::from_vec(vec![at[0] - 0.6]));
+        let fit = fit(&square(1.0), of, &never, || ());
+        let at = fit.at.expect("a fit");
+        assert!((at[0] - 0.6).abs() < 1e-6, "{at}");
+    }
+}

@@ -1,0 +1,141 @@
+//! What is to be reached.
+
+use std::sync::atomic::AtomicBool;
+
+use crate::failure::Failure;
+use crate::kinematics::Kinematics;
+use crate::mechanism::{Axis, Description, Drive, From, Grid, Order, Place, Visited};
+use crate::quantities::{Column, Kind, Reader};
+
+/// A quantity, where it is read, and what it is to be there.
+pub struct Target {
+    /// Its name.
+    pub name: String,
+    /// What is read.
+    pub reading: Reading,
+    /// The drives that are moved, with how far from the design position; none to read it there.
+    pub over: Vec<Axis>,
+    /// What it is to be at each place, in the order of the grid, of the file's lengths and of radians.
+    pub wanted: Wanted,
+    /// How far it may be off.
+    pub within: f64,
+}
+
+/// What is read of a place.
+pub struct Reading {
+    /// The quantity.
+    pub column: Column,
+    /// The drive with respect to which its derivative is meant.
+    pub per: Option<usize>,
+}
+
+/// What is wanted at each place.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Wanted {
+    /// These.
+    Values(Vec<f64>),
+    /// These beyond what it is at the design position.
+    Changes(Vec<f64>),
+}
+
+/// How far a target is off at each of its places.
+pub type Deviations = Vec<f64>;
+
+impl Reading {
+    /// What it is called: `toe`, `toe per bump`.
+    pub fn title(&self, mechanism: &Description) -> String {
+        let title = self.column.title();
+        match self.drive(mechanism) {
+            Some(drive) => format!("{title} per {}", drive.name),
+            None => title,
+        }
+    }
+
+    /// What a number inside is multiplied with for that in the file.
+    pub fn in_file(&self, mechanism: &Description) -> f64 {
+        let per = self
+            .drive(mechanism)
+            .map_or(1.0, |drive| Kind::from(drive.kind).in_file(mechanism.unit));
+        self.column.kind.in_file(mechanism.unit) / per
+    }
+
+    /// The same for what people read, and the unit.
+    pub fn for_people(&self, mechanism: &Description) -> (f64, String) {
+        let (scale, symbol) = self.column.kind.for_people(mechanism.unit);
+        match self.drive(mechanism).map(|drive| Kind::from(drive.kind)) {
+            Some(per) => {
+                let symbol = format!("{symbol}/{}", per.symbol(mechanism.unit));
+                (scale / per.in_file(mechanism.unit), symbol)
+            }
+            None => (scale, symbol),
+        }
+    }
+
+    fn drive<'a>(&self, mechanism: &'a Description) -> Option<&'a Drive> {
+        mechanism.names.drives.get(self.per?)
+    }
+
+    /// The number at a place; NaN where there is none.
+    fn at(&self, place: &dyn Place) -> f64 {
+        match self.per {
+            None => self.column.read(&Reader::of(&place.state())).value,
+            Some(drive) => place
+                .per(drive)
+                .map_or(f64::NAN, |state| self.column.read(&Reader::of(&state)).rate),
+        }
+    }
+}
+
+impl Target {
+    /// Whether it is met.
+    pub fn is_met_by(&self, off: &Deviations) -> bool {
+        off.iter().all(|off| off.abs() <= self.within)
+    }
+
+    /// How far it is off at each place; `None` where the mechanism does not get to all, or there is no such number.
+    pub(super) fn deviations(&self, mechanism: &dyn Kinematics) -> Option<Deviations> {
+        let values = self
+            .visited(mechanism, self.over.clone())?
+            .places
+            .into_iter();
+        let values = values.collect::<Option<Vec<f64>>>()?;
+        let (from, wanted) = match &self.wanted {
+            Wanted::Values(wanted) => (0.0, wanted),
+            Wanted::Changes(wanted) => {
+                let design = self.visited(mechanism, Vec::new())?.places;
+                ((*design.first()?)?, wanted)
+            }
+        };
+        let off = values.iter().zip(wanted);
+        let off: Vec<f64> = off.map(|(value, wanted)| value - from - wanted).collect();
+        off.iter().all(|off| off.is_finite()).then_some(off)
+    }
+
+    /// The same of a mechanism that must get there.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] with what locks, or where there is no such number.
+    pub(super) fn check(
+        &self,
+        source: &str,
+        mechanism: &dyn Kinematics,
+    ) -> Result<Deviations, Failure> {
+        self.deviations(mechanism).ok_or_else(|| {
+            let visited = self.visited(mechanism, self.over.clone());
+            let out_of_reach = visited.and_then(|visited| visited.out_of_reach(source));
+            let why = out_of_reach.unwrap_or_else(|| {
+                let quantity = &self.reading.column.name;
+                format!("`{quantity}` has no value at some of its places")
+            });
+            Failure::Solver(format!("{source}: target `{}`: {why}", self.name))
+        })
+    }
+
+    fn visited(&self, mechanism: &dyn Kinematics, over: Vec<Axis>) -> Option<Visited<f64>> {
+        let never = AtomicBool::new(false);
+        let grid = Grid::new(mechanism, over, From::Start).ok()?;
+        let mut read = |place: &dyn Place| self.reading.at(place);
+        Some(mechanism.visit(&grid, Order::First, &never, &mut read))
+    }
+}

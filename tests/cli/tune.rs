@@ -1,0 +1,413 @@
+//! Hardpoints moved until curves are met.
+
+use std::path::Path;
+use std::process::Output;
+
+use super::program::{Rows, folder, rows, run, text};
+
+/// A motion file of a layout of the catalogue, with what it says of tuning.
+fn file(layout: &str, drives: &str, tune: &str) -> String {
+    let head = format!("linkage = \"{layout}\" # as drawn\nunit = \"m\"\nangle = \"deg\"\n");
+    let rest = format!(
+        "vehicle = {{ wheel_radius = 0.3 }}\ntime = {{ instants = [0.0] }}\n[drives]\n{drives}\n"
+    );
+    format!("{head}{rest}{tune}")
+}
+
+/// Both ends of the tie rod up and down, for the least toe change over 60 mm of bump and rebound.
+const FLAT: &str = "\
+[tune.moves.rack_height]
+points = [\"rack\"]
+along = \"z\"
+by = [-0.03, 0.03]
+[tune.moves.ball_height]
+points = [\"tie_ball\"]
+along = [0, 0, 2]
+by = [-0.03, 0.03]
+[tune.targets.bump_steer]
+of = \"toe\"
+over = { bump = [-0.06, 0.06] }
+change = 0.0
+within = 0.02
+";
+
+fn tuned(folder: &Path, file: &str) -> Output {
+    std::fs::write(folder.join("a.toml"), file).expect("written");
+    run(folder, &["tune", "a.toml"])
+}
+
+/// What the program reads of the file that it wrote, over bump.
+fn swept(folder: &Path) -> Rows {
+    let sweep = [
+        "sweep",
+        "a_tuned.toml",
+        "--drive",
+        "bump=-0.06:0.06:49",
+        "--csv",
+        "-",
+    ];
+    let output = run(folder, &sweep);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
+
+#[test]
+fn bump_steer_of_three_layouts_is_flat_by_two_heights() {
+    for (layout, drives) in [
+        ("double_wishbone", "bump = 0.3\nsteer = 0.34"),
+        ("macpherson", "bump = 0.31\nsteer = 0.33"),
+        ("five_link_rack", "bump = 0.32\nsteer = 0.35"),
+    ] {
+        let folder = folder();
+        let output = tuned(folder.path(), &file(layout, drives, FLAT));
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let rows = swept(folder.path());
+        let design = rows[24]["toe_deg"];
+        let worst = rows.iter().map(|row| (row["toe_deg"] - design).abs());
+        let worst = worst.fold(0.0, f64::max);
+        assert!(worst <= 0.02, "{layout}: {worst}");
+        let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
+        assert!(
+            written.starts_with(&file(layout, drives, FLAT)),
+            "{written}"
+        );
+        let added: Vec<&str> = written.lines().rev().take(2).collect();
+        assert!(added[0].starts_with("tie_ball = [") && added[1].starts_with("rack = ["));
+    }
+}
+
+/// A box that is too small stops a move, and the message says which.
+#[test]
+fn what_is_not_met_is_told_with_the_box_that_stops_it() {
+    let folder = folder();
+    let small = FLAT.replacen("by = [-0.03, 0.03]", "by = [-0.001, 0.03]", 1);
+    let output = tuned(
+        folder.path(),
+        &file("macpherson", "bump = 0.31\nsteer = 0.33", &small),
+    );
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let told = "a.toml: not met: bump_steer; at the end of their boxes: rack_height";
+    assert!(text(&output.stderr).contains(told), "{output:?}");
+    assert!(
+        text(&output.stdout).contains("rack_height  -0.001"),
+        "{output:?}"
+    );
+    let rows = swept(folder.path());
+    let off = rows
+        .iter()
+        .map(|row| (row["toe_deg"] - rows[24]["toe_deg"]).abs());
+    assert!(off.fold(0.0, f64::max) > 0.02);
+}
+
+/// The tables of a design with points elsewhere are reached by moving these there: a list has a number for each place, a
+/// derivative is a target like a value.
+#[test]
+fn a_known_design_is_found_by_its_curves() {
+    let folder = folder();
+    let drives = "bump = 0.3\nsteer = 0.34";
+    let known = "[points]\nupper_front = [0.15, 0.42, 0.432]\nupper_rear = [-0.15, 0.42, 0.432]\n";
+    let known = file("double_wishbone", drives, known);
+    std::fs::write(folder.path().join("a_tuned.toml"), known).expect("written");
+    let rows = swept(folder.path());
+    let design = &rows[24];
+    let camber =
+        [0, 12, 24, 36, 48].map(|row: usize| rows[row]["camber_deg"] - design["camber_deg"]);
+    let slope = design["camber_deg_per_bump"];
+    let tune = format!(
+        "\
+[tune.moves.upper_arm]
+points = [\"upper_rear\", \"upper_front\"]
+along = \"z\"
+by = [-0.03, 0.03]
+[tune.targets.camber]
+of = \"camber\"
+over = {{ bump = [-0.06, 0.06] }}
+change = {camber:?}
+within = 1e-3
+[tune.targets.slope]
+of = \"camber\"
+per = \"bump\"
+value = {slope:?}
+within = 0.1
+"
+    );
+    let points =
+        "[points]\nupper_front = [0.15, 0.42, 0.42]\nupper_rear = [-0.15, 0.42, 0.42] # both\n";
+    let output = tuned(
+        folder.path(),
+        &file("double_wishbone", drives, &format!("{points}{tune}")),
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(
+        text(&output.stdout).contains("upper_arm  0.012 m"),
+        "{output:?}"
+    );
+    let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
+    assert!(
+        written.contains("upper_rear = [-0.15, 0.42, 0.432] # both\n"),
+        "{written}"
+    );
+    let found = &swept(folder.path())[48];
+    assert!(
+        (found["camber_deg"] - rows[48]["camber_deg"]).abs() < 1e-6,
+        "{found:?}"
+    );
+}
+
+/// Left as right: the file that is written is symmetric.
+#[test]
+fn mirrored_points_keep_an_axle_symmetric() {
+    let folder = folder();
+    let tune = "\
+[tune.moves.rack]
+points = [\"left_axle\"]
+mirrored = [\"right_axle\"]
+along = [1.0, 1.0, 0.0]
+by = [-0.02, 0.02]
+[tune.targets.toe]
+of = \"left_toe\"
+value = 0.1
+within = 1e-5
+";
+    let drives = "bump_left = 0.3\nbump_right = 0.3\nsteer = 0.0";
+    let output = tuned(folder.path(), &file("steered_axle", drives, tune));
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let output = run(
+        folder.path(),
+        &[
+            "sweep",
+            "a_tuned.toml",
+            "--drive",
+            "steer=0.0",
+            "--csv",
+            "-",
+        ],
+    );
+    let row = &rows(&output.stdout)[0];
+    assert!((row["left_toe_deg"] - 0.1).abs() < 1e-5, "{row:?}");
+    assert!(
+        (row["left_toe_deg"] - row["right_toe_deg"]).abs() < 1e-6,
+        "{row:?}"
+    );
+}
+
+/// A turnbuckle: the tie rod's length sets the toe, and the rack stays.
+#[test]
+fn a_length_is_a_move_too() {
+    let folder = folder();
+    let tune = "\
+[tune.moves.turnbuckle]
+length = \"tie_rod\"
+by = [-0.005, 0.005]
+[tune.targets.toe]
+of = \"toe\"
+value = -0.25
+within = 1e-5
+";
+    let drives = "bump = 0.3\nsteer = 0.34";
+    let output = tuned(folder.path(), &file("double_wishbone", drives, tune));
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let row = &swept(folder.path())[24];
+    assert!((row["toe_deg"] + 0.25).abs() < 1e-5, "{row:?}");
+    let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
+    assert!(written.contains(&format!("{drives}\n")) && !written.contains("\nrack ="));
+}
+
+/// Where a point of a drive is moved along it, the motion begins there.
+#[test]
+fn drives_begin_where_the_design_has_them() {
+    let folder = folder();
+    let drives = "bump = [0.3, 0.01]\nsteer = [0.348, 0.001, 0.2]";
+    let known = file(
+        "double_wishbone",
+        drives,
+        "[points]\nrack = [0.11, 0.348, 0.2]\n",
+    );
+    std::fs::write(folder.path().join("a_tuned.toml"), known).expect("written");
+    let bump_steer = swept(folder.path())[24]["toe_deg_per_bump"];
+    let tune = format!(
+        "\
+[tune.moves.rack]
+points = [\"rack\"]
+along = \"y\"
+by = [-0.01, 0.01]
+[tune.targets.bump_steer]
+of = \"toe\"
+per = \"bump\"
+value = {bump_steer:?}
+within = 1e-5
+"
+    );
+    let drives = "bump = [0.3, 0.01]\nsteer = [0.34, 0.001, 0.2] # m";
+    let output = tuned(folder.path(), &file("double_wishbone", drives, &tune));
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
+    assert!(
+        written.contains("\nsteer = [0.348, 0.001, 0.2] # m\n"),
+        "{written}"
+    );
+    assert!(
+        written.contains("\nrack = [0.11, 0.348, 0.2]\n"),
+        "{written}"
+    );
+}
+
+/// The same target in millimetres, radians and the axes of Adams.
+#[test]
+fn units_and_axes_do_not_matter() {
+    let moved = |file: &str| -> Vec<f64> {
+        let folder = folder();
+        let output = tuned(folder.path(), file);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let lines = text(&output.stdout)
+            .lines()
+            .map(str::to_owned)
+            .collect::<Vec<_>>();
+        let number = |name: &str| {
+            let line = lines
+                .iter()
+                .find(|line| line.starts_with(name))
+                .expect(name);
+            line.split_whitespace()
+                .nth(1)
+                .expect("a number")
+                .parse()
+                .expect("a number")
+        };
+        vec![number("rack_height"), number("ball_height")]
+    };
+    let listing = r#"statements = """
+        fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
+        free: lower_ball, upper_ball, tie_ball, wheel_centre;
+        link a: lower_front -> lower_ball;
+        link b: lower_rear -> lower_ball;
+        link c: upper_front -> upper_ball;
+        link d: upper_rear -> upper_ball;
+        link tie_rod: rack -> tie_ball;
+        body upright: lower_ball, upper_ball, tie_ball, wheel_centre;
+        point axle: upright;
+        drive bump: wheel_centre.z;
+        drive steer: rack.y;
+        wheel: axle -> wheel_centre;
+    """"#;
+    let of = |unit: &str, scale: f64, [x, y]: [f64; 2], axes: &str| {
+        let points = [
+            ("lower_front", [0.20, 0.35, 0.16]),
+            ("lower_rear", [-0.20, 0.35, 0.16]),
+            ("upper_front", [0.15, 0.42, 0.42]),
+            ("upper_rear", [-0.15, 0.42, 0.42]),
+            ("rack", [0.11, 0.34, 0.20]),
+            ("lower_ball", [0.005, 0.70, 0.17]),
+            ("upper_ball", [-0.015, 0.66, 0.44]),
+            ("tie_ball", [0.12, 0.68, 0.21]),
+            ("wheel_centre", [0.0, 0.75, 0.30]),
+            ("axle", [0.0, 0.65, 0.30]),
+        ];
+        let points = points.map(|(name, [px, py, pz])| {
+            format!(
+                "{name} = [{:?}, {:?}, {:?}]",
+                x * px * scale,
+                y * py * scale,
+                pz * scale
+            )
+        });
+        let tune = FLAT.replace("0.03", &format!("{:?}", 0.03 * scale));
+        let tune = tune.replace("0.06", &format!("{:?}", 0.06 * scale));
+        let (angle, within) = match unit {
+            "mm" => ("rad", 0.02_f64.to_radians()),
+            _ => ("deg", 0.02),
+        };
+        let tune = tune.replace("within = 0.02", &format!("within = {within:?}"));
+        let head = format!("unit = \"{unit}\"\nangle = \"{angle}\"\naxes = \"{axes}\"\n");
+        let [bump, steer] = [0.3 * scale, 0.34 * scale * y];
+        let drives = format!(
+            "time = {{ instants = [0.0] }}\n[drives]\nbump = {bump:?}\nsteer = {steer:?}\n"
+        );
+        format!(
+            "{head}{listing}\n{drives}[points]\n{}\n{tune}",
+            points.join("\n")
+        )
+    };
+    let iso = moved(&of("m", 1.0, [1.0, 1.0], "ISO 8855"));
+    let adams = moved(&of("mm", 1000.0, [-1.0, -1.0], "Adams"));
+    for (iso, adams) in iso.iter().zip(&adams) {
+        assert!((1000.0 * iso - adams).abs() < 0.01, "{iso} {adams}");
+    }
+}
+
+#[test]
+fn what_cannot_be_tuned_is_refused_with_its_place() {
+    let drives = "bump = 0.3\nsteer = 0.34";
+    for (tune, code, expected) in [
+        ("", 2, "nothing to tune: write [tune.moves.NAME]"),
+        (
+            &FLAT.replace("\"tie_ball\"", "\"tie_bal\""),
+            2,
+            "unknown point `tie_bal`; known are ",
+        ),
+        (
+            &FLAT.replace("of = \"toe\"", "of = \"tow\""),
+            2,
+            "unknown quantity `tow`; known are ",
+        ),
+        (
+            &FLAT.replace("{ bump", "{ bumb"),
+            2,
+            "unknown drive `bumb`; known are bump, steer",
+        ),
+        (
+            &FLAT.replace("change = 0.0\n", ""),
+            2,
+            "a target has `value`, or `change`",
+        ),
+        (
+            &FLAT.replace("along = \"z\"\n", ""),
+            2,
+            "`along` is missing",
+        ),
+        (
+            &FLAT.replace("along = \"z\"", "along = \"up\""),
+            2,
+            "expected \"x\", \"y\", \"z\" or [x, y, z]",
+        ),
+        (
+            &FLAT.replace("[0, 0, 2]", "[0, 0, 0]"),
+            2,
+            "a direction is finite and not zero",
+        ),
+        (
+            &FLAT.replacen("[-0.03, 0.03]", "[0.03, -0.03]", 1),
+            2,
+            "`by` is [least, greatest]",
+        ),
+        (
+            &FLAT.replace("points = [\"rack\"]\nalong = \"z\"", "length = \"tie_rot\""),
+            2,
+            "unknown link `tie_rot`; known are ",
+        ),
+        (
+            &FLAT.replace("within = 0.02", "within = 0.0"),
+            2,
+            "`within` is how far",
+        ),
+        (
+            &FLAT.replace("[-0.06, 0.06]", "[-0.06, 0.6]"),
+            3,
+            "target `bump_steer`: ",
+        ),
+        (
+            &format!("{FLAT}[design]\nbump = 0.3\nsteer = 0.34\n"),
+            2,
+            "without [lengths] and [design]",
+        ),
+    ] {
+        let folder = folder();
+        let output = tuned(folder.path(), &file("double_wishbone", drives, tune));
+        assert_eq!(output.status.code(), Some(code), "{tune}: {output:?}");
+        assert!(
+            text(&output.stderr).contains(expected),
+            "{expected}: {output:?}"
+        );
+        assert!(!folder.path().join("a_tuned.toml").exists());
+    }
+}
