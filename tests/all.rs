@@ -15,6 +15,7 @@ mod f32;
 mod guarantees;
 mod guard;
 mod hostile;
+mod inertia;
 mod instructions;
 mod lanes;
 mod mechanisms;

@@ -67,6 +67,7 @@ pub mod factored;
 #[doc(hidden)]
 pub mod generated;
 pub mod handedness;
+pub mod inertia;
 pub mod linkage;
 pub mod linkages;
 pub mod listing;

@@ -10,7 +10,7 @@ use core::ops::Range;
 use nalgebra::{Matrix3, SVector, Vector3};
 
 use crate::error::SolveError;
-use crate::factored::Factored;
+use crate::factored::{Factored, smallest_pivot, with_factors};
 use crate::linkage::Linkage;
 use crate::listing::{Kind, Parts};
 use crate::magnitude::magnitude;
@@ -36,11 +36,45 @@ use crate::values::Values;
 /// ```
 #[derive(Clone, Copy)]
 pub struct Statics<'a, L: Linkage<N>, const N: usize> {
-    linkage: &'a L,
-    prescribed: Prescribed<L::Fixed, L::Drives>,
-    drives: L::Drives,
-    position: SVector<L::Scalar, N>,
+    at: Configuration<'a, L, N>,
     factored: Factored<L::Factors, L::Scalar, N>,
+}
+
+/// A linkage in one configuration.
+struct Configuration<'a, L: Linkage<N>, const N: usize> {
+    linkage: &'a L,
+    /// Chassis points, driven coordinates put in.
+    fixed: L::Fixed,
+    /// Of the coordinates that drives prescribe, per unit of each drive.
+    rates: L::Drives,
+    position: SVector<L::Scalar, N>,
+}
+
+// Derived ones would ask for a linkage that can be copied.
+impl<L: Linkage<N>, const N: usize> Clone for Configuration<'_, L, N> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<L: Linkage<N>, const N: usize> Copy for Configuration<'_, L, N> {}
+
+impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Configuration<'a, L, N> {
+    #[inline(always)]
+    fn new(linkage: &'a L, drives: L::Drives, position: &SVector<T, N>) -> Self {
+        let rate = L::Drives::from_values(drives.values().map(|_| T::one()));
+        let drives = Signal {
+            rate,
+            ..Signal::still(drives)
+        };
+        let Prescribed { fixed, drives } = Prescribed::new(linkage, &Inputs::still(drives));
+        Self {
+            linkage,
+            fixed: fixed.value,
+            rates: drives.rate,
+            position: *position,
+        }
+    }
 }
 
 impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
@@ -54,13 +88,10 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
         drives: L::Drives,
         position: &SVector<T, N>,
     ) -> Result<Self, SolveError<T>> {
-        let prescribed = Prescribed::new(linkage, &Inputs::still(Signal::still(drives)));
+        let at = Configuration::new(linkage, drives, position);
         Ok(Self {
-            linkage,
-            drives,
-            position: *position,
-            factored: Factored::new(linkage, position, &prescribed.fixed.value)?,
-            prescribed,
+            factored: Factored::new(linkage, position, &at.fixed)?,
+            at,
         })
     }
 
@@ -71,32 +102,50 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
     /// # Errors
     ///
     /// [`SolveError::Overflow`] where a force is not finite, or what it makes of one.
-    pub fn under(&self, forces: &L::Points) -> Result<Loads<'_, L, N>, SolveError<T>> {
-        let mut on_unknowns = SVector::from([T::zero(); N]);
-        let [entries] = &mut on_unknowns.data.0;
-        let (entries, _) = entries.as_chunks_mut();
-        let free = forces.values().skip(self.linkage.count(Kind::ChassisPoint));
-        let free = free.take(self.linkage.count(Kind::FreePoint));
-        for ([x, y, z], force) in entries.iter_mut().zip(free) {
-            (*x, *y, *z) = (force.x, force.y, force.z);
-        }
+    pub fn under(&self, forces: &L::Points) -> Result<Loads<'a, L, N>, SolveError<T>> {
+        let on_unknowns = self.at.linkage.unknowns(forces);
         let multipliers = self.factored.factors().solve_transposed(&on_unknowns);
-        magnitude(&multipliers).map_err(SolveError::overflow)?;
-        Ok(Loads {
-            statics: self,
-            multipliers,
-        })
+        Loads::checked(self.at, multipliers)
     }
 }
 
 /// A linkage under forces.
 #[derive(Clone, Copy)]
 pub struct Loads<'a, L: Linkage<N>, const N: usize> {
-    statics: &'a Statics<'a, L, N>,
+    at: Configuration<'a, L, N>,
     multipliers: SVector<L::Scalar, N>,
 }
 
-impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'_, L, N> {
+impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
+    /// The same as [`Statics::under`] for one load, on a small stack: the factors are not kept.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Statics::new`] and of [`Statics::under`].
+    pub fn new(
+        linkage: &'a L,
+        drives: L::Drives,
+        position: &SVector<T, N>,
+        forces: &L::Points,
+    ) -> Result<Self, SolveError<T>> {
+        let at = Configuration::new(linkage, drives, position);
+        let on_unknowns = linkage.unknowns(forces);
+        let fixed = &at.fixed;
+        let multipliers = with_factors(linkage, position, fixed, smallest_pivot(), |factors| {
+            factors.solve_transposed(&on_unknowns)
+        })?;
+        Self::checked(at, multipliers)
+    }
+
+    #[inline(always)]
+    fn checked(
+        at: Configuration<'a, L, N>,
+        multipliers: SVector<T, N>,
+    ) -> Result<Self, SolveError<T>> {
+        magnitude(&multipliers).map_err(SolveError::overflow)?;
+        Ok(Self { at, multipliers })
+    }
+
     /// The multiplier of each equation.
     pub fn multipliers(&self) -> &SVector<T, N> {
         &self.multipliers
@@ -105,34 +154,32 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'_, L, N> {
     /// The work of the forces per unit of each drive: a force along a drive that is a length, a moment about one that is
     /// an angle. What moves the drive bears it.
     pub fn on_drives(&self) -> L::Drives {
-        let Statics {
-            linkage, drives, ..
-        } = self.statics;
-        let count = drives.values().count();
-        L::Drives::from_values((0..count).map(|drive| {
-            let rate = L::Drives::default().with(drive, T::one());
-            let signal = Signal {
-                rate,
-                ..Signal::still(*drives)
-            };
-            let Prescribed { fixed, drives } = Prescribed::new(*linkage, &Inputs::still(signal));
-            let position = &self.statics.position;
-            let terms = linkage.drive_rate(position, &fixed.value, &fixed.rate, &drives.rate);
-            self.work(&terms, 0..N)
+        let Configuration {
+            linkage,
+            fixed,
+            rates,
+            position,
+        } = &self.at;
+        let rates = rates.values().enumerate();
+        L::Drives::from_values(rates.map(|(drive, rate)| {
+            let rate = L::Drives::default().with(drive, rate);
+            let anchors = linkage.drive_anchors(L::Fixed::default(), &rate);
+            let terms = linkage.drive_rate(position, fixed, &anchors, &rate);
+            self.multipliers.dot(&terms)
         }))
     }
 
     /// The forces that some equations, those of one statement say, exert on chassis points and free points; zero at
     /// markers.
     pub fn by(&self, equations: Range<usize>) -> L::Points {
-        let Statics {
+        let Configuration {
             linkage,
-            prescribed,
+            fixed,
             position,
             ..
-        } = self.statics;
+        } = &self.at;
         let chassis = linkage.count(Kind::ChassisPoint);
-        let jacobian = linkage.jacobian(position, &prescribed.fixed.value);
+        let jacobian = linkage.jacobian(position, fixed);
         let on_unknown = |column: usize| -> Option<T> {
             Some(-self.work(&column_of(&jacobian, column)?, equations.clone()))
         };
@@ -145,13 +192,12 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'_, L, N> {
     }
 
     fn on_chassis_point(&self, point: usize, equations: Range<usize>) -> Vector3<T> {
-        let Statics {
+        let Configuration {
             linkage,
-            prescribed,
+            fixed,
             position,
             ..
-        } = self.statics;
-        let fixed = &prescribed.fixed.value;
+        } = &self.at;
         Vector3::from([Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| {
             let rate = L::Fixed::default().with(point, axis);
             let driven = linkage.drive_rate(position, fixed, &rate, &L::Drives::default());

@@ -1,10 +1,13 @@
 //! Through the published motion, one counted call a step.
 
-use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Real, Still};
+use suspension_core::nalgebra::{SVector, Vector3};
+use suspension_core::{
+    Bounded, Build, Inputs, Linkage, Motion, Real, SolveError, Still, Tracker, Values,
+};
 
 use crate::baked::Wheel;
 use crate::checksum::{Bits, Checksum};
-use crate::published::{self, Knuckle, STEPS};
+use crate::published::{self, Knuckle, STEP, STEPS};
 
 /// Gauges what a call takes: instructions, or bytes of stack.
 pub trait Gauge {
@@ -45,6 +48,22 @@ impl Report {
 pub type Step<T, L, R, E> =
     fn(&L, &Inputs<Still, <L as Linkage<15>>::Drives>, &mut Motion<T, 15>) -> Result<R, E>;
 
+/// What forces do.
+pub struct Borne<T> {
+    /// Of each equation.
+    pub multipliers: SVector<T, 15>,
+    /// What the drive bears.
+    pub on_drive: T,
+}
+
+/// What forces at the points do at a position.
+pub type OfForces<T, L> = fn(
+    &L,
+    &<L as Linkage<15>>::Drives,
+    &SVector<T, 15>,
+    &<L as Linkage<15>>::Points,
+) -> Result<Borne<T>, SolveError<T>>;
+
 /// A look-up of the pose at a drive with its rates; false outside the range.
 pub type LookUp<T> = fn(&Wheel<T>, &[T; 3], &mut [[T; 6]; 3]) -> bool;
 
@@ -77,6 +96,36 @@ where
         checksum.add(&motion.position);
         checksum.add(&motion.velocity);
         checksum.add(&motion.acceleration);
+    }
+    report.checksum = checksum.value();
+    Ok(report)
+}
+
+/// Follows the motion to the tolerance, and loads each state; or the number of the first step that fails.
+pub fn loaded<T, L>(gauge: &impl Gauge, of_forces: OfForces<T, L>) -> Result<Report, u32>
+where
+    T: Real + Bits + Into<f64>,
+    L: Build<15, Scalar = T, Listing: Default> + Knuckle,
+{
+    let (model, mut motion) = published::start::<T, L>().ok_or(0_u32)?;
+    // On each point of the chassis and of the knuckle, N.
+    let forces = (0..11_u8).map(|point| {
+        let number = T::constant(f64::from(point));
+        Vector3::new(number, T::one() - number, T::constant(100.0))
+    });
+    let forces = L::Points::from_values(forces);
+    let mut report = Report::new();
+    let mut checksum = Checksum::new();
+    for number in 1..=STEPS {
+        let inputs = published::inputs::<T, L>(number);
+        let step = Tracker::default().step(&model, &inputs, T::constant(STEP), &mut motion);
+        step.map_err(|_| number)?;
+        let drives = &inputs.drives.value;
+        let (borne, taken) = gauge.gauge(|| of_forces(&model, drives, &motion.position, &forces));
+        report.add(taken);
+        let borne = borne.map_err(|_| number)?;
+        checksum.add(&borne.multipliers);
+        checksum.add(&SVector::from([borne.on_drive]));
     }
     report.checksum = checksum.value();
     Ok(report)

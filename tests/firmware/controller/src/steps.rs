@@ -3,9 +3,12 @@
 
 use suspension_core::bounded::{Outputs, Refusal};
 use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::nalgebra::SVector;
 use suspension_core::report::Report;
+use suspension_core::statics::Loads;
 use suspension_core::{Bounded, Inputs, Motion, SolveError, Still, Tracker};
 
+use crate::follow::Borne;
 use crate::published::STEP;
 
 /// Exports a step to the tolerance, by as many corrections as it takes.
@@ -47,6 +50,28 @@ macro_rules! bounded {
     };
 }
 
+/// Exports what forces at the points do to each equation and to the drive: those of links in N. The Jacobian is factored
+/// anew.
+macro_rules! loads {
+    ($linkage:ident, $number:ty: $name:ident) => {
+        /// Forces at the points of a state.
+        #[unsafe(no_mangle)]
+        #[inline(never)]
+        pub fn $name(
+            model: &$linkage::Model<$number>,
+            drives: &$linkage::Drives<$number>,
+            position: &SVector<$number, 15>,
+            forces: &$linkage::Points<$number>,
+        ) -> Result<Borne<$number>, SolveError<$number>> {
+            let loads = Loads::new(model, *drives, position, forces)?;
+            Ok(Borne {
+                multipliers: *loads.multipliers(),
+                on_drive: loads.on_drives().theta,
+            })
+        }
+    };
+}
+
 exact!(attia2003, f32: attia2003_f32_exact);
 exact!(attia2003, f64: attia2003_f64_exact);
 exact!(five_link, f32: five_link_f32_exact);
@@ -62,3 +87,7 @@ bounded!(five_link, f64, Acceleration, 1: five_link_f64_bounded_acceleration);
 // What a step without corrections leaves out is rounding in `f32`.
 bounded!(attia2003, f32, Acceleration, 0: attia2003_f32_bounded_uncorrected);
 bounded!(five_link, f32, Acceleration, 0: five_link_f32_bounded_uncorrected);
+loads!(attia2003, f32: attia2003_f32_loads);
+loads!(attia2003, f64: attia2003_f64_loads);
+loads!(five_link, f32: five_link_f32_loads);
+loads!(five_link, f64: five_link_f64_loads);

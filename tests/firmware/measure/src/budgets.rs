@@ -108,7 +108,8 @@ fn inconsistent(at: &str, measured: &Measured) -> Vec<String> {
     } = *measured;
     let mut found = Vec::new();
     let most = figures.instructions;
-    if (at.contains("_bounded_") || at.contains("_baked_")) && least != most {
+    let must_be_even = ["_bounded_", "_baked_", "_loads"];
+    if must_be_even.iter().any(|mode| at.contains(mode)) && least != most {
         found.push(format!(
             "{at} takes {least} to {most} instructions: they depend on the data"
         ));

@@ -1,0 +1,98 @@
+//! Weight and inertia of moving parts, as forces at their points (d'Alembert): with them
+//! [`statics`](crate::statics) is that of a moving mechanism.
+//!
+//! Masses, lengths and times in units that belong together: kg, m and s give N. Accelerations are those relative to the
+//! chassis; one of the chassis itself is taken off `gravity`.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::body::{angular_acceleration, angular_velocity, pose};
+use crate::scalar::Real;
+use crate::signal::Signal;
+use crate::statics::spread;
+
+/// Mass, centre of mass and inertia of a rigid body, at three of its points.
+///
+/// ```
+/// use suspension_core::Signal;
+/// use suspension_core::inertia::RigidBody;
+/// use suspension_core::nalgebra::{Matrix3, Vector3};
+///
+/// let points = [Vector3::x(), Vector3::y(), Vector3::z()];
+/// let wheel = RigidBody { points, mass: 20.0, centre: Vector3::zeros(), inertia: Matrix3::identity() };
+/// let forces = wheel.forces(&Signal::still(points), &Vector3::new(0.0, 0.0, -9.81)).ok_or("in line")?;
+/// let weight: Vector3<f64> = forces.iter().sum();
+/// assert!((weight.z + 196.2).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RigidBody<T> {
+    /// Three points of the body, not in line, where the rest is stated: at the design position, say.
+    pub points: [Vector3<T>; 3],
+    /// Its mass.
+    pub mass: T,
+    /// Its centre of mass.
+    pub centre: Vector3<T>,
+    /// Its inertia about the centre of mass, in the axes of the points.
+    pub inertia: Matrix3<T>,
+}
+
+impl<T: Real> RigidBody<T> {
+    /// The forces at the three points that are together its weight in a field `gravity` and its inertia: at the centre
+    /// `m (g - a)`, about it `-(I alpha + omega x I omega)`. `None` where the points are in line, or a number is not finite.
+    pub fn forces(
+        &self,
+        points: &Signal<[Vector3<T>; 3]>,
+        gravity: &Vector3<T>,
+    ) -> Option<[Vector3<T>; 3]> {
+        let Signal {
+            value: at,
+            rate: velocities,
+            second_rate: accelerations,
+        } = points;
+        let omega = angular_velocity(at, velocities)?;
+        let alpha = angular_acceleration(at, &omega, accelerations)?;
+        let moved = pose(&self.points, at)?;
+        let turned = moved.rotation.to_rotation_matrix();
+        let inertia = turned * self.inertia * turned.transpose();
+        let centre = moved * nalgebra::Point3::from(self.centre);
+        let ([first, ..], [of_first, ..]) = (at, accelerations);
+        let arm = centre.coords - first;
+        let acceleration = of_first + alpha.cross(&arm) + omega.cross(&omega.cross(&arm));
+        let force = (gravity - acceleration) * self.mass;
+        let moment = -(inertia * alpha + omega.cross(&(inertia * omega)));
+        let forces = spread(*at, force, centre.coords, moment);
+        let is_finite = forces
+            .iter()
+            .all(|force| force.iter().all(|part| part.is_finite()));
+        is_finite.then_some(forces)
+    }
+
+    /// Its kinetic energy; `None` as of [`forces`](Self::forces).
+    pub fn kinetic_energy(&self, at: &[Vector3<T>; 3], velocities: &[Vector3<T>; 3]) -> Option<T> {
+        let omega = angular_velocity(at, velocities)?;
+        let moved = pose(&self.points, at)?;
+        let turned = moved.rotation.to_rotation_matrix();
+        let centre = moved * nalgebra::Point3::from(self.centre);
+        let ([first, ..], [of_first, ..]) = (at, velocities);
+        let velocity = of_first + omega.cross(&(centre.coords - first));
+        let own = turned.transpose() * omega;
+        let twice = self.mass * velocity.norm_squared() + own.dot(&(self.inertia * own));
+        Some(twice * T::constant(0.5))
+    }
+}
+
+/// The same at the ends of a uniform thin rod: `m ((g - a1) / 3 + (g - a2) / 6)` at the first.
+pub fn rod<T: Real>(
+    mass: T,
+    accelerations: [Vector3<T>; 2],
+    gravity: &Vector3<T>,
+) -> [Vector3<T>; 2] {
+    let [first, second] = accelerations.map(|acceleration| (gravity - acceleration) * mass);
+    let two = T::constant(2.0);
+    let sixth = T::one() / T::constant(6.0);
+    [
+        (first * two + second) * sixth,
+        (second * two + first) * sixth,
+    ]
+}
