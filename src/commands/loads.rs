@@ -4,8 +4,9 @@ mod found;
 mod report;
 mod table;
 
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 
@@ -15,11 +16,12 @@ use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::loads::{Case, Outcome, Structure};
-use crate::mechanism::{Order, State};
+use crate::mechanism::{End, Order, State};
 use crate::output::files::{announce, print};
 use crate::output::progress::Progress;
 use crate::output::rows::Forms;
 use crate::output::target::Target;
+use crate::quantities::{DRIVES, Quantity, TIME};
 use found::Found;
 use report::Report;
 
@@ -40,6 +42,9 @@ pub struct Arguments {
     /// The values are the drives' own, as the file has them.
     #[arg(long)]
     absolute: bool,
+    /// Load the mechanism at each instant of the file's motion, its masses moving as they do there.
+    #[arg(long, conflicts_with_all = ["drives", "absolute"])]
+    motion: bool,
     /// Write a row for each place as comma-separated values to PATH, or to standard output for `-`; on a grid without it
     /// to out/NAME_loads.csv, NAME being the motion file's.
     #[arg(long, value_name = "PATH")]
@@ -60,26 +65,35 @@ impl Arguments {
         let forms = self.forms();
         forms.check(&self.file)?;
         let loaded = load(&source)?;
-        let mechanism = &*loaded.at_design()?;
+        let mechanism = if self.motion {
+            loaded.at_first_instant()?
+        } else {
+            loaded.at_design()?
+        };
+        let mechanism = &*mechanism;
         let cases = loaded.load_cases(mechanism)?;
         if cases.is_empty() {
             let message = "no load case; write [loads.braking] with a line for each load, as contact = [-3000.0, 0.0, 4000.0]";
             return Err(source.refuse(&(0..0), message));
         }
-        let structure = Structure::of(loaded.listing());
+        let structure = Structure::of(loaded.listing(), loaded.masses()?);
         let work = Work {
             source: source.name(),
             mechanism,
             structure: &structure,
             cases: &cases,
         };
-        work.on(&self, &forms, interrupted)
+        if self.motion {
+            work.in_motion(&forms, interrupted)
+        } else {
+            work.on_grid(&self, &forms, interrupted)
+        }
     }
 
     fn forms(&self) -> Forms {
         let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
         let beside = || Path::new("out").join(format!("{stem}_loads.csv"));
-        let is_grid = !self.drives.is_empty() && self.json.is_none();
+        let is_grid = (self.motion || !self.drives.is_empty()) && self.json.is_none();
         let csv = self.csv.clone().or_else(|| is_grid.then(beside));
         Forms {
             csv: csv.map(Target::from),
@@ -97,7 +111,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    fn on(
+    fn on_grid(
         &self,
         arguments: &Arguments,
         forms: &Forms,
@@ -110,33 +124,74 @@ impl Work<'_> {
             .mechanism
             .visit(&grid, Order::First, interrupted, &mut |place| {
                 progress.step();
-                let cases = self.cases.iter();
-                let outcomes = cases.map(|case| self.structure.under(self.mechanism, case, place));
-                (place.state(), outcomes.collect::<Vec<_>>())
+                let state = place.state();
+                (self.outcomes(&state), state)
             });
         let failure = visited.failure(self.source);
         let places = visited.places.into_iter().flatten();
-        let (states, outcomes): (Vec<State>, Vec<_>) = places.unzip();
-        if !states.is_empty() {
-            self.write(&states, outcomes, forms)?;
-        }
+        self.write(&[&DRIVES], places.unzip(), forms)?;
         failure.map_or(Ok(()), Err)
     }
 
-    /// `outcomes` are those of each case, at each place.
+    fn in_motion(&self, forms: &Forms, interrupted: &AtomicBool) -> Result<(), Failure> {
+        let instants = &self.mechanism.instants;
+        let mut progress = Progress::new(instants.count(), "instants");
+        let mut states = (Vec::new(), Vec::new());
+        let end = self.mechanism.move_through(instants, &mut |state| {
+            progress.step();
+            states.0.push(self.outcomes(&state));
+            states.1.push(state);
+            Ok(if interrupted.load(Ordering::Relaxed) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            })
+        })?;
+        self.write(&[&TIME, &DRIVES], states, forms)?;
+        match end {
+            End::Complete => Ok(()),
+            End::Cut => Err(Failure::Interrupted(format!(
+                "{}: interrupted; the rows up to there were written",
+                self.source
+            ))),
+            End::Stopped(stop) => Err(Failure::Solver(format!(
+                "{}: {}",
+                self.source,
+                stop.in_words(self.source)
+            ))),
+        }
+    }
+
+    /// What each case does at a state.
+    fn outcomes(&self, state: &State) -> Vec<Option<Outcome>> {
+        let cases = self.cases.iter();
+        let outcomes = cases.map(|case| self.structure.under(self.mechanism, case, state));
+        outcomes.collect()
+    }
+
+    /// `outcomes` are those of each case, at each of the states, whose `leading` quantities come first in tables.
     fn write(
         &self,
-        states: &[State],
-        outcomes: Vec<Vec<Option<Outcome>>>,
+        leading: &[&Quantity],
+        (outcomes, states): (Vec<Vec<Option<Outcome>>>, Vec<State>),
         forms: &Forms,
     ) -> Result<(), Failure> {
+        if states.is_empty() {
+            return Ok(());
+        }
         let found = self.cases.iter().enumerate().map(|(number, case)| {
             let of_case = outcomes.iter().map(|outcomes| outcomes[number].clone());
             Found::new(self.source, case, of_case.collect())
         });
         let found = found.collect::<Result<Vec<_>, _>>()?;
         if !forms.is_empty() {
-            table::write(self.mechanism, self.structure, states, &found, forms)?;
+            table::write(
+                self.mechanism,
+                self.structure,
+                (leading, &states),
+                &found,
+                forms,
+            )?;
             let written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
             announce(&written);
         }
@@ -168,14 +223,27 @@ wheel_radius under [vehicle]), or in a measure: a number, positive where it make
 What acts at the contact point goes into the carrier, as with brakes at the wheel or a locked hub. A wheel that rolls
 freely, or that a shaft drives, takes a longitudinal force at its centre: state that there.
 
-All is quasi-static and without friction: no weight, no inertia. What a drive bears is the work of the loads per unit of
-the drive: what holds the drive must bear it. With bump = \"damper\" the drive bears nothing, and the force in the measure
-damper that takes its load is printed: negative where a spring pulls.
+Parts that move may have masses, in kg; a body's centre of mass is stated at the design position, its inertia about it in
+kg m^2, in the file's axes: xx, yy, zz, and where they are not zero xy, yz, zx of the tensor:
+
+  [masses]
+  upright = { mass = 25.0, centre = \"wheel_centre\", inertia = [0.8, 1.2, 0.8] }   # a body; or centre = [x, y, z]
+  tie_rod = 0.9                        # a link is a uniform rod
+  damper_low = 1.5                     # what is at a point
+
+Their weight then acts in each case, downwards with 9.80665 m/s^2; a case may say gravity = [0.0, 0.0, 0.0], and
+acceleration = [-8.0, 0.0, 0.0] of the chassis, m/s^2. With --motion their inertia acts too, from the velocities and
+accelerations of the file's motion. Friction is left out.
+
+What a drive bears is the work of the loads per unit of the drive: what holds the drive must bear it. With
+bump = \"damper\" the drive bears nothing, and the force in the measure damper that takes its load is printed: negative
+where a spring pulls.
 
 Links: tension is positive. Joints: the force that a body, or what else a statement is, exerts at each of its points, on
-the chassis or on the parts that it joins there, in the file's axes.
+the chassis or on the parts that it joins there, in the file's axes; also that of a link with a mass, whose tension is that
+at its middle.
 
-Over a grid of drives the least and the greatest are printed, and a row for each place is written: the drives, then of
+Over a grid of drives, or a motion, the least and the greatest are printed, and a row for each place is written: the time of a motion, the drives, then of
 each case what drives and measures bear, links and joints: braking_bump_N, braking_damper_N, braking_tie_rod_N,
 braking_upright_lower_ball_x_N.
 

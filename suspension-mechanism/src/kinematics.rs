@@ -4,7 +4,7 @@ mod assembled;
 mod changed;
 mod equations;
 
-use std::ops::Deref;
+use std::ops::{Deref, Range};
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
@@ -16,8 +16,8 @@ use crate::bake::{
 };
 use crate::failure::Failure;
 use crate::mechanism::{
-    Description, End, Grid, Instants, Lock, Mechanism, OnPlace, OnState, Order, Place, Suspension,
-    VisitEnd, Visited,
+    Borne, Description, End, Grid, Instants, Lock, Mechanism, OnPlace, OnState, Order, Place,
+    State, Suspension, VisitEnd, Visited,
 };
 use crate::reach::{self, DriveRange};
 use assembled::Enumerated;
@@ -47,6 +47,17 @@ pub trait Kinematics: Deref<Target = Description> {
         interrupted: &AtomicBool,
         on_place: &mut OnPlace<'_>,
     ) -> VisitEnd;
+
+    /// See [`Mechanism::under`].
+    fn under(
+        &self,
+        state: &State,
+        forces: &[Vector3<f64>],
+        groups: &[Vec<Range<usize>>],
+    ) -> Option<Borne>;
+
+    /// See [`Mechanism::gradient`].
+    fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>>;
 
     /// See [`reach::range`].
     ///
@@ -138,6 +149,19 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         on_place: &mut OnPlace<'_>,
     ) -> VisitEnd {
         self.visit_each(grid, order, interrupted, on_place)
+    }
+
+    fn under(
+        &self,
+        state: &State,
+        forces: &[Vector3<f64>],
+        groups: &[Vec<Range<usize>>],
+    ) -> Option<Borne> {
+        self.under(state, forces, groups)
+    }
+
+    fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>> {
+        self.gradient(state, measure)
     }
 
     fn range(&self, drive: usize, interrupted: &AtomicBool) -> Result<DriveRange, Failure> {

@@ -6,6 +6,7 @@ mod included;
 mod led;
 mod listing;
 mod loaded;
+mod masses;
 mod notes;
 mod outlier;
 mod points;

@@ -2,6 +2,7 @@
 //! bodies exert at their joints.
 
 mod forces;
+mod mass;
 mod site;
 
 use std::ops::Range;
@@ -10,9 +11,11 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use suspension_core::listing::DriveKind;
 use suspension_runtime::{Listing, Statement};
 
-use crate::mechanism::{Borne, Description, Place};
+use crate::kinematics::Kinematics;
+use crate::mechanism::{Borne, Description, State};
 use forces::{Force, Here, summed};
 
+pub use mass::Mass;
 pub use site::Site;
 
 /// A load case: what acts where.
@@ -24,6 +27,8 @@ pub struct Case {
     pub at: Vec<(Site, [Vector3<f64>; 2])>,
     /// Measures by number, with what makes each larger: N, or N m of an angle.
     pub along: Vec<(usize, f64)>,
+    /// What acts on each kilogram of the parts that have a mass: gravity, less the acceleration of the chassis, m/s^2.
+    pub field: Vector3<f64>,
     /// Drives that bear nothing, each with the measure that does, a spring's say; both by number.
     pub borne_by: Vec<(usize, usize)>,
 }
@@ -35,9 +40,10 @@ pub struct Outcome {
     pub on_drives: Vec<f64>,
     /// What acts in each measure that bears the load of a drive, as in [`Case::along`].
     pub in_measures: Vec<(usize, f64)>,
-    /// The force in each link, N, positive in tension, by the number of its statement.
+    /// The force in each link, N, positive in tension, by the number of its statement; of a link with a mass at its middle,
+    /// but for what spinning adds.
     pub links: Vec<(usize, f64)>,
-    /// The force, N, that each other statement exerts on each of its points, both by number.
+    /// The force, N, that each other statement, and each link with a mass, exerts on each of its points, both by number.
     pub joints: Vec<(usize, usize, Vector3<f64>)>,
 }
 
@@ -48,38 +54,37 @@ pub struct Structure<'l> {
     groups: Vec<Vec<Range<usize>>>,
     /// Markers with three points of the body that carries each.
     carriers: Vec<(usize, [usize; 3])>,
+    masses: Vec<Mass>,
 }
 
 impl<'l> Structure<'l> {
-    /// That of a listing. Drives of free points are no part of it: [`Outcome::on_drives`] has what they bear.
-    pub fn of(listing: &'l Listing) -> Self {
+    /// That of a listing, of parts that have masses. Drives of free points are no part of it: [`Outcome::on_drives`] has what
+    /// they bear.
+    pub fn of(listing: &'l Listing, masses: Vec<Mass>) -> Self {
         let statements = listing.statements().into_iter();
         let statements: Vec<_> = statements.filter(|each| each.kind != "drive").collect();
         let groups = statements.iter().map(|each| each.equations.clone());
         Self {
             groups: groups.collect(),
             carriers: listing.carriers(),
+            masses,
             statements,
         }
     }
 
-    /// What a case does at a place; `None` where the mechanism locks, or where what is to bear the load of a drive does not
+    /// What a case does at a state; `None` where the mechanism locks, or where what is to bear the load of a drive does not
     /// move with it.
-    pub fn under(
-        &self,
-        mechanism: &Description,
-        case: &Case,
-        place: &dyn Place,
-    ) -> Option<Outcome> {
-        let here = Here::new(mechanism, &self.carriers, place);
+    pub fn under(&self, mechanism: &dyn Kinematics, case: &Case, state: &State) -> Option<Outcome> {
+        let here = Here::new(mechanism, &self.carriers, state);
         let mut forces = here.at_sites(&case.at);
         forces.extend(here.in_measures(&case.along));
+        forces.extend(here.of_masses(&self.masses, &case.field));
         let in_measures = bearing(&here, &case.borne_by, &forces)?;
         forces.extend(here.in_measures(&in_measures));
         let Borne {
             on_drives,
             by_groups,
-        } = place.under(&summed(&forces, here.points()), &self.groups)?;
+        } = here.under(&summed(&forces, here.points()), &self.groups)?;
         let mut outcome = Outcome {
             on_drives: in_newton_metres(mechanism, on_drives),
             in_measures,
@@ -87,48 +92,36 @@ impl<'l> Structure<'l> {
             joints: Vec::new(),
         };
         for (number, by) in by_groups.into_iter().enumerate() {
-            self.add(
-                &mut outcome,
-                number,
-                with_own(&self.statements[number], by, &forces),
-                here.points(),
-            );
+            let own = forces.iter();
+            let own = own.filter(|force| force.is_on(&self.statements[number]));
+            self.add(&mut outcome, number, (by, own.collect()), here.points());
         }
         Some(outcome)
     }
 
-    /// Adds the forces `by` a statement on all points.
+    /// Adds the forces `by` a statement on all points, with what acts on the part itself, which it passes on.
     fn add(
         &self,
         outcome: &mut Outcome,
         number: usize,
-        by: Vec<Vector3<f64>>,
+        (mut by, own): (Vec<Vector3<f64>>, Vec<&Force>),
         at: &[Vector3<f64>],
     ) {
         let statement = &self.statements[number];
-        match statement.points.as_slice() {
-            [from, to] if statement.kind == "link" => {
-                let along = (at[*to] - at[*from]).normalize();
-                outcome.links.push((number, by[*from].dot(&along)));
-            }
-            points => {
-                let joints = points.iter().map(|point| (number, *point, by[*point]));
-                outcome.joints.extend(joints);
+        if let ([from, to], "link") = (statement.points.as_slice(), &*statement.kind) {
+            let along = (at[*to] - at[*from]).normalize();
+            outcome.links.push((number, by[*from].dot(&along)));
+            if own.is_empty() {
+                return;
             }
         }
+        for force in own {
+            by[force.point] += force.force;
+        }
+        let joints = statement.points.iter();
+        let joints = joints.map(|point| (number, *point, by[*point]));
+        outcome.joints.extend(joints);
     }
-}
-
-/// What a statement exerts, with what acts on its own body: what it passes on.
-fn with_own(
-    statement: &Statement<'_>,
-    mut by: Vec<Vector3<f64>>,
-    forces: &[Force],
-) -> Vec<Vector3<f64>> {
-    for force in forces.iter().filter(|force| force.is_on(statement)) {
-        by[force.point] += force.force;
-    }
-    by
 }
 
 /// What measures must bear so that their drives bear nothing; `None` where they cannot.
@@ -141,10 +134,7 @@ fn bearing(
         return Some(Vec::new());
     }
     let on_drives = |forces: &[Force]| {
-        let borne = here
-            .place
-            .under(&summed(forces, here.points()), &[])?
-            .on_drives;
+        let borne = here.under(&summed(forces, here.points()), &[])?.on_drives;
         let relieved = borne_by.iter().map(|(drive, _)| borne[*drive]);
         Some(DVector::from_iterator(borne_by.len(), relieved))
     };

@@ -13,7 +13,7 @@ fn loaded(cases: &str) -> String {
 
 const BRAKING: &str = "[loads.braking]\ncontact = [-3000.0, 200.0, 4000.0]\n";
 
-fn table(file: &str, more: &[&str]) -> Rows {
+pub(super) fn table(file: &str, more: &[&str]) -> Rows {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
     let output = run(
@@ -24,11 +24,11 @@ fn table(file: &str, more: &[&str]) -> Rows {
     rows(&output.stdout)
 }
 
-fn force(row: &BTreeMap<String, f64>, name: &str) -> Vector3<f64> {
+pub(super) fn force(row: &BTreeMap<String, f64>, name: &str) -> Vector3<f64> {
     Vector3::from(["x", "y", "z"].map(|axis| row[&format!("{name}_{axis}_N")]))
 }
 
-fn swept(file: &str, more: &[&str]) -> Rows {
+pub(super) fn swept(file: &str, more: &[&str]) -> Rows {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
     let output = run(

@@ -18,6 +18,7 @@ mod json;
 mod led;
 mod list;
 mod loads;
+mod masses;
 mod newcomer;
 mod notes;
 mod plots;

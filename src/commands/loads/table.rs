@@ -10,32 +10,33 @@ use crate::loads::{Outcome, Structure};
 use crate::mechanism::State;
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
-use crate::quantities::{self, DRIVES, Reader, catalogue};
+use crate::quantities::{self, Column, Quantity, Reader, catalogue};
 
-/// Writes the drives and what each case does, a row a place.
+/// Writes the leading quantities and what each case does, a row a state.
 pub(super) fn write(
     mechanism: &dyn Kinematics,
     structure: &Structure<'_>,
-    states: &[State],
+    (leading, states): (&[&Quantity], &[State]),
     found: &[Found<'_>],
     forms: &Forms,
 ) -> Result<(), Failure> {
-    let drives = quantities::columns(catalogue(), &mechanism.names).into_iter();
-    let drives: Vec<_> = drives.filter(|column| column.is(&DRIVES)).collect();
+    let columns = quantities::columns(catalogue(), &mechanism.names).into_iter();
+    let is_leading = |column: &Column| leading.iter().any(|quantity| column.is(quantity));
+    let columns: Vec<_> = columns.filter(is_leading).collect();
     let names = found
         .iter()
         .flat_map(|found| names(mechanism, structure, found));
-    let of_drives = drives.iter().map(|column| column.csv_name(mechanism.unit));
+    let leading = columns.iter().map(|column| column.csv_name(mechanism.unit));
     let heading = |name| Heading {
         name,
         counts: false,
     };
-    let headings: Vec<Heading> = of_drives.chain(names).map(heading).collect();
+    let headings: Vec<Heading> = leading.chain(names).map(heading).collect();
     let mut file = Rows::create(forms, &Header::of(mechanism), &headings)?;
     for (place, state) in states.iter().enumerate() {
         let reader = Reader::of(state);
-        let drives = drives.iter();
-        let mut row: Vec<f64> = drives
+        let columns = columns.iter();
+        let mut row: Vec<f64> = columns
             .map(|column| column.read(&reader).value * column.kind.in_file(mechanism.unit))
             .collect();
         for found in found {

@@ -99,7 +99,8 @@ const FILE: &str = r#"The file:
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
                                      # leads through turning points of the drive: attia2003 and
                                      # five_link have height, that of the wheel centre
-  [loads.braking]                    # load cases: see suspension loads --help
+  [masses]                           # of parts, and load cases: see suspension loads --help
+  [loads.braking]
   [tune]                             # what may be moved, what is to be reached: see suspension tune --help
 
 Results, one row an instant, its columns in this order, named here as for attia2003; lengths and angles are in

@@ -13,6 +13,7 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::explain::explained;
 use crate::file::load::Load;
+use crate::file::mass::MassTable;
 use crate::file::per_wheel::PerWheel;
 use crate::file::source::Source;
 use crate::file::table::Table;
@@ -48,6 +49,8 @@ pub struct MotionFile {
     pub design: Option<Table<f64>>,
     /// What the listing does not say of the vehicle.
     pub vehicle: Option<VehicleTable>,
+    /// Masses of moving parts by name.
+    pub masses: Option<Table<MassTable>>,
     /// Load cases by name, each with what acts where.
     pub loads: Option<Table<BTreeMap<Spanned<String>, Spanned<Load>>>>,
     /// What may be moved to reach which curves.

@@ -15,6 +15,10 @@ use crate::mechanism::{Description, Wheel};
 /// Where a wheel touches the ground, in the names of loads.
 const CONTACT: &str = "contact";
 
+/// What acts on all masses.
+const GRAVITY: &str = "gravity";
+const ACCELERATION: &str = "acceleration";
+
 /// The load cases of a file, in its order.
 ///
 /// # Errors
@@ -34,6 +38,7 @@ pub(super) fn cases(
         source,
         listing,
         mechanism,
+        has_masses: file.masses.is_some(),
     };
     let mut stated: Vec<_> = table.get_ref().iter().collect();
     stated.sort_by_key(|(name, _)| name.span().start);
@@ -50,6 +55,7 @@ struct Reader<'a> {
     source: &'a Source,
     listing: &'a Listing,
     mechanism: &'a Description,
+    has_masses: bool,
 }
 
 impl Reader<'_> {
@@ -58,6 +64,7 @@ impl Reader<'_> {
             name: name.get_ref().clone(),
             at: Vec::new(),
             along: Vec::new(),
+            field: self.weight(),
             borne_by: Vec::new(),
         };
         for (place, load) in loads {
@@ -74,6 +81,10 @@ impl Reader<'_> {
     ) -> Result<(), Failure> {
         let name = place.get_ref().as_str();
         let refuse = |message: String| Err(self.source.refuse(&load.span(), message));
+        if let Some(field) = self.field(name, load)? {
+            case.field += field;
+            return Ok(());
+        }
         let mut numbers = load.get_ref().numbers().into_iter();
         if numbers.any(|number| !number.is_finite()) {
             return refuse(format!("load `{name}` is not finite"));
@@ -110,6 +121,40 @@ impl Reader<'_> {
             },
         }
         Ok(())
+    }
+
+    /// What a field that the case states adds: gravity in place of the usual one, and the chassis' acceleration, m/s^2.
+    fn field(&self, name: &str, load: &Spanned<Load>) -> Result<Option<Vector3<f64>>, Failure> {
+        if ![GRAVITY, ACCELERATION].contains(&name) {
+            return Ok(None);
+        }
+        if !self.has_masses {
+            let message = format!("`{name}` acts on masses: state them in [masses]");
+            return Err(self.source.refuse(&load.span(), message));
+        }
+        match load.get_ref() {
+            Load::At(Wrench { force, moment })
+                if *moment == [0.0; 3] && force.iter().all(|x| x.is_finite()) =>
+            {
+                let field = Vector3::from(*force);
+                Ok(Some(if name == GRAVITY {
+                    field - self.weight()
+                } else {
+                    -field
+                }))
+            }
+            _ => {
+                let message = format!("`{name}` is [x, y, z] in m/s^2, in the file's axes");
+                Err(self.source.refuse(&load.span(), message))
+            }
+        }
+    }
+
+    /// Standard gravity.
+    fn weight(&self) -> Vector3<f64> {
+        const STANDARD: f64 = 9.806_65;
+        let down = self.mechanism.axes.turned(-Vector3::z());
+        down * STANDARD
     }
 
     /// The place of a name; `turned` where a moment acts there.

@@ -7,9 +7,10 @@ use crate::file::{MotionFile, Source, check};
 use crate::kinematics::Kinematics;
 use crate::load::cases::cases;
 use crate::load::listing::Chosen;
+use crate::load::masses::masses;
 use crate::load::prepare::{Request, Start, prepare};
 use crate::load::tuning::tuning;
-use crate::loads::Case;
+use crate::loads::{Case, Mass};
 use crate::mechanism::{Axes, Description, Instants, Mechanism, Suspension, Unit};
 use crate::tune::{Move, Target};
 
@@ -236,6 +237,22 @@ impl Loaded<'_> {
     /// [`Failure::Input`] with the place of what is no load of the mechanism.
     pub fn load_cases(&self, mechanism: &Description) -> Result<Vec<Case>, Failure> {
         cases(self.source, &self.file, self.listing(), mechanism)
+    }
+
+    /// The masses of the file's parts, whose centres are stated at the design position.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] with the place of what is no mass, or of no part, and where there is no design position.
+    pub fn masses(&self) -> Result<Vec<Mass>, Failure> {
+        let mechanism = &*self.at_design_without_notes()?;
+        let design = mechanism.points();
+        masses(
+            self.source,
+            &self.file,
+            self.listing(),
+            (mechanism, &design),
+        )
     }
 
     /// What the file has for `suspension tune`: what may be moved, and the targets, in its order.

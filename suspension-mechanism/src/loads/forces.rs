@@ -1,26 +1,30 @@
 //! Forces at the points of a mechanism: what loads at places of bodies and in measures come to.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 use suspension_core::listing::MeasureKind;
 use suspension_core::statics::spread;
 use suspension_core::wheel::contact;
 use suspension_runtime::Statement;
 
+use crate::kinematics::Kinematics;
+use crate::loads::mass::{InMetres, Mass};
 use crate::loads::site::Site;
-use crate::mechanism::{Description, Place, State};
+use crate::mechanism::{Borne, State};
 
-/// A force at a point, with the body on which it acts, where it does not act on the point itself.
+/// A force at a point, with the points of the part on which it acts, none where it acts on the point itself.
 pub(super) struct Force {
     pub(super) point: usize,
     pub(super) force: Vector3<f64>,
-    body: Option<[usize; 3]>,
+    part: Vec<usize>,
 }
 
 impl Force {
     /// Whether it acts on the body of a statement.
     pub(super) fn is_on(&self, statement: &Statement<'_>) -> bool {
-        let has = |points: [usize; 3]| points.iter().all(|point| statement.points.contains(point));
-        self.body.is_some_and(has)
+        let has = |point: &usize| statement.points.contains(point);
+        !self.part.is_empty() && self.part.iter().all(has)
     }
 }
 
@@ -35,25 +39,32 @@ pub(super) fn summed(forces: &[Force], points: &[Vector3<f64>]) -> Vec<Vector3<f
 
 /// A mechanism at a place.
 pub(super) struct Here<'a> {
-    mechanism: &'a Description,
+    mechanism: &'a dyn Kinematics,
     /// Markers with three points of the body that carries each.
     carriers: &'a [(usize, [usize; 3])],
-    pub(super) place: &'a dyn Place,
-    state: State,
+    state: &'a State,
 }
 
 impl<'a> Here<'a> {
     pub(super) fn new(
-        mechanism: &'a Description,
+        mechanism: &'a dyn Kinematics,
         carriers: &'a [(usize, [usize; 3])],
-        place: &'a dyn Place,
+        state: &'a State,
     ) -> Self {
         Self {
             mechanism,
             carriers,
-            place,
-            state: place.state(),
+            state,
         }
+    }
+
+    /// What forces at the points do, and groups of equations to the points; `None` where the mechanism locks.
+    pub(super) fn under(
+        &self,
+        forces: &[Vector3<f64>],
+        groups: &[Vec<Range<usize>>],
+    ) -> Option<Borne> {
+        self.mechanism.under(self.state, forces, groups)
     }
 
     /// All points, in local coordinates.
@@ -67,7 +78,7 @@ impl<'a> Here<'a> {
             Site::Point(point) => vec![Force {
                 point,
                 force: *force,
-                body: None,
+                part: Vec::new(),
             }],
             Site::Body(point, body) => self.spread(body, self.points()[point], *force, *moment),
             Site::Contact(wheel) => {
@@ -91,11 +102,45 @@ impl<'a> Here<'a> {
             MeasureKind::Angle => along * self.mechanism.unit.metre(),
             MeasureKind::Length => along,
         };
-        let gradient = self.place.gradient(measure).into_iter().enumerate();
+        let gradient = self
+            .mechanism
+            .gradient(self.state, measure)
+            .into_iter()
+            .enumerate();
         let acting = gradient.filter(|(_, gradient)| *gradient != Vector3::zeros());
         let each = acting
             .map(|(point, gradient)| (self.site_of(point), [gradient * along, Vector3::zeros()]));
         self.at_sites(&each.collect::<Vec<_>>())
+    }
+
+    /// The forces of weight and inertia, in a field of gravity and acceleration, m/s^2.
+    pub(super) fn of_masses(&self, masses: &[Mass], field: &Vector3<f64>) -> Vec<Force> {
+        let motion = InMetres {
+            state: self.state,
+            metre: self.mechanism.unit.metre(),
+        };
+        let on = |points: &[usize], forces: &[Vector3<f64>]| -> Vec<Force> {
+            let each = points.iter().zip(forces);
+            each.map(|(point, force)| Force {
+                point: *point,
+                force: *force,
+                part: points.to_vec(),
+            })
+            .collect()
+        };
+        let each = masses.iter().map(|mass| match mass {
+            Mass::At(site, mass) => {
+                let [force] = match *site {
+                    Site::Point(point) | Site::Body(point, _) => motion.of([point]).second_rate,
+                    Site::Contact(_) => [Vector3::zeros()],
+                }
+                .map(|acceleration| (field - acceleration) * *mass);
+                self.at_sites(&[(*site, [force, Vector3::zeros()])])
+            }
+            Mass::Rod(ends, mass) => on(ends, &motion.of_rod(*ends, *mass, field)),
+            Mass::Body(points, body) => on(points, &motion.of_body(*points, body, field)),
+        });
+        each.flatten().collect()
     }
 
     fn site_of(&self, point: usize) -> Site {
@@ -117,7 +162,7 @@ impl<'a> Here<'a> {
         each.map(|(point, force)| Force {
             point,
             force,
-            body: Some(body),
+            part: body.to_vec(),
         })
         .collect()
     }

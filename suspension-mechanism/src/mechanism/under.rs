@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
-use nalgebra::{SVector, Vector3};
+use nalgebra::Vector3;
 use suspension_core::statics::{Loads, Statics};
 use suspension_core::{Signal, Values};
 
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
+use crate::mechanism::state::State;
 
 /// What forces at the points do to a mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,17 +21,19 @@ pub struct Borne {
 }
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// What forces at chassis points and free points do at a position, and groups of equations to the points; `None`
+    /// What forces at chassis points and free points do at a state, and groups of equations to the points; `None`
     /// where the mechanism locks.
-    pub(crate) fn under(
+    pub fn under(
         &self,
-        (drives, position): (L::Drives, &SVector<f64, N>),
+        state: &State,
         forces: &[Vector3<f64>],
         groups: &[Vec<Range<usize>>],
     ) -> Option<Borne> {
-        let statics = Statics::new(&self.model, drives, position).ok()?;
-        let forces = L::Points::from_values(forces.iter().copied());
-        let loads = statics.under(&forces).ok()?;
+        let position = self.model.unknowns(&points(state));
+        let given = state.drives.iter().zip(&self.drive_offsets);
+        let drives = L::Drives::from_values(given.map(|(given, offset)| given - offset));
+        let statics = Statics::new(&self.model, drives, &position).ok()?;
+        let loads = statics.under(&points_of(forces)).ok()?;
         let count = self.names.drives.len();
         Some(Borne {
             on_drives: loads.on_drives().values().take(count).collect(),
@@ -49,12 +52,13 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         sum
     }
 
-    /// The derivative of a measure with respect to each point, where points are.
-    pub(crate) fn gradient(&self, points: &L::Points, measure: usize) -> Vec<Vector3<f64>> {
+    /// The derivative of a measure with respect to each point, at a state.
+    pub fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>> {
         let still = L::Points::from_values([]);
+        let points: L::Points = points(state);
         let along = |point: usize, axis: Vector3<f64>| {
             let moving = Signal {
-                value: *points,
+                value: points,
                 rate: still.with(point, axis),
                 second_rate: still,
             };
@@ -66,4 +70,13 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             .map(|point| Vector3::from(axes.map(|axis| along(point, axis))))
             .collect()
     }
+}
+
+/// The points of a state, as the linkage has them.
+fn points<P: Values<Vector3<f64>>>(state: &State) -> P {
+    points_of(&state.points.value)
+}
+
+fn points_of<P: Values<Vector3<f64>>>(points: &[Vector3<f64>]) -> P {
+    P::from_values(points.iter().copied())
 }

@@ -1,9 +1,7 @@
 //! From place to place of a grid, away from the start, so that a lock on one side loses no other.
 
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use nalgebra::Vector3;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
 use crate::failure::Failure;
@@ -12,7 +10,6 @@ use crate::mechanism::grid::Grid;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::State;
-use crate::mechanism::under::Borne;
 use crate::mechanism::words::advice;
 
 /// What was read at the places of a grid.
@@ -60,13 +57,6 @@ pub trait Place {
 
     /// The state with derivatives with respect to a drive; `None` where the mechanism locks.
     fn per(&self, drive: usize) -> Option<State>;
-
-    /// What forces at chassis points and free points do, and groups of equations to the points; `None` where the
-    /// mechanism locks.
-    fn under(&self, forces: &[Vector3<f64>], groups: &[Vec<Range<usize>>]) -> Option<Borne>;
-
-    /// The derivative of a measure with respect to each point.
-    fn gradient(&self, measure: usize) -> Vec<Vector3<f64>>;
 }
 
 /// Takes a place, by number.
@@ -252,14 +242,5 @@ impl<L: Suspension<N>, const N: usize> Place for Here<'_, L, N> {
             residual: self.reached.residual,
             ..self.around.per(drive)?
         })
-    }
-
-    fn under(&self, forces: &[Vector3<f64>], groups: &[Vec<Range<usize>>]) -> Option<Borne> {
-        let place = (self.drives, &self.reached.motion.position);
-        self.mechanism.under(place, forces, groups)
-    }
-
-    fn gradient(&self, measure: usize) -> Vec<Vector3<f64>> {
-        self.mechanism.gradient(&self.points(), measure)
     }
 }

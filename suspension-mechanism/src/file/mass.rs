@@ -1,0 +1,71 @@
+//! The mass of a moving part.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{self, MapAccess, Visitor, value::MapAccessDeserializer};
+use toml::Spanned;
+
+/// What is said of a part that moves.
+#[derive(Clone, Debug)]
+pub enum MassTable {
+    /// The mass of a link, which is a uniform rod, or of what is at a point, kg.
+    Alone(f64),
+    /// That of a body.
+    OfBody(BodyMass),
+}
+
+/// Mass and inertia of a body.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BodyMass {
+    /// kg.
+    pub mass: f64,
+    /// Its centre, at the design position.
+    pub centre: Spanned<Centre>,
+    /// About the centre, in the file's axes, kg m^2: xx, yy, zz, and where they are not zero xy, yz, zx (the tensor's, the
+    /// products of inertia with a minus).
+    #[serde(default)]
+    pub inertia: Vec<f64>,
+}
+
+/// A centre of mass.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "expected the name of a point, or coordinates [x, y, z]"
+)]
+pub enum Centre {
+    /// At a point of the listing.
+    Point(String),
+    /// At coordinates.
+    At([f64; 3]),
+}
+
+impl<'de> Deserialize<'de> for MassTable {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(MassVisitor)
+    }
+}
+
+struct MassVisitor;
+
+impl<'de> Visitor<'de> for MassVisitor {
+    type Value = MassTable;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a mass in kg, or of a body { mass = 25.0, centre = \"wheel_centre\", inertia = [0.8, 1.2, 0.8] }")
+    }
+
+    fn visit_f64<E: de::Error>(self, mass: f64) -> Result<MassTable, E> {
+        Ok(MassTable::Alone(mass))
+    }
+
+    fn visit_i64<E: de::Error>(self, mass: i64) -> Result<MassTable, E> {
+        Ok(MassTable::Alone(mass as f64))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<MassTable, A::Error> {
+        BodyMass::deserialize(MapAccessDeserializer::new(map)).map(MassTable::OfBody)
+    }
+}

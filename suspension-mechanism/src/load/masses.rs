@@ -1,0 +1,185 @@
+//! The masses of a motion file, by the numbers of what it names.
+
+use nalgebra::{Matrix3, Vector3};
+use suspension_core::inertia::RigidBody;
+use suspension_listing::did_you_mean::did_you_mean;
+use suspension_runtime::{Listing, Statement};
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::{BodyMass, Centre, MassTable, MotionFile, Source};
+use crate::loads::{Mass, Site};
+use crate::mechanism::Description;
+
+/// The masses of a file; `design` are its points at the design position, in the file's coordinates.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at what is no part of the mechanism, and at a number that is no mass and no inertia.
+pub(super) fn masses(
+    source: &Source,
+    file: &MotionFile,
+    listing: &Listing,
+    (mechanism, design): (&Description, &[Vector3<f64>]),
+) -> Result<Vec<Mass>, Failure> {
+    let Some(table) = &file.masses else {
+        return Ok(Vec::new());
+    };
+    let reader = Reader {
+        source,
+        listing,
+        mechanism,
+        design,
+    };
+    let each = table.get_ref().iter();
+    each.map(|(name, mass)| reader.of_part(name, mass))
+        .collect()
+}
+
+struct Reader<'a> {
+    source: &'a Source,
+    listing: &'a Listing,
+    mechanism: &'a Description,
+    design: &'a [Vector3<f64>],
+}
+
+impl Reader<'_> {
+    fn of_part(
+        &self,
+        name: &Spanned<String>,
+        stated: &Spanned<MassTable>,
+    ) -> Result<Mass, Failure> {
+        let refuse = |message: String| Err(self.source.refuse(&stated.span(), message));
+        let part = name.get_ref();
+        let mass = match stated.get_ref() {
+            MassTable::Alone(mass) | MassTable::OfBody(BodyMass { mass, .. }) => *mass,
+        };
+        if !(mass.is_finite() && mass >= 0.0) {
+            return refuse(format!(
+                "the mass of `{part}` is not a number of kg from zero on"
+            ));
+        }
+        let statements = self.listing.statements();
+        let statement = statements.iter().find(|statement| statement.name == part);
+        match (statement, stated.get_ref()) {
+            (Some(link), MassTable::Alone(mass)) if link.kind == "link" => {
+                match link.points.as_slice() {
+                    [from, to] => Ok(Mass::Rod([*from, *to], *mass)),
+                    _ => refuse(format!("link `{part}` has not two points")),
+                }
+            }
+            (Some(body), MassTable::OfBody(stated)) if is_body(body) => {
+                self.of_body(&body.points, stated, part)
+            }
+            (Some(body), MassTable::Alone(_)) if is_body(body) => refuse(format!(
+                "`{part}` is a body: write {{ mass = ..., centre = \"point\" or [x, y, z], inertia = [xx, yy, zz] }}"
+            )),
+            (Some(link), _) if link.kind == "link" => {
+                refuse(format!("`{part}` is no body: write its mass alone, in kg"))
+            }
+            (Some(_), _) => Err(self.unknown(name)),
+            (None, MassTable::Alone(mass)) => Ok(Mass::At(self.site(name)?, *mass)),
+            (None, MassTable::OfBody(_)) => Err(self.unknown(name)),
+        }
+    }
+
+    /// A free point, or a marker of a body.
+    fn site(&self, name: &Spanned<String>) -> Result<Site, Failure> {
+        let names = &self.mechanism.names;
+        let point = names
+            .points
+            .iter()
+            .position(|point| point == name.get_ref());
+        let point = point.filter(|point| *point >= names.chassis);
+        let point = point.ok_or_else(|| self.unknown(name))?;
+        let mut carriers = self.listing.carriers().into_iter();
+        let carrier = carriers.find(|(marker, _)| *marker == point);
+        Ok(carrier.map_or(Site::Point(point), |(_, body)| Site::Body(point, body)))
+    }
+
+    fn unknown(&self, name: &Spanned<String>) -> Failure {
+        let statements = self.listing.statements().into_iter();
+        let parts = statements.filter(|part| part.kind == "link" || is_body(part));
+        let names = &self.mechanism.names;
+        let known: Vec<&str> = parts
+            .map(|part| part.name)
+            .chain(names.points[names.chassis..].iter().map(String::as_str))
+            .collect();
+        let wanted = name.get_ref();
+        let hint = did_you_mean(wanted, known.iter().copied());
+        let known = known.join(", ");
+        let message = format!("`{wanted}` is no part that moves; masses are of {known}{hint}");
+        self.source.refuse(&name.span(), message)
+    }
+
+    fn of_body(&self, points: &[usize], stated: &BodyMass, name: &str) -> Result<Mass, Failure> {
+        let metre = self.mechanism.unit.metre();
+        let local = |point: Vector3<f64>| (point - self.mechanism.origin) / metre;
+        let centre = match stated.centre.get_ref() {
+            Centre::At(centre) => Vector3::from(*centre),
+            Centre::Point(point) => {
+                let names = self.mechanism.names.points.iter();
+                let mut found = names.zip(self.design).filter(|(name, _)| *name == point);
+                *found.next().map(|(_, at)| at).ok_or_else(|| {
+                    let message = format!("`{point}` is no point of the listing");
+                    self.source.refuse(&stated.centre.span(), message)
+                })?
+            }
+        };
+        let inertia = match *stated.inertia.as_slice() {
+            [] => Some(Matrix3::zeros()),
+            [xx, yy, zz] => Some(Matrix3::from_diagonal(&Vector3::new(xx, yy, zz))),
+            [xx, yy, zz, xy, yz, zx] => Some(Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz)),
+            _ => None,
+        };
+        let inertia =
+            inertia.filter(|inertia| is_inertia(inertia) && centre.iter().all(|x| x.is_finite()));
+        let inertia = inertia.ok_or_else(|| {
+            let message = format!(
+                "the inertia of `{name}` is [xx, yy, zz] or [xx, yy, zz, xy, yz, zx] in kg m^2, no principal one negative or larger \
+                 than the other two together"
+            );
+            self.source.refuse(&stated.centre.span(), message)
+        })?;
+        let held = widest(points, self.design);
+        let body = RigidBody {
+            points: held.map(|point| local(self.design[point])),
+            mass: stated.mass,
+            centre: local(centre),
+            inertia,
+        };
+        Ok(Mass::Body(held, body))
+    }
+}
+
+fn is_body(statement: &Statement<'_>) -> bool {
+    ["body", "hinge"].contains(&&*statement.kind)
+}
+
+/// Whether some distribution of mass has it.
+fn is_inertia(inertia: &Matrix3<f64>) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    if !inertia.iter().all(|entry| entry.is_finite()) {
+        return false;
+    }
+    let principal = inertia.symmetric_eigenvalues();
+    let largest = principal.max();
+    let others = principal.sum() - largest;
+    principal.min() >= -ROUNDING * largest && largest <= others + ROUNDING * largest
+}
+
+/// The three points that make the largest triangle.
+fn widest(points: &[usize], at: &[Vector3<f64>]) -> [usize; 3] {
+    let area = |[a, b, c]: [usize; 3]| (at[b] - at[a]).cross(&(at[c] - at[a])).norm();
+    let mut best = [points[0], points[1], points[2]];
+    for (second, b) in points.iter().enumerate() {
+        for a in &points[..second] {
+            for c in &points[second + 1..] {
+                if area([*a, *b, *c]) > area(best) {
+                    best = [*a, *b, *c];
+                }
+            }
+        }
+    }
+    best
+}

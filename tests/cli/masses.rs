@@ -1,0 +1,210 @@
+//! Weight and inertia of the parts of a mechanism.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::loads::{force, swept, table};
+use super::program::{Rows, folder, rows, run, text};
+
+/// A corner that moves up and down and steers, with masses and a load case.
+fn corner(masses: &str, case: &str) -> String {
+    format!(
+        "linkage = \"double_wishbone_pushrod\"\nunit = \"m\"\ntime = {{ instants = [0.0, 0.02, 0.04] }}\n\
+         [drives]\nbump = [0.28, 0.9, 2.5]\nsteer = [0.33, 0.4]\n[masses]\n{masses}\n[loads.a]\n{case}\n"
+    )
+}
+
+/// Particles at points of the upright, and what they are together.
+const PARTICLES: [(&str, f64); 4] = [
+    ("lower_ball", 6.0),
+    ("upper_ball", 4.0),
+    ("tie_ball", 2.0),
+    ("wheel_centre", 15.0),
+];
+
+fn particles() -> String {
+    let each = PARTICLES.map(|(point, mass)| format!("{point} = {mass:?}"));
+    each.join("\n")
+}
+
+/// The same as one body; points are those of the design.
+fn as_body(design: impl Fn(&str) -> Vector3<f64>) -> String {
+    let mass: f64 = PARTICLES.iter().map(|(_, mass)| mass).sum();
+    let moments = PARTICLES.iter().map(|(point, mass)| design(point) * *mass);
+    let centre = moments.sum::<Vector3<f64>>() / mass;
+    let inertia = PARTICLES.iter().map(|(point, mass)| {
+        let r = design(point) - centre;
+        (Matrix3::from_diagonal_element(r.norm_squared()) - r * r.transpose()) * *mass
+    });
+    let i: Matrix3<f64> = inertia.sum();
+    let inertia = [i.m11, i.m22, i.m33, i.m12, i.m23, i.m31];
+    let centre = [centre.x, centre.y, centre.z];
+    format!("upright = {{ mass = {mass:?}, centre = {centre:?}, inertia = {inertia:?} }}")
+}
+
+fn moved(file: &str) -> Rows {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
+
+fn design(point: &str) -> Vector3<f64> {
+    let row = &swept(&corner("", ""), &["--drive", "bump=0.0"])[0];
+    Vector3::from(["x", "y", "z"].map(|axis| row[&format!("{point}_{axis}")]))
+}
+
+/// Conservation of energy: without gravity the drives' power is the rate of the kinetic energy.
+#[test]
+fn drives_supply_the_kinetic_energy() {
+    let file = corner(&particles(), "gravity = [0.0, 0.0, 0.0]");
+    let (loads, states) = (table(&file, &["--motion"]), moved(&file));
+    assert_eq!((loads.len(), states.len()), (3, 3));
+    for (load, state) in loads.iter().zip(&states) {
+        let vector = |point: &str, kind: &str| {
+            Vector3::from(["x", "y", "z"].map(|axis| state[&format!("{point}_{kind}{axis}")]))
+        };
+        let rates =
+            PARTICLES.map(|(point, mass)| mass * vector(point, "v").dot(&vector(point, "a")));
+        let expected: f64 = rates.iter().sum();
+        let t = state["t_s"];
+        assert_eq!(load["t_s"], t);
+        // The drives bear what the masses do; they supply the opposite.
+        let power = -load["a_bump_N"] * (0.9 + 5.0 * t) - load["a_steer_N"] * 0.4;
+        assert!(
+            (power - expected).abs() < 1e-9 * expected.abs(),
+            "{power} {expected}"
+        );
+        assert!(expected.abs() > 10.0);
+    }
+}
+
+/// A body is its particles: all loads are the same but those inside it.
+#[test]
+fn a_body_is_its_particles() {
+    for more in [&["--motion"][..], &["--drive", "bump=-0.05:0.05:5"]] {
+        let with = |masses: &str| table(&corner(masses, "acceleration = [-8.0, 3.0, 0.0]"), more);
+        let (expected, found) = (with(&particles()), with(&as_body(design)));
+        assert_eq!(expected.len(), found.len());
+        for (expected, found) in expected.iter().zip(&found) {
+            for (name, value) in expected
+                .iter()
+                .filter(|(name, _)| !name.contains("upright"))
+            {
+                let off = (found[name] - value).abs();
+                assert!(off < 1e-7, "{name}: {off:e} of {value}");
+            }
+        }
+    }
+}
+
+/// What the wheel's weight does: by virtual work, and the upright passes it on.
+#[test]
+fn weight_acts_without_being_asked_for() {
+    let file = corner(
+        "upright = { mass = 30.0, centre = \"lower_ball\" }\ntie_rod = 1.2",
+        "",
+    );
+    let row = &table(&file, &[])[0];
+    let place = &swept(&file, &["--drive", "bump=0.0"])[0];
+    let g = 9.806_65;
+    let slope = |name: &str| place[&format!("{name}_z_per_bump")];
+    // Bump does not move the rack.
+    let rod = 1.2 * slope("tie_ball") / 2.0;
+    let expected = -g * (30.0 * slope("lower_ball") + rod);
+    assert!(
+        (row["a_bump_N"] - expected).abs() < 1e-9 * expected.abs(),
+        "{row:?}"
+    );
+    let joints = ["lower_ball", "upper_ball", "tie_ball", "wheel_centre"];
+    let joints = joints.map(|joint| force(row, &format!("a_upright_{joint}")));
+    let sum: Vector3<f64> = joints.iter().sum();
+    assert!(
+        (sum - Vector3::new(0.0, 0.0, -30.0 * g)).norm() < 1e-8,
+        "{sum}"
+    );
+    let ends = ["rack", "tie_ball"].map(|end| force(row, &format!("a_tie_rod_{end}")));
+    let sum: Vector3<f64> = ends.iter().sum();
+    assert!(
+        (sum - Vector3::new(0.0, 0.0, -1.2 * g)).norm() < 1e-9,
+        "{sum}"
+    );
+}
+
+/// The same law in millimetres, for a drive that is an angle: moments are in N m.
+#[test]
+fn millimetres_do_not_matter() {
+    let masses = "[masses]\nwheel_centre = 20.0\n[loads.a]\ngravity = [0.0, 0.0, 0.0]\n";
+    let file = format!("{}{masses}", include_str!("../../examples/five_link.toml"));
+    let (loads, states) = (table(&file, &["--motion"]), moved(&file));
+    assert!(loads.len() == states.len() && loads.len() > 20);
+    for (load, state) in loads.iter().zip(&states) {
+        let vector = |kind: &str| {
+            Vector3::from(
+                ["x", "y", "z"].map(|axis| state[&format!("wheel_centre_{kind}{axis}")] / 1000.0),
+            )
+        };
+        let expected = 20.0 * vector("v").dot(&vector("a"));
+        let power = -load["a_theta_Nm"] * 0.6;
+        assert!(
+            (power - expected).abs() < 1e-8 * (1.0 + expected.abs()),
+            "{power} {expected}"
+        );
+    }
+}
+
+#[test]
+fn what_is_no_mass_is_refused_with_its_place() {
+    for (masses, case, expected) in [
+        (
+            "uprigth = 3.0",
+            "",
+            "`uprigth` is no part that moves; masses are of ",
+        ),
+        ("upright = 3.0", "", "`upright` is a body: write { mass"),
+        (
+            "tie_rod = -1.0",
+            "",
+            "the mass of `tie_rod` is not a number of kg from zero on",
+        ),
+        (
+            "tie_rod = { mass = 1.0, centre = \"rack\" }",
+            "",
+            "`tie_rod` is no body",
+        ),
+        ("rack = 1.0", "", "`rack` is no part that moves"),
+        (
+            "upright = { mass = 1.0, centre = \"hub\" }",
+            "",
+            "`hub` is no point of the listing",
+        ),
+        (
+            "upright = { mass = 1.0, centre = \"wheel_centre\", inertia = [1.0, 1.0, 3.0] }",
+            "",
+            "no principal one negative or larger",
+        ),
+        (
+            "tie_rod = 1.0",
+            "gravity = 9.81",
+            "`gravity` is [x, y, z] in m/s^2",
+        ),
+        ("tie_rod = \"heavy\"", "", "expected a mass in kg"),
+    ] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), corner(masses, case)).expect("written");
+        let output = run(folder.path(), &["loads", "a.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{masses}: {output:?}");
+        assert!(
+            text(&output.stderr).contains(expected),
+            "{expected}: {output:?}"
+        );
+    }
+    let folder = folder();
+    let file = corner("", "acceleration = [1.0, 0.0, 0.0]").replace("[masses]\n", "");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml"]);
+    assert!(
+        text(&output.stderr).contains("acts on masses: state them in [masses]"),
+        "{output:?}"
+    );
+}
