@@ -102,6 +102,26 @@ typedef struct {
     susp_five_link_f64_measures second_rate;
 } susp_five_link_f64_measure_rates;
 
+/** A number of each equation. */
+#define SUSP_FIVE_LINK_F64_EQUATIONS_COUNT 15
+typedef struct {
+    double lower_front;
+    double upper_front;
+    double upper_rear;
+    double lower_rear;
+    double track_rod;
+    double knuckle_lower_front_outer_upper_front_outer;
+    double knuckle_lower_front_outer_upper_rear_outer;
+    double knuckle_upper_front_outer_upper_rear_outer;
+    double knuckle_lower_rear_outer_x;
+    double knuckle_lower_rear_outer_y;
+    double knuckle_lower_rear_outer_z;
+    double knuckle_track_rod_outer_x;
+    double knuckle_track_rod_outer_y;
+    double knuckle_track_rod_outer_z;
+    double theta;
+} susp_five_link_f64_equations;
+
 /** Constant lengths of links and bodies, in the unit of the points. */
 #define SUSP_FIVE_LINK_F64_LENGTHS_COUNT 14
 typedef struct {
@@ -279,6 +299,20 @@ susp_status susp_five_link_f64_read_derivatives(
         const susp_five_link_f64_motion *motion,
         const susp_five_link_f64_drives *change,
         susp_five_link_f64_point_rates *points,
+        susp_f64_failure *failure);
+
+/** What forces at the free points do, N in the axes of the points, the mechanism at rest at the position of a
+ * motion; what acts at chassis points and markers loads nothing. `drives` gets their work per unit of each
+ * drive, which what moves the drive bears; `equations` the multiplier of each equation: of a
+ * link the force in it, positive in tension. The rates of `inputs` do not matter. Takes about half a
+ * step. SUSP_ERROR_SINGULAR where the drives lock. */
+susp_status susp_five_link_f64_read_loads(
+        const susp_five_link_f64_model *model,
+        const susp_five_link_f64_inputs *inputs,
+        const susp_five_link_f64_motion *motion,
+        const susp_five_link_f64_points *forces,
+        susp_five_link_f64_drives *drives,
+        susp_five_link_f64_equations *equations,
         susp_f64_failure *failure);
 
 /** Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's

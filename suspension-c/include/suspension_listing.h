@@ -23,9 +23,10 @@
 extern "C" {
 #endif
 
-/** Parts of a listing that have numbers and names: points (on the chassis, free, markers), drives, measures. */
+/** What of a listing has numbers and names: points (on the chassis, free, markers), drives, measures, and the
+ * parts that hold its points: links, bodies, hinges, slides and the like. */
 typedef int32_t susp_kind;
-enum { SUSP_POINT = 0, SUSP_DRIVE = 1, SUSP_MEASURE = 2 };
+enum { SUSP_POINT = 0, SUSP_DRIVE = 1, SUSP_MEASURE = 2, SUSP_PART = 3 };
 
 /** A listing that was read. Never changes: threads may share it. */
 typedef struct susp_listing susp_listing;
@@ -147,6 +148,24 @@ susp_status susp_corner_read_derivatives(
         size_t point_count,
         double *measures,
         size_t measure_count,
+        susp_f64_failure *failure);
+
+/** What forces at the points do, `forces[POINTS][3]`, in N in the axes of the points, the suspension at rest where it
+ * is: at a marker on its body, at a chassis point on nothing. `drives[DRIVES]` is their work per unit of each
+ * drive, which what moves the drive bears, of a length in N, of an angle in N times the unit of the points;
+ * `tensions[PARTS]` the force in each link, positive in tension, 0 of other parts; `reactions[PARTS][POINTS][3]`
+ * the forces that each part exerts on the points. Each of these may be NULL. SUSP_ERROR_SINGULAR where the
+ * drives lock. */
+susp_status susp_corner_read_loads(
+        const susp_corner *corner,
+        const double *forces,
+        size_t force_count,
+        double *drives,
+        size_t drive_count,
+        double *tensions,
+        size_t tension_count,
+        double *reactions,
+        size_t reaction_count,
         susp_f64_failure *failure);
 
 /** The wheel; SUSP_ERROR_ABSENT where the listing states none. */

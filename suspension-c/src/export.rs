@@ -68,11 +68,12 @@ macro_rules! export {
             const DRIVES: &[&str] = listing::Listing::PARTS.drives;
             const MEASURES: &[&str] = listing::Listing::PARTS.measures;
             const LENGTHS: &[&str] = listing::Listing::PARTS.lengths;
+            const EQUATIONS: &[&str] = listing::Listing::PARTS.equations;
 
             $crate::names! {
                 NAMES {
                     points: POINTS, drives: DRIVES, measures: MEASURES, lengths: LENGTHS,
-                    equations: listing::Listing::PARTS.equations,
+                    equations: EQUATIONS,
                     unknowns: listing::Listing::PARTS.unknowns,
                 }
             }

@@ -184,6 +184,24 @@ macro_rules! functions_of_a_linkage {
             })
         }
 
+        /// What forces at the free points do, N in the axes of the points, the mechanism at rest at the position of a
+        /// motion; what acts at chassis points and markers loads nothing. `drives` gets their work per unit of each
+        /// drive, which what moves the drive bears; `equations` the multiplier of each equation: of a
+        /// link the force in it, positive in tension. The rates of `inputs` do not matter. Takes about half a
+        /// step. SUSP_ERROR_SINGULAR where the drives lock.
+        fn read_loads(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, forces: In<Points>, drives: Out<Drives>, equations: Out<Equations>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let (model, inputs, motion) = (model.object()?, inputs.get()?, motion.object()?);
+                let (drives, equations) = (drives.get()?, equations.get()?);
+                let forces = points_of(forces.get()?);
+                let loads = solver::statics::Loads::new(model, named(&inputs.value), &motion.position, &forces)?;
+                drives.write(values(&loads.on_drives()));
+                let [multipliers] = loads.multipliers().data.0;
+                equations.write(Values { values: multipliers });
+                Ok(())
+            })
+        }
+
         /// Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
         /// position, and no other. Takes about as long as four steps to tolerance.
         fn certify(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, certificate: Out<Certificate>, failure: Out<Failure>) -> Status {

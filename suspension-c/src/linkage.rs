@@ -42,6 +42,8 @@ macro_rules! structures_of_a_linkage {
             Measures = Numbers(MEASURES);
             /// The measures with their first and second time derivatives.
             MeasureRates = Rates(Measures);
+            /// A number of each equation.
+            Equations = Numbers(EQUATIONS);
             /// Constant lengths of links and bodies, in the unit of the points.
             Lengths = Numbers(LENGTHS);
         }

@@ -7,7 +7,9 @@ use std::mem::MaybeUninit;
 
 use five_link::{DESIGN, at_rest, inputs, made, model};
 use suspension_c::Status;
-use suspension_c::catalogue::five_link_f32::{self, Drives, Inputs, MeasureRates, PointRates};
+use suspension_c::catalogue::five_link_f32::{
+    self, Drives, Equations, Inputs, MeasureRates, PointRates, Points,
+};
 use suspension_c::of::f32::{Failure, Report};
 use suspension_core::linkages::five_link::{self as core_link, Corner};
 use suspension_core::nalgebra::Vector3;
@@ -63,6 +65,42 @@ fn motion_ratios_at_rest_are_those_of_the_corner() {
     let [found] = measures.second_rate.values;
     assert_eq!(found, expected.measures.second_rate.height);
     assert_eq!(ratios(&design_inputs(), f32::NAN), Err(Status::Overflow));
+}
+
+/// Forces on the knuckle do as much work as the drive bears; of a link the equation's number is the force in it.
+#[test]
+fn the_drive_bears_the_work_of_forces() {
+    let (model, motion, inputs) = (model(), at_rest(), design_inputs());
+    let forces = Points {
+        values: [[10.0, -20.0, 400.0]; 11],
+    };
+    let mut equations = MaybeUninit::uninit();
+    let drives = made(|drives| {
+        let (forces, equations) = ((&forces).into(), (&mut equations).into());
+        five_link_f32::read_loads(
+            (&model).into(),
+            (&inputs).into(),
+            (&motion).into(),
+            forces,
+            drives,
+            equations,
+            None.into(),
+        )
+    });
+    let [borne] = drives.expect("regular").values;
+    // SAFETY: an answer of `Ok` means that they are made.
+    let equations: Equations = unsafe { equations.assume_init() };
+    let (points, _) = ratios(&inputs, 1.0).expect("regular");
+    let free = points.rate.values[5..10].iter();
+    let work: f32 = free.map(|[x, y, z]| 10.0 * x - 20.0 * y + 400.0 * z).sum();
+    assert!((borne - work).abs() < 1e-4 * work.abs(), "{borne} {work}");
+
+    let corner = corner();
+    let forces = core_link::Points::from_values(forces.values.map(Vector3::from));
+    let statics = corner.statics().expect("regular");
+    let loads = statics.under(&forces).expect("finite");
+    let track_rod = loads.by(4..5).track_rod_inner.norm();
+    assert!((equations.values[4].abs() - track_rod).abs() < 1e-4 * track_rod);
 }
 
 /// The answer, the inputs that were reached, the report or the failure.

@@ -10,7 +10,8 @@ use suspension_c::listing::{self, Listing};
 use suspension_c::of::f64::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::Signal;
 use suspension_core::linkages::double_wishbone_pushrod::{self as compiled, Drives};
-use text::{DRIVE, MEASURE, POINT, Read, from, made, placed, pushrod, to};
+use suspension_core::nalgebra::Vector3;
+use text::{DRIVE, MEASURE, PART, POINT, Read, from, made, placed, pushrod, to};
 
 /// A crank: no wheel, no measure, and a point whose position is not stated.
 const CRANK: &str = "fixed: hinge at [0.0, 0.0, 0.0];
@@ -70,7 +71,7 @@ fn parts_have_numbers_and_names() {
     let listing = pushrod();
     assert_eq!(listing.count(POINT), 20);
     assert_eq!((listing.count(DRIVE), listing.count(MEASURE)), (2, 2));
-    for kind in [POINT, DRIVE, MEASURE] {
+    for kind in [POINT, DRIVE, MEASURE, PART] {
         for index in 0..listing.count(kind) {
             let text = listing::listing_name(listing.get(), kind, index).as_ptr();
             // SAFETY: it lives as long as the listing.
@@ -82,7 +83,8 @@ fn parts_have_numbers_and_names() {
     assert_eq!(of(DRIVE, 1).as_deref(), Some("steer"));
     assert_eq!(of(POINT, 19).as_deref(), Some("axle"));
     assert_eq!(of(POINT, 20), None);
-    assert_eq!(of(3, 0), None);
+    assert_eq!(of(PART, 0).as_deref(), Some("lower_wishbone"));
+    assert_eq!(of(4, 0), None);
     assert_eq!(listing.find(POINT, c"nowhere"), Err(Status::Absent));
     assert_eq!(listing.find(-1, c"axle"), Err(Status::Argument));
 }
@@ -185,4 +187,79 @@ fn kingpin_rotation_and_measures_are_those_of_the_corner() {
     assert_eq!(measures[0], expected.value.damper);
     assert_eq!(measures[3], expected.rate.bar_arm);
     assert_eq!(measures[4], expected.second_rate.damper);
+}
+
+/// What a weight on the wheel's marker does: the drive bears it by virtual work, and each part's forces are those of a body in
+/// equilibrium, whose sum and moment vanish.
+#[test]
+fn loads_are_borne_and_passed_on() {
+    let (listing, corner) = (pushrod(), placed());
+    let (points, parts) = (listing.count(POINT), listing.count(PART));
+    let marker = listing.find(POINT, c"axle").expect("a marker");
+    let mut forces = vec![0.0; 3 * points];
+    forces[3 * marker..][..3].copy_from_slice(&[-300.0, 200.0, 4000.0]);
+    let (mut drives, mut tensions) = ([0.0; 2], vec![0.0; parts]);
+    let mut reactions = vec![0.0; 3 * parts * points];
+    let status = listing::corner_read_loads(
+        corner.get(),
+        from(&forces),
+        forces.len(),
+        to(&mut drives),
+        2,
+        to(&mut tensions),
+        parts,
+        to(&mut reactions),
+        3 * parts * points,
+        None.into(),
+    );
+    assert_eq!(status, Status::Ok);
+
+    let compiled = compiled::Corner::<f64>::design().expect("a geometry");
+    let change = Drives {
+        bump: 1.0,
+        steer: 0.0,
+    };
+    let moved = compiled.per(change).expect("motion ratios").points;
+    let work = moved.rate.axle.dot(&Vector3::new(-300.0, 200.0, 4000.0));
+    assert!(
+        (drives[0] - work).abs() <= 1e-9 * work.abs(),
+        "{drives:?} {work}"
+    );
+
+    let at = listing.design();
+    let (at, _) = at.as_chunks::<3>();
+    let part = listing.find(PART, c"lower_wishbone").expect("a hinge");
+    let by: &[f64] = &reactions[3 * points * part..][..3 * points];
+    let (by, _) = by.as_chunks::<3>();
+    let at = |point: usize| Vector3::from(at[point]);
+    let by = by.iter().copied().map(Vector3::from);
+    let by: Vec<_> = by.collect();
+    let force: Vector3<f64> = by.iter().sum();
+    let moment: Vector3<f64> = (0..points).map(|point| at(point).cross(&by[point])).sum();
+    let largest = by.iter().map(|force| force.norm()).fold(0.0, f64::max);
+    assert!(largest > 1000.0 && force.norm() < 1e-9 * largest && moment.norm() < 1e-9 * largest);
+
+    let rod = listing.find(PART, c"tie_rod").expect("a link");
+    let end = listing.find(POINT, c"tie_ball").expect("a point");
+    let start = 3 * (points * rod + end);
+    let pull = Vector3::from_row_slice(&reactions[start..][..3]).norm();
+    assert!(
+        pull > 100.0 && (tensions[rod].abs() - pull).abs() < 1e-9 * pull,
+        "{tensions:?}"
+    );
+
+    let mut short = [0.0; 1];
+    let status = listing::corner_read_loads(
+        corner.get(),
+        from(&forces),
+        forces.len(),
+        to(&mut short),
+        1,
+        None.into(),
+        0,
+        None.into(),
+        0,
+        None.into(),
+    );
+    assert_eq!(status, Status::Size);
 }

@@ -8,7 +8,7 @@ mod text;
 use counting::{Counting, allocations};
 use suspension_c::Status;
 use suspension_c::listing;
-use text::{from, made, pushrod, to};
+use text::{PART, from, made, pushrod, to};
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
@@ -21,6 +21,9 @@ fn what_moves_and_reads_does_not_allocate() {
     let mut corner = listing.place(&design).expect("a geometry");
     assert!(allocations() > before, "an allocation is seen");
 
+    let parts = listing.count(PART);
+    let (mut drives, forces) = ([0.0; 2], [1.0; 3 * 20]);
+    let (mut tensions, mut reactions) = (vec![0.0; parts], vec![0.0; 3 * 20 * parts]);
     let before = allocations();
     let [bump, steer] = corner.drives();
     corner.step([bump + 0.02, steer], true).expect("a step");
@@ -46,11 +49,23 @@ fn what_moves_and_reads_does_not_allocate() {
             6,
             None.into(),
         ),
+        listing::corner_read_loads(
+            corner.get(),
+            from(&forces),
+            3 * 20,
+            to(&mut drives),
+            2,
+            to(&mut tensions),
+            parts,
+            to(&mut reactions),
+            3 * 20 * parts,
+            None.into(),
+        ),
     ];
     made(|wheel| listing::corner_read_wheel(corner.get(), wheel)).expect("a wheel");
     made(|kingpin| listing::corner_read_kingpin(corner.get(), kingpin)).expect("a kingpin");
     made(|rotation| listing::corner_read_rotation(corner.get(), rotation)).expect("a wheel");
     let made = allocations() - before;
     assert_eq!(made, 0, "{made} allocations");
-    assert_eq!(statuses, [Status::Ok; 3]);
+    assert_eq!(statuses, [Status::Ok; 4]);
 }

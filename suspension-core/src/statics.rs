@@ -103,7 +103,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
     ///
     /// [`SolveError::Overflow`] where a force is not finite, or what it makes of one.
     pub fn under(&self, forces: &L::Points) -> Result<Loads<'a, L, N>, SolveError<T>> {
-        let on_unknowns = self.at.linkage.unknowns(forces);
+        let on_unknowns = on_unknowns(self.at.linkage, forces);
         let multipliers = self.factored.factors().solve_transposed(&on_unknowns);
         Loads::checked(self.at, multipliers)
     }
@@ -129,7 +129,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         forces: &L::Points,
     ) -> Result<Self, SolveError<T>> {
         let at = Configuration::new(linkage, drives, position);
-        let on_unknowns = linkage.unknowns(forces);
+        let on_unknowns = on_unknowns(linkage, forces);
         let fixed = &at.fixed;
         let multipliers = with_factors(linkage, position, fixed, smallest_pivot(), |factors| {
             factors.solve_transposed(&on_unknowns)
@@ -214,6 +214,20 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
             sum + *multiplier * *term
         })
     }
+}
+
+/// The forces on the coordinates of the free points. Unknowns that are no coordinates, as a place along a line, bear none.
+#[inline(always)]
+fn on_unknowns<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
+    linkage: &L,
+    forces: &L::Points,
+) -> SVector<T, N> {
+    let mut on_unknowns = linkage.unknowns(forces);
+    let others = on_unknowns.iter_mut();
+    for other in others.skip(3 * linkage.count(Kind::FreePoint)) {
+        *other = T::zero();
+    }
+    on_unknowns
 }
 
 fn column_of<T: Real, const N: usize>(

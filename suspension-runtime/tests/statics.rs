@@ -174,6 +174,9 @@ where
                     "{name}: {equation}: {moment}"
                 );
             }
+            if statement.kind == "link" {
+                self.tension(&statement, &by, points, loads.multipliers());
+            }
             let elsewhere = (0..by.len()).filter(|point| !statement.points.contains(point));
             for point in elsewhere {
                 assert_eq!(
@@ -197,6 +200,33 @@ where
                 self.name
             );
         }
+    }
+}
+
+impl<const N: usize> Case<'_, '_, N>
+where
+    Room<N>: Size,
+{
+    /// The multiplier of a link is the force in it.
+    fn tension(
+        &self,
+        link: &Statement<'_>,
+        by: &[Vector3<f64>],
+        points: &[Vector3<f64>],
+        multipliers: &SVector<f64, N>,
+    ) {
+        let ([from, to], [equations]) = (link.points.as_slice(), link.equations.as_slice()) else {
+            panic!("{}: link {}", self.name, link.name);
+        };
+        let along = (points[*to] - points[*from]).normalize();
+        let expected = multipliers[equations.start];
+        let off = (by[*from].dot(&along) - expected).abs();
+        assert!(
+            equations.len() == 1 && off <= 1e-10 * expected.abs(),
+            "{}: link {}: off by {off:e} of {expected}",
+            self.name,
+            link.name
+        );
     }
 }
 

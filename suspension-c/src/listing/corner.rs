@@ -3,6 +3,7 @@
 
 use suspension_core::nalgebra::Vector3;
 
+use super::loads::Wanted;
 use super::moving::Moving;
 use super::parsed::Parsed;
 use super::placed::Placed;
@@ -138,6 +139,39 @@ crate::functions! { "susp":
             let (points, measures) = (points.unwrap_or_default(), measures.unwrap_or_default());
             let derived = corner.moving().read_per(change, points, measures);
             derived.map_err(Trouble::Solver)
+        })
+    }
+
+    /// What forces at the points do, `forces[POINTS][3]`, in N in the axes of the points, the suspension at rest where it
+    /// is: at a marker on its body, at a chassis point on nothing. `drives[DRIVES]` is their work per unit of each
+    /// drive, which what moves the drive bears, of a length in N, of an angle in N times the unit of the points;
+    /// `tensions[PARTS]` the force in each link, positive in tension, 0 of other parts; `reactions[PARTS][POINTS][3]`
+    /// the forces that each part exerts on the points. Each of these may be NULL. SUSP_ERROR_SINGULAR where the
+    /// drives lock.
+    fn corner_read_loads(corner: In<Corner>, forces: In<Number>, force_count: usize, drives: Out<Number>, drive_count: usize, tensions: Out<Number>, tension_count: usize, reactions: Out<Number>, reaction_count: usize, failure: Out<Failure>) -> Status {
+        let corner = match corner.object() {
+            Ok(corner) => corner,
+            Err(status) => return respond(failure, &(), || Err(status.into())),
+        };
+        let parsed = corner.parsed();
+        respond(failure, parsed, || {
+            let counts = parsed.counts();
+            let forces = forces.many(force_count)?;
+            check_count(force_count, 3 * counts.points)?;
+            let rows = [
+                (drives.optional_many(drive_count)?, drive_count, counts.drives),
+                (tensions.optional_many(tension_count)?, tension_count, counts.parts),
+                (reactions.optional_many(reaction_count)?, reaction_count, 3 * counts.parts * counts.points),
+            ];
+            for (row, count, wanted) in &rows {
+                if row.is_some() {
+                    check_count(*count, *wanted)?;
+                }
+            }
+            let [drives, tensions, reactions] = rows.map(|(row, ..)| row.unwrap_or_default());
+            let wanted = Wanted { drives, tensions, reactions };
+            let loaded = corner.moving().read_loads(&parsed.structure, forces, wanted);
+            loaded.map_err(Trouble::Solver)
         })
     }
 

@@ -1,17 +1,14 @@
 //! A suspension that moves, whatever the size of its model, over rows of numbers.
 
-use core::mem::MaybeUninit;
-
 use suspension_core::error::{Explain, Facts};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::report::Report;
 use suspension_core::{Corner, Linkage, Signal, Values};
 use suspension_runtime::{Model, Room, Size};
 
+use super::loads::{self, Structure, Wanted};
 use super::parsed::Counts;
-
-/// Memory for numbers.
-pub(super) type Row<'a> = &'a mut [MaybeUninit<f64>];
+use super::row::{Row, write};
 
 /// What C asks of a suspension. Rows have the counts of the listing; those of drives, points and measures
 /// with rates are values, rates and second rates, one after the other.
@@ -32,6 +29,14 @@ pub(super) trait Moving: Send + Sync {
 
     /// See [`Corner::per`].
     fn read_per(&self, change: &[f64], points: Row<'_>, measures: Row<'_>) -> Result<(), Facts>;
+
+    /// What forces at the points do: see [`loads::read`].
+    fn read_loads(
+        &self,
+        structure: &Structure,
+        forces: &[f64],
+        wanted: Wanted<'_>,
+    ) -> Result<(), Facts>;
 
     fn wheel_axis(&self) -> Option<[Vector3<f64>; 2]>;
 
@@ -108,6 +113,15 @@ where
         Ok(())
     }
 
+    fn read_loads(
+        &self,
+        structure: &Structure,
+        forces: &[f64],
+        wanted: Wanted<'_>,
+    ) -> Result<(), Facts> {
+        loads::read(&self.corner, structure, forces, wanted)
+    }
+
     fn wheel_axis(&self) -> Option<[Vector3<f64>; 2]> {
         self.corner.model().wheel_axis(&self.corner.points().value)
     }
@@ -133,11 +147,5 @@ fn signal<D: Values<f64>>(row: &[f64], count: usize) -> Signal<D> {
         value: part(0),
         rate: part(1),
         second_rate: part(2),
-    }
-}
-
-fn write(numbers: impl Iterator<Item = f64>, row: Row<'_>) {
-    for (place, number) in row.iter_mut().zip(numbers) {
-        place.write(number);
     }
 }

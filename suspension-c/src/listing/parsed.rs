@@ -1,7 +1,6 @@
 //! A listing that was read, and its names as C reads them.
 
 use core::mem::MaybeUninit;
-use std::borrow::ToOwned;
 use std::ffi::{CStr, CString};
 use std::format;
 use std::string::{String, ToString};
@@ -11,6 +10,7 @@ use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::nalgebra::Vector3;
 use suspension_runtime::Listing;
 
+use super::loads::Structure;
 use crate::names::{Naming, Text};
 use crate::status::Status;
 
@@ -21,6 +21,8 @@ pub struct Parsed {
     points: Vec<CString>,
     drives: Vec<CString>,
     measures: Vec<CString>,
+    parts: Vec<CString>,
+    pub(super) structure: Structure,
     lengths: Vec<CString>,
     equations: Vec<CString>,
     unknowns: Vec<CString>,
@@ -38,12 +40,12 @@ impl Parsed {
     }
 
     fn of(listing: Listing) -> Self {
+        let structure = Structure::of(&listing);
+        let closed = |name: &str| CString::new(name).unwrap_or_default();
         let names = |kinds: &[Kind], part: fn(usize) -> Part| {
             let count = kinds.iter().map(|kind| listing.count(*kind)).sum();
-            let names = (0..count).map(|index| listing.name(part(index)).to_owned());
-            names
-                .map(|name| CString::new(name).unwrap_or_default())
-                .collect()
+            let names = (0..count).map(|index| closed(listing.name(part(index))));
+            names.collect()
         };
         Self {
             points: names(
@@ -52,9 +54,15 @@ impl Parsed {
             ),
             drives: names(&[Kind::Drive], Part::Drive),
             measures: names(&[Kind::Measure], Part::Measure),
+            parts: structure
+                .parts
+                .iter()
+                .map(|part| closed(&part.name))
+                .collect(),
             lengths: names(&[Kind::Length], Part::Length),
             equations: names(&[Kind::Unknown], Part::Equation),
             unknowns: names(&[Kind::Unknown], Part::Unknown),
+            structure,
             listing,
         }
     }
@@ -66,12 +74,13 @@ impl Parsed {
         ordered
     }
 
-    /// How many points there are, drives and measures.
+    /// How many points there are, drives, measures and parts.
     pub(super) fn counts(&self) -> Counts {
         Counts {
             points: self.points.len(),
             drives: self.drives.len(),
             measures: self.measures.len(),
+            parts: self.parts.len(),
         }
     }
 
@@ -81,6 +90,7 @@ impl Parsed {
             0 => Ok(&self.points),
             1 => Ok(&self.drives),
             2 => Ok(&self.measures),
+            3 => Ok(&self.parts),
             _ => Err(Status::Argument),
         }
     }
@@ -112,6 +122,7 @@ pub(super) struct Counts {
     pub(super) points: usize,
     pub(super) drives: usize,
     pub(super) measures: usize,
+    pub(super) parts: usize,
 }
 
 impl Naming for Parsed {

@@ -1,0 +1,132 @@
+//! What forces at the points of a suspension do.
+
+use std::borrow::ToOwned;
+use std::ops::Range;
+use std::string::String;
+use std::vec::Vec;
+
+use suspension_core::error::{Explain, Facts};
+use suspension_core::nalgebra::Vector3;
+use suspension_core::statics::{Loads, spread};
+use suspension_core::{Corner, Linkage, Values};
+use suspension_runtime::{Listing, Model, Room, Size};
+
+use super::row::{Row, write};
+
+/// What of a listing takes forces and passes them on.
+#[derive(Clone, Debug)]
+pub(super) struct Structure {
+    /// The statements that hold points, but drives.
+    pub(super) parts: Vec<Part>,
+    /// Markers with three points of the body that carries each.
+    pub(super) carriers: Vec<(usize, [usize; 3])>,
+}
+
+/// A statement.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    pub(super) name: String,
+    equations: Vec<Range<usize>>,
+    /// The ends of a link.
+    ends: Option<[usize; 2]>,
+}
+
+impl Structure {
+    pub(super) fn of(listing: &Listing) -> Self {
+        let parts = listing.statements().into_iter();
+        let parts = parts.filter(|part| part.kind != "drive").map(|part| Part {
+            name: part.name.to_owned(),
+            ends: match part.points.as_slice() {
+                [from, to] if part.kind == "link" => Some([*from, *to]),
+                _ => None,
+            },
+            equations: part.equations,
+        });
+        Self {
+            parts: parts.collect(),
+            carriers: listing.carriers(),
+        }
+    }
+}
+
+/// Where C wants what it asks for, empty where it does not: of each drive, of each part, and of each part at each point.
+pub(super) struct Wanted<'a> {
+    pub(super) drives: Row<'a>,
+    pub(super) tensions: Row<'a>,
+    pub(super) reactions: Row<'a>,
+}
+
+/// Writes what forces do, x, y, z at each point.
+pub(super) fn read<const N: usize>(
+    corner: &Corner<Model<'_, f64, N>, N>,
+    structure: &Structure,
+    forces: &[f64],
+    wanted: Wanted<'_>,
+) -> Result<(), Facts>
+where
+    Room<N>: Size,
+{
+    let statics = corner.statics();
+    let statics = statics.map_err(|failure| failure.error.facts())?;
+    let at = corner.points().value;
+    let (forces, _) = forces.as_chunks();
+    let forces = Values::from_values(forces.iter().copied().map(Vector3::from));
+    let loads = statics.under(&with_markers(structure, &at, forces));
+    let loads = loads.map_err(|error| error.facts())?;
+    write(loads.on_drives().values(), wanted.drives);
+    let tensions = structure.parts.iter().map(|part| part.tension(&loads, &at));
+    write(tensions, wanted.tensions);
+    let each = wanted.reactions.len() / structure.parts.len().max(1);
+    let rows = wanted.reactions.chunks_exact_mut(each.max(1));
+    for (row, part) in rows.zip(&structure.parts) {
+        let forces = part.forces(&loads);
+        write(forces.values().flat_map(<[f64; 3]>::from), row);
+    }
+    Ok(())
+}
+
+/// The forces with those at markers spread over their bodies.
+fn with_markers<P: Values<Vector3<f64>>>(structure: &Structure, at: &P, forces: P) -> P {
+    let of = |all: &P, point: usize| all.values().nth(point).unwrap_or_default();
+    let mut spreaded = forces;
+    for (marker, body) in &structure.carriers {
+        let points = body.map(|point| of(at, point));
+        let force = of(&forces, *marker);
+        let parts = spread(points, force, of(at, *marker), Vector3::zeros());
+        for (point, part) in body.iter().zip(parts) {
+            spreaded = spreaded.with(*point, of(&spreaded, *point) + part);
+        }
+    }
+    spreaded
+}
+
+impl Part {
+    /// The forces that it exerts on all points.
+    fn forces<L: Linkage<N, Scalar = f64>, const N: usize>(
+        &self,
+        loads: &Loads<'_, L, N>,
+    ) -> L::Points {
+        let by = self
+            .equations
+            .iter()
+            .map(|equations| loads.by(equations.clone()));
+        let none = L::Points::from_values([]);
+        by.fold(none, |sum, by| {
+            let each = sum.values().zip(by.values());
+            L::Points::from_values(each.map(|(sum, by)| sum + by))
+        })
+    }
+
+    /// The force in a link; zero of what is none.
+    fn tension<L: Linkage<N, Scalar = f64>, const N: usize>(
+        &self,
+        loads: &Loads<'_, L, N>,
+        at: &L::Points,
+    ) -> f64 {
+        let of = |all: &L::Points, point: usize| all.values().nth(point).unwrap_or_default();
+        self.ends.map_or(0.0, |[from, to]| {
+            let along = (of(at, to) - of(at, from)).normalize();
+            of(&self.forces(loads), from).dot(&along)
+        })
+    }
+}

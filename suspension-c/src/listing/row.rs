@@ -1,0 +1,13 @@
+//! Memory that C gives for numbers.
+
+use core::mem::MaybeUninit;
+
+/// Memory for numbers.
+pub(super) type Row<'a> = &'a mut [MaybeUninit<f64>];
+
+/// Writes numbers, as many as there is memory for.
+pub(super) fn write(numbers: impl Iterator<Item = f64>, row: Row<'_>) {
+    for (place, number) in row.iter_mut().zip(numbers) {
+        place.write(number);
+    }
+}
