@@ -9,6 +9,7 @@ mod mass;
 mod motion_file;
 mod per_wheel;
 mod source;
+mod spring;
 mod table;
 mod tune;
 
@@ -19,5 +20,6 @@ pub use mass::{BodyMass, Centre, MassTable};
 pub use motion_file::{Coefficients, MotionFile, Offset, Position, Time, VehicleTable};
 pub use per_wheel::PerWheel;
 pub use source::Source;
+pub use spring::SpringTable;
 pub use table::Table;
 pub use tune::{AxisName, Direction, MoveTable, TargetTable, TuneTable, Wanted};

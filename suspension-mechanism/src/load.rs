@@ -12,6 +12,7 @@ mod outlier;
 mod points;
 mod prepare;
 mod said_of_wheels;
+mod springs;
 mod start;
 mod task;
 mod tuning;

@@ -28,6 +28,7 @@ mod results;
 mod sensitivities;
 mod sheet;
 mod signals;
+mod springs;
 mod stops;
 #[path = "../support/mod.rs"]
 mod support;

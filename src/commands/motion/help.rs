@@ -1,8 +1,9 @@
 //! What `suspension motion --help` explains.
 
 use suspension_core::linkages::attia2003;
+use suspension_core::listing::MeasureKind;
 
-use crate::mechanism::{Axle, Names, Unit, Vehicle, Wheel, WheelPoints};
+use crate::mechanism::{Axle, Names, Spring, Unit, Vehicle, Wheel, WheelPoints};
 use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
 
 /// The file, the results with the names that they have for the published linkage, the exit codes.
@@ -28,6 +29,13 @@ fn names_on(axle: Axle) -> Names {
             steer: vec![0],
             wheelbase: Some(2.6),
             cg_height: Some(0.5),
+            springs: vec![Spring {
+                measure: 0,
+                kind: MeasureKind::Length,
+                rate: 0.0,
+                load: 0.0,
+                design: 0.0,
+            }],
         },
         ..Names::of(&attia2003::Listing)
     }
@@ -99,6 +107,10 @@ const FILE: &str = r#"The file:
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
                                      # leads through turning points of the drive: attia2003 and
                                      # five_link have height, that of the wheel centre
+  [springs.spring]                   # optional: springs and bars, for wheel rate and roll rate, by any name
+  along = "damper"                   # a measure
+  rate = 28000.0                     # N per unit of length, of an angle N m per unit of angle
+  load = 3800.0                      # what it presses at the design position, positive where it makes the measure larger
   [masses]                           # of parts, and load cases: see suspension loads --help
   [loads.braking]
   [tune]                             # what may be moved, what is to be reached: see suspension tune --help

@@ -16,6 +16,7 @@ use crate::file::load::Load;
 use crate::file::mass::MassTable;
 use crate::file::per_wheel::PerWheel;
 use crate::file::source::Source;
+use crate::file::spring::SpringTable;
 use crate::file::table::Table;
 use crate::file::tune::TuneTable;
 use crate::mechanism::{Angle, Axes, Axle, Length, Unit};
@@ -49,6 +50,8 @@ pub struct MotionFile {
     pub design: Option<Table<f64>>,
     /// What the listing does not say of the vehicle.
     pub vehicle: Option<VehicleTable>,
+    /// Springs and anti-roll bars by name.
+    pub springs: Option<Table<SpringTable>>,
     /// Masses of moving parts by name.
     pub masses: Option<Table<MassTable>>,
     /// Load cases by name, each with what acts where.

@@ -54,11 +54,18 @@ fn at_rest<L: Suspension<N>, const N: usize>(
     drives: L::Drives,
 ) -> Option<Mechanism<L, N>> {
     let mut position = model.unknowns(points);
-    let inputs = Inputs::still(Signal::still(drives));
+    let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
     assemble(&Newton::from_afar(), &model, &inputs, &mut position).ok()?;
+    let mut names = mechanism.names.clone();
+    let there = Motion::at_rest(position).points(&model, &inputs);
+    let measures: Vec<f64> = model.measures(&there).value.values().collect();
+    for spring in &mut names.vehicle.springs {
+        spring.design = measures[spring.measure] + mechanism.measure_offsets[spring.measure];
+    }
     Some(Mechanism {
         description: Description {
             drives: DriveLaws::held(drives.values()),
+            names,
             ..mechanism.description.clone()
         },
         model,

@@ -9,6 +9,7 @@ use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in
 use crate::load::design::at_design;
 use crate::load::notes::notes;
 use crate::load::outlier::Outlier;
+use crate::load::springs::springs;
 use crate::load::task::Task;
 use crate::load::vehicle::with_vehicle;
 use crate::load::{led, said_of_wheels, start};
@@ -92,6 +93,8 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         ..task
     };
     let design = at_design(&task, model, origin, &guess).map_err(outlier_first)?;
+    let measure_offsets = origin.of_measures(&design.model);
+    let springs = springs(&task, &design.model, (&design.points, &measure_offsets))?;
     let mut notes = notes(&task, &guess, &design.points, design.off, outlier.as_ref());
     notes.extend(said_of_wheels::notes(&task, &design));
     let drives = task.drive_laws(design.drives.values());
@@ -120,7 +123,6 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         }
     };
     let drive_offsets = offsets.values().take(names.drives.len());
-    let measure_offsets = origin.of_measures(&design.model);
     let description = Description {
         linkage: linkage.to_owned(),
         unit: file.unit(),
@@ -135,7 +137,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
             .collect(),
         design: design.given(&design.drives),
         led_by: lead.as_ref().map(|lead| lead.measure),
-        names,
+        names: names.clone().with_springs(springs),
         notes,
     };
     Ok(Mechanism {

@@ -1,6 +1,7 @@
 //! The mechanism about a place: derivatives with respect to its drives.
 
 use std::cell::OnceCell;
+use std::rc::Rc;
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::directions::Directions;
@@ -8,7 +9,8 @@ use suspension_core::{Signal, Values};
 
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
-use crate::mechanism::state::{Points, State};
+use crate::mechanism::state::{Moved, Points, State};
+use crate::mechanism::vehicle::Pair;
 
 /// Up to which order derivatives of quantities are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +44,8 @@ pub(crate) struct Around<'a, L: Suspension<N>, const N: usize> {
     along: Vec<OnceCell<Option<State>>>,
     /// The points' mixed second derivatives with respect to two drives, a row for each drive, up to itself.
     mixed: Vec<OnceCell<Option<Points>>>,
+    /// See [`State::moved`].
+    moved: OnceCell<Rc<[Moved]>>,
     /// Rates of all points that are not known.
     unknown: Points,
 }
@@ -61,6 +65,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
             order,
             along: vec![OnceCell::new(); count],
             mixed: vec![OnceCell::new(); count * (count + 1) / 2],
+            moved: OnceCell::new(),
             unknown: vec![Vector3::repeat(f64::NAN); mechanism.names.points.len()].into(),
         }
     }
@@ -76,14 +81,48 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         };
         State {
             velocities: self.of_moving_drives(velocities),
+            moved: self.moved(),
             ..state
         }
+    }
+
+    /// The states that springs need: see [`State::moved`].
+    fn moved(&self) -> Rc<[Moved]> {
+        self.moved
+            .get_or_init(|| self.along_travel().into())
+            .clone()
+    }
+
+    fn along_travel(&self) -> Vec<Moved> {
+        let names = &self.mechanism.names;
+        if names.vehicle.springs.is_empty() {
+            return Vec::new();
+        }
+        let alone = names.vehicle.travel.iter().map(|drive| vec![(*drive, 1.0)]);
+        let pairs = Pair::all(&names.wheels).into_iter();
+        let opposed = pairs.filter_map(|pair| {
+            let [a, b] = pair.wheels.map(|wheel| names.wheels[wheel].travel);
+            Some(vec![(a?, 1.0), (b?, -1.0)])
+        });
+        let state_along = |change: Vec<(usize, f64)>| {
+            let parts = change.iter();
+            let drives = parts.fold(L::Drives::from_values([]), |drives, (drive, part)| {
+                drives.with(*drive, *part)
+            });
+            let points = self.directions.as_ref()?.points(drives);
+            let state = self
+                .mechanism
+                .state(0.0, &self.drives, points.as_ref().ok()?);
+            Some(Moved { change, state })
+        };
+        alone.chain(opposed).filter_map(state_along).collect()
     }
 
     /// The state with derivatives with respect to a drive; `None` where the mechanism locks.
     pub(crate) fn per(&self, drive: usize) -> Option<State> {
         Some(State {
             velocities: self.of_moving_drives(|of| self.velocities(of, drive)),
+            moved: self.moved(),
             ..self.along(drive)?.clone()
         })
     }

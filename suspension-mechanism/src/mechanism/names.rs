@@ -4,6 +4,7 @@ use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelP
 use suspension_core::{Build, Linkage, Listing};
 use suspension_listing::did_you_mean::did_you_mean;
 
+use crate::mechanism::spring::Spring;
 use crate::mechanism::vehicle::{Vehicle, Wheel};
 
 /// A linkage that this program can run.
@@ -100,6 +101,12 @@ impl Names {
                 .collect(),
             vehicle: Vehicle::default(),
         }
+    }
+
+    /// The same with springs.
+    pub fn with_springs(mut self, springs: Vec<Spring>) -> Self {
+        self.vehicle.springs = springs;
+        self
     }
 
     /// The markers' names.

@@ -31,16 +31,38 @@ pub struct State {
     /// derivatives along the rates of `points`, NaN where those are not known; `None` of drives that neither move a
     /// wheel up and down nor steer it, and where the mechanism locks.
     pub velocities: Vec<Option<Signal<Points>>>,
+    /// Where springs are: the states along changes of travel drives, the derivatives with respect to them, those of each
+    /// alone and those of the two of an axle the opposite ways.
+    pub moved: Rc<[Moved]>,
+    /// Units of length in a metre.
+    pub metre: f64,
     /// Iterations of Newton's method, steps in between included.
     pub iterations: usize,
     /// The largest residual, in the unit of lengths.
     pub residual: f64,
 }
 
+/// A state with derivatives along a change of drives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    /// Drives by number, each with its part.
+    pub change: Vec<(usize, f64)>,
+    /// The state.
+    pub state: State,
+}
+
 impl State {
     /// A point in the file's coordinates.
     pub fn position(&self, point: usize) -> Vector3<f64> {
         self.points.value[point] + self.origin
+    }
+
+    /// The state along a change of drives, where it is known.
+    pub fn moved_along(&self, change: &[(usize, f64)]) -> Option<&State> {
+        let mut moved = self.moved.iter();
+        moved
+            .find(|moved| moved.change == change)
+            .map(|moved| &moved.state)
     }
 
     /// The velocities of all points as a drive moves them, where they are known.
@@ -66,6 +88,8 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             axes: self.axes,
             measures,
             velocities: Vec::new(),
+            moved: Rc::new([]),
+            metre: self.unit.metre(),
             iterations: 0,
             residual: 0.0,
         }

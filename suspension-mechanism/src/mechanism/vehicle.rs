@@ -3,6 +3,8 @@
 use serde::Deserialize;
 use suspension_core::listing::WheelPlaces;
 
+use crate::mechanism::spring::Spring;
+
 /// What quantities need beside the linkage.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Vehicle {
@@ -14,6 +16,8 @@ pub struct Vehicle {
     pub wheelbase: Option<f64>,
     /// The height of the centre of gravity above the ground, in the unit of lengths.
     pub cg_height: Option<f64>,
+    /// Springs and anti-roll bars.
+    pub springs: Vec<Spring>,
 }
 
 impl Vehicle {

@@ -19,6 +19,7 @@ macro_rules! catalogue {
 mod axle;
 mod motion;
 mod results;
+mod springs;
 mod steering;
 mod travel;
 mod wheel;
@@ -29,12 +30,13 @@ pub use axle::{
 };
 pub use motion::{ACCELERATIONS, ALPHA, DRIVES, MARKERS, OMEGA, POSITIONS, TIME, VELOCITIES};
 pub use results::{ITERATIONS, MEASURES, RESIDUAL};
+pub use springs::{ROLL_RATE, SPRING_LOAD, WHEEL_RATE};
 pub use steering::{
     VIRTUAL_CASTER, VIRTUAL_KINGPIN, VIRTUAL_PITCH, VIRTUAL_SCRUB_RADIUS, VIRTUAL_TRAIL,
 };
 pub use travel::{
     ANTI_DIVE, ANTI_LIFT, ANTI_LIFT_IN_DRIVE, ANTI_SQUAT, BRAKE_ANGLE, DRIVE_ANGLE, FRONT_ARM,
-    FRONT_CENTRE, ROLL_CENTRE, SIDE_ARM, SIDE_CENTRE,
+    FRONT_CENTRE, JACKING, ROLL_CENTRE, SIDE_ARM, SIDE_CENTRE,
 };
 pub use wheel::{
     CAMBER, CAMBER_TO_GROUND, CASTER, CASTER_OFFSET, CENTRE, CONTACT, KINGPIN, KINGPIN_OFFSET,
@@ -53,6 +55,7 @@ pub fn catalogue() -> impl Iterator<Item = &'static Quantity> + Clone {
         wheel::ROWS,
         steering::ROWS,
         travel::ROWS,
+        springs::ROWS,
         axle::ROWS,
         results::ROWS,
     ];

@@ -2,7 +2,7 @@
 
 use suspension_core::listing::{DriveKind, MeasureKind};
 
-use crate::mechanism::Unit;
+use crate::mechanism::{Length, Unit};
 
 /// What a number measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +25,12 @@ pub enum Kind {
     LengthPerAngle,
     /// An angle for an angle.
     AnglePerAngle,
+    /// A force.
+    Force,
+    /// A force for a length.
+    Stiffness,
+    /// A moment for an angle.
+    AngularStiffness,
     /// A part of a whole.
     Percent,
     /// How many.
@@ -45,6 +51,9 @@ impl Kind {
             Self::AngularAcceleration => format!("{angle}/s^2"),
             Self::LengthPerAngle => format!("{length}/{angle}"),
             Self::AnglePerAngle => format!("{angle}/{angle}"),
+            Self::Force => "N".to_owned(),
+            Self::Stiffness => format!("N/{length}"),
+            Self::AngularStiffness => format!("Nm/{angle}"),
             Self::Percent => "percent".to_owned(),
             Self::Count => String::new(),
         }
@@ -54,7 +63,14 @@ impl Kind {
     pub fn is_of_positions(self) -> bool {
         matches!(
             self,
-            Self::Length | Self::Angle | Self::LengthPerAngle | Self::AnglePerAngle | Self::Percent
+            Self::Length
+                | Self::Angle
+                | Self::LengthPerAngle
+                | Self::AnglePerAngle
+                | Self::Force
+                | Self::Stiffness
+                | Self::AngularStiffness
+                | Self::Percent
         )
     }
 
@@ -64,6 +80,7 @@ impl Kind {
             Self::Angle => (1_f64.to_degrees(), "deg".to_owned()),
             Self::Percent => (1.0, "%".to_owned()),
             Self::AnglePerAngle => (1.0, "deg/deg".to_owned()),
+            Self::AngularStiffness => (1_f64.to_radians(), "Nm/deg".to_owned()),
             _ => (self.in_file(unit), self.symbol(unit)),
         }
     }
@@ -74,11 +91,14 @@ impl Kind {
             Self::Length | Self::Velocity | Self::Acceleration | Self::LengthPerAngle => {
                 to.metre() / from.metre()
             }
+            Self::Stiffness => from.metre() / to.metre(),
             Self::Time
             | Self::Angle
             | Self::AngularVelocity
             | Self::AngularAcceleration
             | Self::AnglePerAngle
+            | Self::Force
+            | Self::AngularStiffness
             | Self::Percent
             | Self::Count => 1.0,
         }
@@ -88,8 +108,10 @@ impl Kind {
     pub fn in_file(self, unit: Unit) -> f64 {
         match self {
             Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => unit.angle.radian(),
-            Self::LengthPerAngle => 1.0 / unit.angle.radian(),
-            Self::Time
+            Self::LengthPerAngle | Self::AngularStiffness => 1.0 / unit.angle.radian(),
+            Self::Force
+            | Self::Stiffness
+            | Self::Time
             | Self::Length
             | Self::Velocity
             | Self::Acceleration
@@ -103,6 +125,11 @@ impl Kind {
     pub fn decimals(self, unit: Unit) -> usize {
         match self {
             Self::Count => 0,
+            Self::Force | Self::AngularStiffness => 1,
+            Self::Stiffness => match unit.length {
+                Length::Millimetre => 3,
+                Length::Metre | Length::Inch => 1,
+            },
             Self::Time => 4,
             Self::Length | Self::Velocity | Self::Acceleration | Self::LengthPerAngle => {
                 unit.length.decimals()

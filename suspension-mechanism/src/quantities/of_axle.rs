@@ -17,15 +17,15 @@ use crate::quantities::wheel::{Number, Rolling, UNKNOWN, Wheel};
 const STRAIGHT: f64 = std::f64::consts::PI / 180.0;
 
 /// Two wheels that stand across from each other.
-struct Axle {
+pub(super) struct Axle {
     /// What their names have in common, where the linkage has other wheels too.
     name: Option<String>,
-    wheels: [Rolling; 2],
+    pub(super) wheels: [Rolling; 2],
 }
 
 impl Axle {
     /// Those of a linkage.
-    fn all(names: &Names) -> Vec<Self> {
+    pub(super) fn all(names: &Names) -> Vec<Self> {
         let wheels: Vec<Rolling> = Rolling::each(names).map(|(_, rolling)| rolling).collect();
         let of_pair = |pair: Pair| Self {
             name: (!pair.name.is_empty()).then_some(pair.name),
@@ -41,8 +41,13 @@ impl Axle {
 
     /// Whether each wheel has a drive of travel of its own, so that it can roll.
     fn rolls(&self) -> bool {
+        self.is_on_ground() && self.has_travel()
+    }
+
+    /// Whether each wheel has a drive of travel of its own.
+    pub(super) fn has_travel(&self) -> bool {
         let [a, b] = self.wheels.map(|wheel| wheel.travel);
-        self.is_on_ground() && a != b && a.and(b).is_some()
+        a != b && a.and(b).is_some()
     }
 
     fn is_steered(&self) -> bool {
@@ -50,7 +55,7 @@ impl Axle {
     }
 
     /// Readings under its name.
-    fn named(&self, readings: Vec<Reading>) -> Vec<Reading> {
+    pub(super) fn named(&self, readings: Vec<Reading>) -> Vec<Reading> {
         let named = readings.into_iter().map(|reading| Reading {
             wheel: self.name.clone(),
             ..reading

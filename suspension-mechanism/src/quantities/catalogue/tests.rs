@@ -85,7 +85,7 @@ fn what_the_vehicle_makes_known_has_columns() {
     assert_eq!(
         more(&on_ground, &moving),
         "virtual_kingpin_rad virtual_caster_rad virtual_scrub_radius_mm virtual_trail_mm \
-         virtual_pitch_mm_rad roll_centre_mm front_centre_y front_centre_z front_arm_mm \
+         virtual_pitch_mm_rad roll_centre_mm jacking_percent front_centre_y front_centre_z front_arm_mm \
          side_centre_x side_centre_z side_arm_mm brake_angle_rad drive_angle_rad"
     );
 }

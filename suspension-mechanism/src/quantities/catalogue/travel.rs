@@ -1,6 +1,8 @@
 //! How the carrier moves in travel: roll centre, instant centres, support of brakes and drive.
 
 use nalgebra::Vector3;
+use suspension_core::Signal;
+use suspension_core::signal::Number as _;
 use suspension_core::wheel::InstantCentre;
 
 use crate::mechanism::Axle;
@@ -20,6 +22,18 @@ catalogue! {
         shown: Shown::InTables,
         read: |names| of_moving(names, Along::Travel, Kind::Length, true, |moving| {
             moving.carrier.roll_centre(&moving.contact) - moving.contact.z
+        }),
+    }
+    JACKING: "jacking by lateral force" {
+        name: "jacking",
+        sign: "positive where a force on the contact point towards the middle of the vehicle lifts the body",
+        definition: "the part of such a force that lifts the body, 100 v_y / v_z of the contact point as a point of the carrier in \
+                     travel, v_y outboard: the slope of the line from the contact point to the roll centre",
+        source: "virtual work; Milliken 1995, chapter 17",
+        shown: Shown::InTables,
+        read: |names| of_moving(names, Along::Travel, Kind::Percent, true, |moving| {
+            let height = moving.carrier.roll_centre(&moving.contact) - moving.contact.z;
+            height / moving.contact.y.magnitude() * Signal::still(100.0)
         }),
     }
     FRONT_CENTRE: "instant centre in the front view" {

@@ -1,0 +1,21 @@
+//! A spring or an anti-roll bar.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+/// A spring along a measured length, or a bar about a measured angle.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SpringTable {
+    /// The measure.
+    pub along: Spanned<String>,
+    /// N per unit of length, or N m per unit of angle.
+    pub rate: Spanned<f64>,
+    /// What it presses at the design position, N or N m, positive where it makes the measure larger.
+    #[serde(default = "nothing")]
+    pub load: Spanned<f64>,
+}
+
+fn nothing() -> Spanned<f64> {
+    Spanned::new(0..0, 0.0)
+}

@@ -1,0 +1,66 @@
+//! The springs of a motion file, by the numbers of their measures.
+
+use suspension_core::{Signal, Values};
+use suspension_listing::did_you_mean::did_you_mean;
+
+use crate::failure::Failure;
+use crate::load::task::Task;
+use crate::mechanism::{Spring, Suspension};
+use crate::quantities::Kind;
+
+/// The springs that a file states, at the measures of its design.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at what is no measure, and at a rate or load that is not finite.
+pub(super) fn springs<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    model: &L,
+    (design, offsets): (&L::Points, &L::Measures),
+) -> Result<Vec<Spring>, Failure> {
+    let Some(table) = &task.file.springs else {
+        return Ok(Vec::new());
+    };
+    let still = L::Points::from_values([]);
+    let design = Signal {
+        value: *design,
+        rate: still,
+        second_rate: still,
+    };
+    let local = model.measures(&design).value;
+    let measures = local.values().zip(offsets.values());
+    let measures: Vec<f64> = measures.map(|(local, offset)| local + offset).collect();
+    let unit = task.file.unit();
+    let each = table.get_ref().iter().map(|(name, stated)| {
+        let name = name.get_ref();
+        let stated = stated.get_ref();
+        let known = task.names.of_measures();
+        let along = stated.along.get_ref().as_str();
+        let measure = known.iter().position(|measure| *measure == along);
+        let measure = measure.ok_or_else(|| {
+            let hint = did_you_mean(along, known.iter().copied());
+            let known = known.join(", ");
+            let message = format!("`{along}` is no measure, along which spring `{name}` is; the measures are {known}{hint}");
+            task.source.refuse(&stated.along.span(), message)
+        })?;
+        let rate = *stated.rate.get_ref();
+        if !(rate.is_finite() && rate >= 0.0) {
+            let message = format!("the rate of spring `{name}` is not a number from zero on");
+            return Err(task.source.refuse(&stated.rate.span(), message));
+        }
+        let load = *stated.load.get_ref();
+        if !load.is_finite() {
+            let message = format!("the load of spring `{name}` is not finite");
+            return Err(task.source.refuse(&stated.load.span(), message));
+        }
+        let kind = task.names.measures[measure].kind;
+        Ok(Spring {
+            measure,
+            kind,
+            rate: rate * Kind::from(kind).in_file(unit),
+            load,
+            design: measures[measure],
+        })
+    });
+    each.collect()
+}

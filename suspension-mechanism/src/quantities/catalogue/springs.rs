@@ -1,0 +1,35 @@
+//! What springs and anti-roll bars do at the wheels.
+
+use crate::quantities::kind::Kind;
+use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::sprung::{of_roll, of_wheels};
+
+catalogue! {
+    SPRING_LOAD: "load on the springs at the wheel" {
+        name: "spring_load",
+        sign: "positive where springs press the wheel down",
+        definition: "what all springs of the file bear of a vertical force at the wheel centre in travel, the other drives held: \
+                     -sum F ds/dz of their measures s, F = load - rate (s - s_design)",
+        source: "virtual work",
+        shown: Shown::InTables,
+        read: |names| of_wheels(names, Kind::Force, |sprung| sprung.force),
+    }
+    WHEEL_RATE: "wheel rate" {
+        name: "wheel_rate",
+        sign: "positive where the springs push back",
+        definition: "the derivative of spring_load with respect to the height of the wheel centre, the other drives held: sum rate \
+                     (ds/dz)^2 - F d2s/dz2",
+        source: "Milliken 1995, chapter 16, with the change of the motion ratio",
+        shown: Shown::InTables,
+        read: |names| of_wheels(names, Kind::Stiffness, |sprung| sprung.rate),
+    }
+    ROLL_RATE: "roll rate of the axle" {
+        name: "roll_rate",
+        sign: "positive where the springs push back",
+        definition: "of springs and bars together, the drives of both wheels moving opposite ways: sum rate (ds/dp)^2 - F d2s/dp2 \
+                     with p the angle of the line through the wheel centres in the front view",
+        source: "virtual work; without the tyres",
+        shown: Shown::InTables,
+        read: |names| of_roll(names, |sprung| sprung.rate),
+    }
+}

@@ -1,0 +1,105 @@
+//! What springs do at the wheels: readings by virtual work.
+
+use suspension_core::listing::MeasureKind;
+use suspension_core::signal::Number as _;
+
+use crate::mechanism::{Names, Spring, State};
+use crate::quantities::kind::Kind;
+use crate::quantities::of_axle::Axle;
+use crate::quantities::quantity::Reading;
+use crate::quantities::reader::Reader;
+use crate::quantities::readings::{alone, of_each_wheel, reading};
+use crate::quantities::wheel::{Number, Rolling};
+
+/// What all springs do along a coordinate.
+#[derive(Clone, Copy)]
+pub(super) struct Sprung {
+    /// The generalised force against the coordinate.
+    pub(super) force: f64,
+    /// Its derivative with respect to the coordinate.
+    pub(super) rate: f64,
+}
+
+impl Sprung {
+    /// `-sum F s'` and `sum k s'^2 - F s''` along a coordinate of which the state's measures have the derivatives of another one:
+    /// by the chain rule. `metre` are the units of length in a metre.
+    fn along(coordinate: Number, state: &State, springs: &[Spring], metre: f64) -> Self {
+        let none = Self {
+            force: 0.0,
+            rate: 0.0,
+        };
+        springs.iter().fold(none, |sum, spring| {
+            let [value, rate, second_rate] = [
+                &state.measures.value,
+                &state.measures.rate,
+                &state.measures.second_rate,
+            ]
+            .map(|measures| measures[spring.measure]);
+            let slope = rate / coordinate.rate;
+            let bend = (second_rate - slope * coordinate.second_rate) / coordinate.rate.powi(2);
+            let presses = spring.presses(value);
+            // Newton metres per unit of length.
+            let scale = match spring.kind {
+                MeasureKind::Angle => metre,
+                MeasureKind::Length => 1.0,
+            };
+            Self {
+                force: sum.force - scale * presses * slope,
+                rate: sum.rate + scale * (spring.rate * slope * slope - presses * bend),
+            }
+        })
+    }
+}
+
+/// A number of the springs at each wheel, along the height of its centre.
+pub(super) fn of_wheels(names: &Names, kind: Kind, value: fn(Sprung) -> f64) -> Vec<Reading> {
+    let springs = names.vehicle.springs.clone();
+    of_each_wheel(names, |rolling| {
+        let Some(drive) = rolling.travel.filter(|_| !springs.is_empty()) else {
+            return Vec::new();
+        };
+        let springs = springs.clone();
+        let of_state = move |reader: &Reader<'_>| {
+            let state = reader.moved_along(&[(drive, 1.0)])?;
+            let height = height(state, rolling);
+            Some(value(Sprung::along(height, state, &springs, reader.metre)))
+        };
+        vec![without_derivatives(kind, of_state)]
+    })
+}
+
+/// The same of each axle in roll, its wheels moving opposite ways, along the angle of the line through their centres.
+pub(super) fn of_roll(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading> {
+    let springs = &names.vehicle.springs;
+    let axles = Axle::all(names).into_iter();
+    let axles = axles.filter(|axle| axle.has_travel() && !springs.is_empty());
+    let of_axle = |axle: Axle| {
+        let (wheels, springs) = (axle.wheels, springs.clone());
+        let of_state = move |reader: &Reader<'_>| {
+            let [a, b] = [wheels[0].travel?, wheels[1].travel?];
+            let state = reader.moved_along(&[(a, 1.0), (b, -1.0)])?;
+            let of = Reader::of(state);
+            let [left, right] = wheels.map(|rolling| of.wheel(rolling).centre);
+            let roll = Number::arc_tangent(left.z - right.z, left.y - right.y);
+            let sprung = Sprung::along(roll, state, &springs, reader.metre);
+            // Along an angle a force is newtons times the unit of length.
+            Some(value(sprung) / reader.metre)
+        };
+        axle.named(vec![without_derivatives(Kind::AngularStiffness, of_state)])
+    };
+    axles.flat_map(of_axle).collect()
+}
+
+fn height(state: &State, rolling: Rolling) -> Number {
+    Reader::of(state).wheel(rolling).centre.z
+}
+
+fn without_derivatives(
+    kind: Kind,
+    value: impl Fn(&Reader<'_>) -> Option<f64> + 'static,
+) -> Reading {
+    Reading {
+        has_derivatives: false,
+        ..reading(kind, move |reader| alone(value(reader).unwrap_or(f64::NAN)))
+    }
+}

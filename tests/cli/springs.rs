@@ -1,0 +1,155 @@
+//! What springs do at the wheels, against differences of their energy.
+
+use super::program::{Rows, folder, rows, run, text};
+
+fn swept(file: &str, drive: &str) -> Rows {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(
+        folder.path(),
+        &["sweep", "a.toml", "--drive", drive, "--csv", "-"],
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
+
+/// First and second derivative in the middle of five values `h` apart.
+fn derivatives(values: [f64; 5], h: f64) -> [f64; 2] {
+    let [a, b, c, d, e] = values;
+    [
+        (8.0 * (d - b) - (e - a)) / (12.0 * h),
+        (16.0 * (b + d) - (a + e) - 30.0 * c) / (12.0 * h * h),
+    ]
+}
+
+/// A spring along the damper and a bar about its arm.
+fn corner(unit: &str, springs: &str) -> String {
+    format!(
+        "linkage = \"double_wishbone_pushrod\"\nunit = \"m\"\n{unit}vehicle = {{ wheel_radius = 0.3 }}\ntime = {{ instants = [0.0] }}\n\
+         {springs}[drives]\nbump = 0.3\nsteer = 0.34\n"
+    )
+}
+
+const SPRINGS: &str = "[springs.spring]\nalong = \"damper\"\nrate = 28000.0\nload = 3800.0\n\
+                       [springs.bar]\nalong = \"bar_arm\"\nrate = 900.0\n";
+
+#[test]
+fn wheel_rate_and_load_are_derivatives_of_the_energy() {
+    let design = &swept(&corner("", SPRINGS), "bump=0.0")[0];
+    let h = 2e-3;
+    for bump in [-0.05, 0.0, 0.04] {
+        let around = format!("bump={:?}:{:?}:5", bump - 2.0 * h, bump + 2.0 * h);
+        let rows = swept(&corner("", SPRINGS), &around);
+        let energy = |row: usize| {
+            let [damper, arm] =
+                ["damper_m", "bar_arm_rad"].map(|name| rows[row][name] - design[name]);
+            0.5 * 28000.0 * damper * damper - 3800.0 * damper + 0.5 * 900.0 * arm * arm
+        };
+        let [load, rate] = derivatives([0, 1, 2, 3, 4].map(energy), h);
+        let found = [rows[2]["spring_load_N"], rows[2]["wheel_rate_N_m"]];
+        assert!(
+            (found[0] - load).abs() < 1e-5 * load,
+            "{bump}: {found:?} {load}"
+        );
+        assert!(
+            (found[1] - rate).abs() < 1e-5 * rate.abs(),
+            "{bump}: {found:?} {rate}"
+        );
+        assert!(load > 1000.0 && rate.abs() > 100.0, "{load} {rate}");
+    }
+}
+
+/// The file says N m a degree: the same bar.
+#[test]
+fn a_bar_in_degrees_is_the_same() {
+    let expected = &swept(&corner("", SPRINGS), "bump=0.03")[0];
+    let rate = 900.0_f64.to_radians();
+    let in_degrees = SPRINGS.replace("rate = 900.0", &format!("rate = {rate:?}"));
+    let found = &swept(&corner("angle = \"deg\"\n", &in_degrees), "bump=0.03")[0];
+    for name in ["spring_load_N", "wheel_rate_N_m"] {
+        assert!(
+            (found[name] - expected[name]).abs() < 1e-9 * expected[name].abs(),
+            "{found:?}"
+        );
+    }
+}
+
+/// Springs at both ends of a live axle, and a bar between them, by the energy in roll.
+#[test]
+fn roll_rate_is_the_second_derivative_of_the_energy() {
+    let file = "linkage = \"live_axle_watt\"\nunit = \"m\"\nvehicle = { wheel_radius = 0.3 }\ntime = { instants = [0.0] }\n\
+                [springs.left]\nalong = \"damper_left\"\nrate = 30000.0\nload = 2500.0\n\
+                [springs.right]\nalong = \"damper_right\"\nrate = 30000.0\nload = 2500.0\n\
+                [springs.bar]\nalong = \"roll_travel\"\nrate = 4000.0\n[drives]\nbump_left = 0.3\nbump_right = 0.3\n";
+    let h = 2e-3;
+    let rows = swept(
+        file,
+        &format!("bump_left,-bump_right={:?}:{:?}:5", -2.0 * h, 2.0 * h),
+    );
+    let design = &rows[2];
+    let energy = |row: usize| {
+        let changes = ["damper_left_m", "damper_right_m", "roll_travel_m"];
+        let [left, right, bar] = changes.map(|name| rows[row][name] - design[name]);
+        15000.0 * (left * left + right * right) - 2500.0 * (left + right) + 2000.0 * bar * bar
+    };
+    let roll = |row: usize| {
+        let across = |axis: &str| {
+            rows[row][&format!("left_wheel_centre_{axis}")]
+                - rows[row][&format!("right_wheel_centre_{axis}")]
+        };
+        across("z").atan2(across("y"))
+    };
+    let each = [0, 1, 2, 3, 4];
+    let [force, bend] = derivatives(each.map(energy), h);
+    let [turn, curve] = derivatives(each.map(roll), h);
+    let expected = (bend - force * curve / turn) / (turn * turn);
+    let found = design["roll_rate_Nm_rad"];
+    assert!(
+        (found - expected).abs() < 1e-4 * expected,
+        "{found} {expected}"
+    );
+    assert!(expected > 10_000.0, "{expected}");
+}
+
+/// The line from the contact point to the roll centre.
+#[test]
+fn jacking_is_the_slope_of_the_line_to_the_roll_centre() {
+    let row = &swept(&corner("", ""), "bump=0.0")[0];
+    let expected = 100.0 * row["roll_centre_m"] / row["contact_y"];
+    assert!(
+        (row["jacking_percent"] - expected).abs() < 1e-9 * expected.abs(),
+        "{row:?}"
+    );
+    assert!(
+        !row.contains_key("wheel_rate_N_m"),
+        "without springs there is none"
+    );
+}
+
+#[test]
+fn what_is_no_spring_is_refused_with_its_place() {
+    for (springs, expected) in [
+        (
+            "[springs.a]\nalong = \"dampr\"\nrate = 1.0\n",
+            "`dampr` is no measure, along which spring `a` is; the measures are damper, bar_arm",
+        ),
+        (
+            "[springs.a]\nalong = \"damper\"\nrate = -1.0\n",
+            "the rate of spring `a` is not a number from zero on",
+        ),
+        (
+            "[springs.a]\nalong = \"damper\"\nrate = 1.0\nload = inf\n",
+            "the load of spring `a` is not finite",
+        ),
+        ("[springs.a]\nalong = \"damper\"\n", "missing field `rate`"),
+    ] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), corner("", springs)).expect("written");
+        let output = run(folder.path(), &["sheet", "a.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{springs}: {output:?}");
+        assert!(
+            text(&output.stderr).contains(expected),
+            "{expected}: {output:?}"
+        );
+    }
+}
