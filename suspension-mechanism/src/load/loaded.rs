@@ -169,7 +169,7 @@ impl Loaded<'_> {
     ///
     /// Those of [`mechanism`](Self::mechanism).
     pub fn at_first_instant(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.noted(Start::FirstInstant)
+        self.noted(self.request(Start::FirstInstant))
     }
 
     /// The same for a command that has an answer where the first instant is out of reach too: the mechanism then
@@ -179,7 +179,7 @@ impl Loaded<'_> {
     ///
     /// Those of [`at_first_instant`](Self::at_first_instant), but for the way there.
     pub fn within_reach(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.noted(Start::WithinReach)
+        self.noted(self.request(Start::WithinReach))
     }
 
     /// The same for a command that works from the design position, whatever the file's motion.
@@ -188,7 +188,7 @@ impl Loaded<'_> {
     ///
     /// Those of [`within_reach`](Self::within_reach).
     pub fn at_design(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.noted(Start::Design)
+        self.noted(self.request(Start::Design))
     }
 
     /// The same for a command that tells the mechanism's notes itself.
@@ -198,6 +198,39 @@ impl Loaded<'_> {
     /// Those of [`at_design`](Self::at_design).
     pub fn at_design_without_notes(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
         self.listing.kinematics(self.request(Start::Design))
+    }
+
+    /// The same as [`at_design`](Self::at_design) in other axes: points are turned to them, and the statements mean their coordinates.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`at_design`](Self::at_design), and [`Failure::Input`] where a statement or `[design]` means something else
+    /// in other axes.
+    pub fn at_design_in(&self, axes: Axes) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        let [from, to] = [self.axes(), axes].map(Axes::signs);
+        let refuse = |what: String| {
+            let name = self.source.name();
+            Failure::Input(format!("{name}: {what}; state both files in the same axes"))
+        };
+        let names = [self.axes(), axes].map(Axes::name);
+        if let Some(statement) = self
+            .listing()
+            .bound_to_axes([0, 1, 2].map(|axis| from[axis] * to[axis]))
+        {
+            let [from, to] = names;
+            return Err(refuse(format!(
+                "`{statement}` joins coordinates of which only some change their sign from axes {from} to {to}"
+            )));
+        }
+        if self.file.design.is_some() && self.axes() != axes {
+            let [from, to] = names;
+            return Err(refuse(format!("[design] is in axes {from}, not {to}")));
+        }
+        let file = self.file.clone().turned(axes);
+        self.noted(Request {
+            file: &file,
+            ..self.request(Start::Design)
+        })
     }
 
     /// The mechanism at the first instant, for a command whose motion drives must lead.
@@ -247,8 +280,8 @@ impl Loaded<'_> {
         tuning(self.source, &self.file, self.listing(), mechanism)
     }
 
-    fn noted(&self, to: Start) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        let mechanism = self.listing.kinematics(self.request(to))?;
+    fn noted(&self, request: Request<'_>) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        let mechanism = self.listing.kinematics(request)?;
         for note in &mechanism.notes {
             eprintln!("note: {note}");
         }
