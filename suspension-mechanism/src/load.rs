@@ -14,6 +14,7 @@ mod said_of_wheels;
 mod start;
 mod task;
 mod tuning;
+mod turned;
 mod unsatisfied;
 mod vehicle;
 mod wrong_side;

@@ -76,6 +76,7 @@ mod tests {
             of("drive side: end.x; measure across: tip.x + tip.z;").1,
             Some("across".to_owned())
         );
-        assert_eq!(of("drive side: end along [0.0, 1.0, 0.2];"), (None, side()));
+        let askew = of("drive side: end.x; measure across: tip along [0.0, 1.0, 0.2];");
+        assert_eq!(askew, (None, Some("across".to_owned())));
     }
 }

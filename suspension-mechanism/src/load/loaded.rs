@@ -16,8 +16,8 @@ use crate::tune::{Move, Target};
 /// A motion file that was read. Its mechanism is prepared when it is asked for.
 #[derive(Clone, Debug)]
 pub struct Loaded<'a> {
-    source: &'a Source,
-    file: MotionFile,
+    pub(super) source: &'a Source,
+    pub(super) file: MotionFile,
     listing: Chosen,
     instants: Instants,
 }
@@ -200,39 +200,6 @@ impl Loaded<'_> {
         self.listing.kinematics(self.request(Start::Design))
     }
 
-    /// The same as [`at_design`](Self::at_design) in other axes: points are turned to them, and the statements mean their coordinates.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`at_design`](Self::at_design), and [`Failure::Input`] where a statement or `[design]` means something else
-    /// in other axes.
-    pub fn at_design_in(&self, axes: Axes) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        let [from, to] = [self.axes(), axes].map(Axes::signs);
-        let refuse = |what: String| {
-            let name = self.source.name();
-            Failure::Input(format!("{name}: {what}; state both files in the same axes"))
-        };
-        let names = [self.axes(), axes].map(Axes::name);
-        if let Some(statement) = self
-            .listing()
-            .bound_to_axes([0, 1, 2].map(|axis| from[axis] * to[axis]))
-        {
-            let [from, to] = names;
-            return Err(refuse(format!(
-                "`{statement}` joins coordinates of which only some change their sign from axes {from} to {to}"
-            )));
-        }
-        if self.file.design.is_some() && self.axes() != axes {
-            let [from, to] = names;
-            return Err(refuse(format!("[design] is in axes {from}, not {to}")));
-        }
-        let file = self.file.clone().turned(axes);
-        self.noted(Request {
-            file: &file,
-            ..self.request(Start::Design)
-        })
-    }
-
     /// The mechanism at the first instant, for a command whose motion drives must lead.
     ///
     /// # Errors
@@ -280,7 +247,7 @@ impl Loaded<'_> {
         tuning(self.source, &self.file, self.listing(), mechanism)
     }
 
-    fn noted(&self, request: Request<'_>) -> Result<Box<dyn Kinematics + '_>, Failure> {
+    pub(super) fn noted(&self, request: Request<'_>) -> Result<Box<dyn Kinematics + '_>, Failure> {
         let mechanism = self.listing.kinematics(request)?;
         for note in &mechanism.notes {
             eprintln!("note: {note}");
@@ -288,7 +255,7 @@ impl Loaded<'_> {
         Ok(mechanism)
     }
 
-    fn request(&self, to: Start) -> Request<'_> {
+    pub(super) fn request(&self, to: Start) -> Request<'_> {
         Request {
             source: self.source,
             file: &self.file,
