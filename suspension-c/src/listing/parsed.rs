@@ -1,7 +1,6 @@
 //! A listing that was read, and its names as C reads them.
 
 use core::mem::MaybeUninit;
-use std::borrow::ToOwned;
 use std::ffi::{CStr, CString};
 use std::format;
 use std::string::{String, ToString};
@@ -21,6 +20,7 @@ pub struct Parsed {
     points: Vec<CString>,
     drives: Vec<CString>,
     measures: Vec<CString>,
+    wheels: Vec<CString>,
     lengths: Vec<CString>,
     equations: Vec<CString>,
     unknowns: Vec<CString>,
@@ -38,13 +38,13 @@ impl Parsed {
     }
 
     fn of(listing: Listing) -> Self {
+        let text = |name: &str| CString::new(name).unwrap_or_default();
         let names = |kinds: &[Kind], part: fn(usize) -> Part| {
             let count = kinds.iter().map(|kind| listing.count(*kind)).sum();
-            let names = (0..count).map(|index| listing.name(part(index)).to_owned());
-            names
-                .map(|name| CString::new(name).unwrap_or_default())
-                .collect()
+            let names = (0..count).map(|index| text(listing.name(part(index))));
+            names.collect()
         };
+        let wheels = (0..).map_while(|wheel| listing.wheel(wheel));
         Self {
             points: names(
                 &[Kind::ChassisPoint, Kind::FreePoint, Kind::Marker],
@@ -52,6 +52,7 @@ impl Parsed {
             ),
             drives: names(&[Kind::Drive], Part::Drive),
             measures: names(&[Kind::Measure], Part::Measure),
+            wheels: wheels.map(|wheel| text(wheel.name)).collect(),
             lengths: names(&[Kind::Length], Part::Length),
             equations: names(&[Kind::Unknown], Part::Equation),
             unknowns: names(&[Kind::Unknown], Part::Unknown),
@@ -81,6 +82,7 @@ impl Parsed {
             0 => Ok(&self.points),
             1 => Ok(&self.drives),
             2 => Ok(&self.measures),
+            3 => Ok(&self.wheels),
             _ => Err(Status::Argument),
         }
     }
