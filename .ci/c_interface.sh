@@ -39,6 +39,11 @@ if ! diff <(echo "$by_rust_compiled") <(target/c/listing_here "$listing"); then
     exit 1
 fi
 
+cc -std=c11 -O2 -ffp-contract=off -I suspension-c/include examples/c/axle.c \
+    target/debug/examples/libcatalogue.a -o target/c/axle_here
+wheels=$(target/c/axle_here suspension-core/src/linkages/steered_axle.linkage)
+(($(wc --lines <<<"$wheels") == 3))
+
 by_c=$(make --no-print-directory --silent --directory examples/c run-m4f CARGO_BARE="cargo +debian")
 
 if ! diff <(echo "$by_rust") <(echo "$by_c"); then

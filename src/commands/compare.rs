@@ -14,7 +14,6 @@ use crate::characteristics::Span;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::{Loaded, load};
-use crate::mechanism::Axes;
 use crate::output::files::{announce, print, refuse_input, write_file};
 use crate::output::target::Target;
 use differences::Comparison;
@@ -26,7 +25,7 @@ use side::Side;
 pub struct Arguments {
     /// A motion file (TOML), see suspension motion --help.
     a: PathBuf,
-    /// Another; where its unit is another, its numbers are converted to that of the first.
+    /// Another; where its unit or its axes are others, its numbers are converted to those of the first.
     b: PathBuf,
     /// The travel, from the design positions, in the unit of A; without it 60 mm down and up.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
@@ -60,11 +59,17 @@ impl Arguments {
         }
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
         let (first, second) = (load(&a)?, load(&b)?);
-        check_axes([&a, &b], [first.axes(), second.axes()])?;
         let spans = [self.travel, self.steer];
         let side = |source: &Source, loaded: &Loaded<'_>| {
-            let mechanism = loaded.at_design()?;
-            Side::of(&*mechanism, source, spans, first.unit(), interrupted)
+            let mechanism = loaded.at_design_in(first.axes())?;
+            let converted = converted([loaded, &first]);
+            Side::of(
+                &*mechanism,
+                (source, converted),
+                spans,
+                first.unit(),
+                interrupted,
+            )
         };
         let (a, b) = (side(&a, &first)?, side(&b, &second)?);
         let comparison = Comparison::of([&a, &b]);
@@ -92,26 +97,22 @@ impl Arguments {
     }
 }
 
-/// A coordinate, or a derivative per drive, has another sign in other axes.
-fn check_axes([a, b]: [&Source; 2], axes: [Axes; 2]) -> Result<(), Failure> {
-    let [of_a, of_b] = axes;
-    if of_a == of_b {
-        return Ok(());
-    }
-    Err(Failure::Input(format!(
-        "{} has axes = \"{}\" and {} has axes = \"{}\"; state both in the same axes",
-        a.name(),
-        of_a.name(),
-        b.name(),
-        of_b.name()
-    )))
+/// From what to what the numbers of a file are converted, where they are, in words.
+fn converted([own, first]: [&Loaded<'_>; 2]) -> Option<String> {
+    let [from, to] = [own, first].map(|loaded| loaded.unit().symbol());
+    let unit = (from != to).then(|| format!("from {from} to {to}"));
+    let [from, to] = [own, first].map(|loaded| loaded.axes().name());
+    let axes = (from != to).then(|| format!("from axes {from} to {to}"));
+    let both: Vec<String> = unit.into_iter().chain(axes).collect();
+    (!both.is_empty()).then(|| both.join(" and "))
 }
 
 const NOTES: &str = "\
 Of both suspensions at their design positions, those of the files' points: all quantities that both have, their
 derivatives with respect to travel and steering, as bump camber, bump steer and motion ratios, and of each curve over
 travel and steering where the two differ most. A difference is B - A. The layouts may be different; quantities have
-the same name in all. Where only one of the files has named wheels, each of them is compared with the wheel of the other. The files' [vehicle] tables say what the listings do not, as for suspension sheet.
+the same name in all. Positions and drives are in the axes and the unit of A; quantities with signs of their own, as camber and
+toe, are the same in all axes. Where only one of the files has named wheels, each of them is compared with the wheel of the other. The files' [vehicle] tables say what the listings do not, as for suspension sheet.
 
 The table of --csv has a row a number: of (design, per travel, per steer, over travel, over steer; of a second wheel per travel 2), quantity, unit, at
 (the drive's change where the curves differ most, for people), a, b, difference; angles in degrees.

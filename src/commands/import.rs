@@ -1,10 +1,12 @@
 //! `suspension import`: from an engineer's hardpoints to a motion file.
 
+mod axle;
 mod choice;
 mod corner;
 mod draft;
 mod format;
 mod hardpoints;
+mod imported;
 mod names;
 mod orientation;
 mod remarks;
@@ -14,7 +16,7 @@ mod stand_in;
 mod subsystem;
 mod table;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -24,10 +26,12 @@ use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{self, Axes, Length};
 use crate::output::files::{announce, print, refuse_input, write_file};
+use axle::Axle;
 use choice::choose;
 use corner::Corner;
-use draft::{Draft, Imported};
+use draft::Draft;
 use hardpoints::{Hardpoints, Side};
+use imported::{Imported, Other};
 use names::Names;
 use orientation::orientation;
 
@@ -53,6 +57,10 @@ pub struct Arguments {
     /// The corner that is wanted, mirrored where the file has the other alone.
     #[arg(long)]
     side: Option<Side>,
+    /// Make an axle of both corners, on one rack where they are steered; of one corner and its mirror image where the file
+    /// has the other not.
+    #[arg(long, conflicts_with = "side")]
+    axle: bool,
     /// Write the motion file to PATH; without it beside FILE, with the ending .toml, where there is none yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
@@ -86,46 +94,119 @@ impl Arguments {
         let stated = format::read(&source, &names)?;
         let out = self.out.clone();
         let out = out.unwrap_or_else(|| file.with_extension("toml"));
-        refuse_input(&out, file, "--out")?;
-        if self.out.is_none() && out.exists() {
-            let out = out.display();
-            let message = format!("{out}: exists already; --out {out} replaces it");
-            return Err(Failure::Input(message));
-        }
-        let text = self.import(&stated, &out.display().to_string(), &names)?;
-        write_file(&out, &text)?;
-        announce(&[out]);
+        self.check_place(&out, &out)?;
+        let written = self.import(&stated, &out, &names)?;
+        announce(&written);
         Ok(())
     }
 
-    /// The text of the motion file that is to be called `out`.
-    fn import(&self, stated: &Hardpoints<'_>, out: &str, names: &Names) -> Result<String, Failure> {
-        let source = stated.source;
-        let refuse = |message: String| Failure::Input(format!("{}: {message}", source.name()));
-        let points = stated.of_side(self.side)?;
+    /// Refuses to write over the file that is read, and unasked over another; `out` is the motion file.
+    fn check_place(&self, path: &Path, out: &Path) -> Result<(), Failure> {
+        if let Some(file) = &self.file {
+            refuse_input(path, file, "--out")?;
+        }
+        if self.out.is_none() && path.exists() {
+            let (path, out) = (path.display(), out.display());
+            let message = format!("{path}: exists already; --out {out} replaces it");
+            return Err(Failure::Input(message));
+        }
+        Ok(())
+    }
+
+    /// Writes the motion file, and what it needs beside it.
+    fn import(
+        &self,
+        stated: &Hardpoints<'_>,
+        out: &Path,
+        names: &Names,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let side = if self.axle {
+            Some(Side::Left)
+        } else {
+            self.side
+        };
+        let mut one = self.corner(stated, names, side)?;
+        let other = one.other_side();
+        let unlike = matches!(other, Other::Unlike(_)) && self.side.is_none();
+        if self.side.is_none() {
+            one.said.extend(other.said(self.axle));
+        }
+        if !self.axle && !unlike {
+            let text = written_out(&Draft::of(&one), out)?;
+            write_file(out, &text)?;
+            return Ok(vec![out.to_owned()]);
+        }
+        let other = self.beside(&one)?;
+        let axle = Axle::of(&one.choice, out);
+        if let Some((path, _)) = &axle.corner {
+            self.check_place(path, out)?;
+        }
+        axle.written(out, |listing| {
+            written_out(&Draft::of_axle([&one, &other], &axle, listing), out)
+        })
+    }
+
+    /// What the file has of a corner.
+    fn corner<'a>(
+        &self,
+        stated: &'a Hardpoints<'a>,
+        names: &'a Names,
+        side: Option<Side>,
+    ) -> Result<Imported<'a>, Failure> {
+        let refuse = |message: String| refused(stated, &message);
+        let points = stated.of_side(side)?;
         let choice = choose(stated, &points, names, self.linkage.as_deref()).map_err(refuse)?;
+        if self.axle && choice.point("wheel_centre").is_none() {
+            let linkage = choice.linkage;
+            return Err(refuse(format!(
+                "--axle is for corners; {linkage} has both sides"
+            )));
+        }
         let found = orientation(&choice, &names.order, self.axes, stated.usual);
-        let found = found.map_err(refuse)?;
-        let corner = Corner::of(&choice, found.axes, self.side).map_err(refuse)?;
-        let draft = Draft::of(&Imported {
+        let orientation = found.map_err(refuse)?;
+        let corner = Corner::of(&choice, orientation.axes, side).map_err(refuse)?;
+        Ok(Imported {
             stated,
             names,
-            points: &points,
-            choice: &choice,
-            orientation: &found,
-            corner: &corner,
+            points,
+            choice,
+            orientation,
+            corner,
             unit: self.unit,
-        });
-        for remark in &draft.remarks {
-            eprintln!("note: {}: {remark}", source.name());
-        }
-        // The drives' values at the design position are those of the mechanism.
-        let unmoved = Source::new(out, draft.text(&vec![0.0; draft.drives()]));
-        let loaded = load(&unmoved)?;
-        let mechanism = loaded.at_design()?;
-        note_spin_axis(&mechanism.names);
-        Ok(draft.text(&mechanism.design))
+            said: Vec::new(),
+        })
     }
+
+    /// The right corner, in the layout, axes and unit of the left one.
+    fn beside<'a>(&self, left: &Imported<'a>) -> Result<Imported<'a>, Failure> {
+        let as_left = Self {
+            linkage: Some(left.choice.linkage.to_owned()),
+            axes: Some(left.orientation.axes),
+            unit: Some(left.unit().0),
+            ..self.clone()
+        };
+        as_left.corner(left.stated, left.names, Some(Side::Right))
+    }
+}
+
+fn refused(stated: &Hardpoints<'_>, message: &str) -> Failure {
+    Failure::Input(format!("{}: {message}", stated.source.name()))
+}
+
+/// The text of the motion file that is to be called `out`.
+fn written_out(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
+    for remark in &draft.remarks {
+        eprintln!("note: {}: {remark}", draft.source);
+    }
+    // The drives' values at the design position are those of the mechanism.
+    let unmoved = Source::new(
+        out.display().to_string(),
+        draft.text(&vec![0.0; draft.drives()]),
+    );
+    let loaded = load(&unmoved)?;
+    let mechanism = loaded.at_design()?;
+    note_spin_axis(&mechanism.names);
+    Ok(draft.text(&mechanism.design))
 }
 
 /// Says which line stands in for the spin axis where that is of two points of the hardpoint file.
@@ -152,6 +233,9 @@ A table may also have, a line each, toe_angle and camber_angle in degrees (posit
 tire_radius. Beside each point the motion file has the line that the point came from. The program prints its assumptions on
 standard error and writes them at the top of the motion file. A point that hardpoint files do not have, as a second point
 of the spin axis, is placed by the others, and the motion file says how.
+
+Where left and right are no mirror images, and with --axle, the motion file is of an axle of both corners, on one rack where they are
+steered; a steered corner is then in a listing beside it, with _corner.linkage behind the name.
 
 Axes, all right-handed: iso x forward, y left, z up; adams x rearward, y right, z up (of Lotus too); sae x forward,
 y right, z down. The motion file is in iso and in the unit of the file.

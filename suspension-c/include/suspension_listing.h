@@ -23,10 +23,11 @@
 extern "C" {
 #endif
 
-/** What of a listing has numbers and names: points (on the chassis, free, markers), drives, measures, and the
- * parts that hold its points: links, bodies, hinges, slides and the like. */
+/** What of a listing has numbers and names: points (on the chassis, free, markers), drives, measures, wheels, and
+ * the parts that hold its points: links, bodies, hinges, slides and the like. The name of an only wheel that is
+ * stated without one is empty. */
 typedef int32_t susp_kind;
-enum { SUSP_POINT = 0, SUSP_DRIVE = 1, SUSP_MEASURE = 2, SUSP_PART = 3 };
+enum { SUSP_POINT = 0, SUSP_DRIVE = 1, SUSP_MEASURE = 2, SUSP_WHEEL = 3, SUSP_PART = 4 };
 
 /** A listing that was read. Never changes: threads may share it. */
 typedef struct susp_listing susp_listing;
@@ -168,19 +169,37 @@ susp_status susp_corner_read_loads(
         size_t reaction_count,
         susp_f64_failure *failure);
 
-/** The wheel; SUSP_ERROR_ABSENT where the listing states none. */
+/** The wheel, the first of several; SUSP_ERROR_ABSENT where the listing states none. */
 susp_status susp_corner_read_wheel(
         const susp_corner *corner,
         susp_f64_wheel *wheel);
 
-/** How the body that carries the wheel turns; SUSP_ERROR_ABSENT where the listing states no wheel. */
+/** How the body that carries that wheel turns; SUSP_ERROR_ABSENT where the listing states no wheel. */
 susp_status susp_corner_read_rotation(
         const susp_corner *corner,
         susp_f64_carrier_rotation *rotation);
 
-/** The kingpin; SUSP_ERROR_ABSENT where the listing states none, or no wheel. */
+/** The kingpin of that wheel; SUSP_ERROR_ABSENT where the listing states none, or no wheel. */
 susp_status susp_corner_read_kingpin(
         const susp_corner *corner,
+        susp_f64_kingpin *kingpin);
+
+/** Any of several wheels, by its number among the parts SUSP_WHEEL; SUSP_ERROR_ABSENT where there is no such wheel. */
+susp_status susp_corner_read_wheel_at(
+        const susp_corner *corner,
+        size_t index,
+        susp_f64_wheel *wheel);
+
+/** How the body that carries it turns; SUSP_ERROR_ABSENT where there is no such wheel. */
+susp_status susp_corner_read_rotation_at(
+        const susp_corner *corner,
+        size_t index,
+        susp_f64_carrier_rotation *rotation);
+
+/** Its kingpin; SUSP_ERROR_ABSENT where there is no such wheel, or it has none. */
+susp_status susp_corner_read_kingpin_at(
+        const susp_corner *corner,
+        size_t index,
         susp_f64_kingpin *kingpin);
 
 #ifdef __cplusplus

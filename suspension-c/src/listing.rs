@@ -13,7 +13,7 @@ mod text;
 use crate::describe::{Interface, Shape, Structure};
 use crate::pointer::{Object, tag};
 
-/// A kind of what has names: points are 0, drives 1, measures 2, parts 3.
+/// A kind of what has names: points are 0, drives 1, measures 2, wheels 3, parts 4.
 pub type Kind = i32;
 
 /// A listing that was read.
@@ -24,8 +24,9 @@ pub type Corner = Object<placed::Placed, { tag("susp_corner") }>;
 
 pub use corner::{
     corner_advance, corner_destroy, corner_drives, corner_new, corner_read_derivatives,
-    corner_read_kingpin, corner_read_loads, corner_read_measures, corner_read_points,
-    corner_read_rotation, corner_read_wheel, corner_step, corner_time,
+    corner_read_kingpin, corner_read_kingpin_at, corner_read_loads, corner_read_measures,
+    corner_read_points, corner_read_rotation, corner_read_rotation_at, corner_read_wheel,
+    corner_read_wheel_at, corner_step, corner_time,
 };
 pub use text::{
     listing_count, listing_design, listing_destroy, listing_find, listing_name, listing_parse,
@@ -33,10 +34,11 @@ pub use text::{
 
 /// What parts may be asked for, in C.
 pub(crate) const KINDS: &str = "
-/** What of a listing has numbers and names: points (on the chassis, free, markers), drives, measures, and the
- * parts that hold its points: links, bodies, hinges, slides and the like. */
+/** What of a listing has numbers and names: points (on the chassis, free, markers), drives, measures, wheels, and
+ * the parts that hold its points: links, bodies, hinges, slides and the like. The name of an only wheel that is
+ * stated without one is empty. */
 typedef int32_t susp_kind;
-enum { SUSP_POINT = 0, SUSP_DRIVE = 1, SUSP_MEASURE = 2, SUSP_PART = 3 };
+enum { SUSP_POINT = 0, SUSP_DRIVE = 1, SUSP_MEASURE = 2, SUSP_WHEEL = 3, SUSP_PART = 4 };
 ";
 
 const HANDLES: &[Structure] = &[

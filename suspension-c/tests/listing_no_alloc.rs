@@ -65,6 +65,7 @@ fn what_moves_and_reads_does_not_allocate() {
     made(|wheel| listing::corner_read_wheel(corner.get(), wheel)).expect("a wheel");
     made(|kingpin| listing::corner_read_kingpin(corner.get(), kingpin)).expect("a kingpin");
     made(|rotation| listing::corner_read_rotation(corner.get(), rotation)).expect("a wheel");
+    made(|wheel| listing::corner_read_wheel_at(corner.get(), 0, wheel)).expect("a wheel");
     let made = allocations() - before;
     assert_eq!(made, 0, "{made} allocations");
     assert_eq!(statuses, [Status::Ok; 4]);

@@ -5,6 +5,9 @@ mod native;
 use std::path::Path;
 use std::process::Command;
 
+use suspension_core::{Signal, Values};
+use suspension_runtime::Listing;
+
 use native::{compile, example, has, root, run};
 
 /// The published motion in a thousand and nine hundred steps: the text that C prints has checksums of
@@ -59,6 +62,40 @@ fn c_moves_a_listing_from_text_as_rust_a_compiled_one() {
     assert!(!output.status.success());
     let complaint = String::from_utf8(output.stderr).expect("text");
     assert!(complaint.starts_with("listing:3:"), "{complaint}");
+}
+
+/// Of an axle C reads each wheel, by its number, as Rust reads it by its name.
+#[test]
+fn c_reads_each_wheel_of_an_axle() {
+    if !has("cc", "c_reads_each_wheel_of_an_axle") {
+        return;
+    }
+    let library = example("catalogue").join("libcatalogue.a");
+    let folder = tempfile::tempdir().expect("a folder");
+    let program = folder.path().join("axle");
+    compile("axle.c", &[], &library, &program);
+    let path = root().join("suspension-core/src/linkages/steered_axle.linkage");
+    let by_c = run(Command::new(&program).arg(&path));
+
+    let text = std::fs::read_to_string(&path).expect("a listing");
+    let listing = Listing::parse(&text).expect("a listing");
+    let design = listing.design().expect("positions");
+    let mut axle = listing.corner::<60>(&design).expect("a geometry");
+    let mut drives = axle.drives();
+    for (name, by) in [("bump_left", 0.03), ("bump_right", -0.02), ("steer", 0.01)] {
+        let drive = listing.drive(name).expect("a drive");
+        let value = drives.values().nth(drive).expect("a value");
+        drives = drives.with(drive, value + by);
+    }
+    axle.step(0.5, Signal::still(drives)).expect("a step");
+    let mut by_rust = "  wheel    camber       toe   kingpin\n".to_owned();
+    for name in ["left", "right"] {
+        let (wheel, kingpin) = axle.wheel_named(name).expect("a wheel");
+        let angles = [wheel.camber, wheel.toe, kingpin.expect("a kingpin").angle];
+        let [camber, toe, kingpin] = angles.map(f64::to_degrees);
+        by_rust += &format!("{name:>7} {camber:9.5} {toe:9.5} {kingpin:9.5}\n");
+    }
+    assert_eq!(by_c, by_rust);
 }
 
 /// Headers are valid alone, in C99 with all that ISO asks for, and in C++.

@@ -1,6 +1,7 @@
 //! The files of listings beside a source file.
 
 use std::cell::RefCell;
+use std::fmt::Display;
 use std::fs::read_to_string;
 use std::path::{Path, PathBuf};
 
@@ -39,10 +40,16 @@ impl ListingFiles {
                 "the compiler does not say where this source file is; write the statements in braces".to_owned(),
             );
         };
-        let text = read_to_string(source.with_file_name(path)).map_err(|cause| {
+        let place = source.with_file_name(path);
+        let refused = |cause: &dyn Display| {
             let path = path.display();
             format!("cannot read `{path}`, from the folder of this source file: {cause}")
-        })?;
+        };
+        // What is read from elsewhere may never end, and the compiler with it.
+        if place.metadata().is_ok_and(|found| !found.is_file()) {
+            return Err(refused(&"it is no regular file"));
+        }
+        let text = read_to_string(place).map_err(|cause| refused(&cause))?;
         self.read.borrow_mut().push(path.to_owned());
         Ok(text)
     }
@@ -66,5 +73,24 @@ impl IncludeSource for ListingFiles {
                  then write \"{name}.linkage\""
             )),
         }
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_regular_file_is_not_waited_for() {
+        let files = ListingFiles {
+            source: Some("src/lib.rs".into()),
+            listing: "/dev/null".into(),
+            read: RefCell::default(),
+        };
+        let expected =
+            "cannot read `/dev/null`, from the folder of this source file: it is no regular file";
+        assert_eq!(files.listing(), Err(expected.to_owned()));
+        let included = files.text(Wanted::File(Path::new("/dev/zero")));
+        assert!(included.is_err_and(|message| message.ends_with("it is no regular file")));
     }
 }

@@ -16,6 +16,7 @@ mod springs;
 mod start;
 mod task;
 mod tuning;
+mod turned;
 mod unsatisfied;
 mod vehicle;
 mod wrong_side;

@@ -46,6 +46,7 @@ mod factors;
 mod fit;
 mod fitted;
 mod form;
+mod half_turn;
 mod hardpoints;
 mod lengths;
 mod linkage;

@@ -1,5 +1,6 @@
 //! `suspension import`: from hardpoint files to motion files.
 
+mod axle;
 mod formats;
 mod frames;
 mod noted;

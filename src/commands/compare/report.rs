@@ -15,15 +15,8 @@ use crate::output::target::Target;
 /// Which file is which, a line each.
 pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
     sides.map(|side| {
-        let converted = if side.own_unit == side.unit {
-            String::new()
-        } else {
-            format!(
-                ", converted from {} to {}",
-                side.own_unit.symbol(),
-                side.unit.symbol()
-            )
-        };
+        let converted = side.converted.as_ref();
+        let converted = converted.map_or_else(String::new, |how| format!(", converted {how}"));
         format!("{} ({}{converted})", side.file, side.linkage)
     })
 }

@@ -12,8 +12,8 @@ use crate::mechanism::Unit;
 pub(super) struct Side {
     pub(super) file: String,
     pub(super) linkage: String,
-    /// Its own unit.
-    pub(super) own_unit: Unit,
+    /// From what to what its numbers were converted, where they were.
+    pub(super) converted: Option<String>,
     /// The unit of lengths here.
     pub(super) unit: Unit,
     /// The names of the drives by which the parameters have derivatives.
@@ -26,10 +26,10 @@ pub(super) struct Side {
 }
 
 impl Side {
-    /// Of a file's mechanism, with lengths in `unit`.
+    /// Of a file's mechanism, with lengths in `unit`, and what else of it is converted in words.
     pub(super) fn of(
         mechanism: &dyn Kinematics,
-        source: &Source,
+        (source, converted): (&Source, Option<String>),
         spans: [Option<Span>; 2],
         unit: Unit,
         interrupted: &AtomicBool,
@@ -41,7 +41,7 @@ impl Side {
         Ok(Self {
             file: file.to_owned(),
             linkage: mechanism.linkage.clone(),
-            own_unit: mechanism.unit,
+            converted,
             unit,
             missing: missing.collect(),
             ways: Way::all(&mechanism.names)

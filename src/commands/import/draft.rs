@@ -5,35 +5,19 @@ use std::fmt::Write;
 use suspension_core::listing::{DriveKind, Kind, Part, Parts};
 use suspension_runtime::Listing;
 
-use super::choice::Choice;
-use super::corner::Corner;
-use super::hardpoints::{Hardpoint, Hardpoints};
-use super::names::Names;
-use super::orientation::Orientation;
-use super::stand_in::{Spin, number, stand_in};
-use crate::load;
+use super::axle::Axle;
+use super::imported::Imported;
+use super::stand_in::number;
 use crate::mechanism::Length;
-
-/// What was found in a file.
-pub(super) struct Imported<'a> {
-    pub(super) stated: &'a Hardpoints<'a>,
-    pub(super) names: &'a Names,
-    /// Those of the corner, and those of no side.
-    pub(super) points: &'a [&'a Hardpoint],
-    pub(super) choice: &'a Choice<'a>,
-    pub(super) orientation: &'a Orientation,
-    pub(super) corner: &'a Corner,
-    /// The unit that the user states.
-    pub(super) unit: Option<Length>,
-}
 
 /// What the motion file says, but for the drives' values.
 #[derive(Debug)]
 pub(super) struct Draft<'a> {
     /// The file that it comes of.
-    source: &'a str,
+    pub(super) source: &'a str,
     listing: &'a Listing,
-    linkage: &'a str,
+    /// How the motion file says which listing that is.
+    stated: String,
     unit: Length,
     /// What was assumed and done, a sentence each.
     pub(super) remarks: Vec<String>,
@@ -50,57 +34,61 @@ const TURN: f64 = 0.1;
 /// The drive of travel where no drive has another name.
 const BUMP: &str = "bump";
 
-impl Imported<'_> {
-    /// Name, position and origin of each point, in the order of the listing.
-    fn points(&self) -> Vec<[String; 3]> {
-        let Self { choice, stated, .. } = self;
-        let (unit, _) = self.unit();
-        let spin = Spin::of(stated, self.names, self.corner.side);
-        let at = |name: &str| {
-            let place = choice.found.iter().position(|(found, _)| found == name)?;
-            Some(self.corner.at[place])
-        };
-        let names = load::points(&choice.listing).map(str::to_owned);
-        let each = names.filter_map(|name| {
-            let (position, origin) = match (at(&name), choice.point(&name)) {
-                (Some(at), Some(point)) => {
-                    let origin = format!("{}, {}", point.name, stated.line(&point.place));
-                    (format!("{at:?}"), origin)
-                }
-                _ => stand_in(&name, at, &spin, unit.metre())?,
-            };
-            Some([name, position, origin])
-        });
-        each.collect()
-    }
+/// Name, position and origin of each point of a corner, and remarks on it, with `before` before the names of points.
+fn corner(imported: &Imported<'_>, before: &str) -> (Vec<[String; 3]>, Vec<String>) {
+    let points = imported.placed(before);
+    let spare = &imported.choice.spare;
+    let is_placed = |name: &str| spare.iter().any(|spare| name == format!("{before}{spare}"));
+    let placed = points.iter().filter(|[name, ..]| is_placed(name));
+    let placed = placed.map(|[name, _, why]| format!("{name} is not in the file: {why}"));
+    let remarks = imported.of_corner().into_iter().chain(placed).collect();
+    (points, remarks)
 }
 
 impl<'a> Draft<'a> {
-    /// Of what was found.
-    pub(super) fn of(imported: &Imported<'a>) -> Self {
-        let Imported {
-            stated,
-            names,
-            choice,
-            corner,
-            ..
-        } = imported;
+    /// Of what was found of a corner.
+    pub(super) fn of(imported: &'a Imported<'_>) -> Self {
+        let stated = format!("linkage = \"{}\"", imported.choice.linkage);
+        let corner = corner(imported, "");
+        Self::new(imported, &imported.choice.listing, stated, corner)
+    }
+
+    /// Of both corners, the left one first.
+    pub(super) fn of_axle(sides: [&'a Imported<'_>; 2], axle: &Axle, listing: &'a Listing) -> Self {
+        let mut points: Vec<[String; 3]> = axle.housing(sides[0]).into_iter().collect();
+        let mut remarks = vec!["both corners are here, as an axle".to_owned()];
+        for (side, before) in sides.into_iter().zip(["left_", "right_"]) {
+            let corner = corner(side, before);
+            points.extend(corner.0);
+            let new = corner
+                .1
+                .into_iter()
+                .filter(|remark| !remarks.contains(remark));
+            remarks.extend(new.collect::<Vec<_>>());
+        }
+        let stated = format!("statements = '''\n{}'''", axle.statements);
+        Self::new(sides[0], listing, stated, (points, remarks))
+    }
+
+    fn new(
+        imported: &'a Imported<'_>,
+        listing: &'a Listing,
+        stated: String,
+        (points, of_corners): (Vec<[String; 3]>, Vec<String>),
+    ) -> Self {
+        let Imported { names, corner, .. } = imported;
         let (unit, _) = imported.unit();
-        let mut remarks = imported.remarks();
-        let points = imported.points();
-        let placed = points
-            .iter()
-            .filter(|[name, ..]| choice.spare.contains(name));
-        remarks.extend(placed.map(|[name, _, why]| format!("{name} is not in the file: {why}")));
-        let radius = number(stated, names, "wheel_radius", corner.side);
-        let radius = radius.map(|radius| (radius.value, stated.line(&radius.place)));
+        let mut remarks = imported.of_file();
+        remarks.extend(of_corners);
+        let radius = number(imported.stated, names, "wheel_radius", corner.side);
+        let radius = radius.map(|radius| (radius.value, imported.stated.line(&radius.place)));
         if radius.is_none() {
             remarks.push("the file has no tire_radius; wheel_radius under [vehicle] gives what needs the ground".to_owned());
         }
         Self {
-            source: stated.source.name(),
-            listing: &choice.listing,
-            linkage: choice.linkage,
+            source: imported.stated.source.name(),
+            listing,
+            stated,
             unit,
             remarks,
             points,
@@ -114,13 +102,12 @@ impl<'a> Draft<'a> {
         for remark in &self.remarks {
             line(&mut text, format_args!("# {remark}"));
         }
-        line(&mut text, format_args!("linkage = \"{}\"", self.linkage));
+        line(&mut text, format_args!("{}", self.stated));
         line(&mut text, format_args!("unit = \"{}\"", self.unit.symbol()));
         line(&mut text, format_args!("\n[points]"));
         for [name, position, remark] in &self.points {
             line(&mut text, format_args!("{name} = {position}  # {remark}"));
         }
-        let travel = self.travel();
         line(&mut text, format_args!("\n[vehicle]"));
         match &self.wheel_radius {
             Some((radius, remark)) => {
@@ -131,12 +118,11 @@ impl<'a> Draft<'a> {
             }
             None => line(&mut text, format_args!("# wheel_radius = ")),
         }
-        // Drives that are found by their names need no word.
-        if !self.drive(travel).starts_with(BUMP) {
-            line(
-                &mut text,
-                format_args!("travel = \"{}\"", self.drive(travel)),
-            );
+        if self.wheels() > 1 {
+            text += "# wheelbase =   # gives Ackermann and the turning circle\n";
+        }
+        if let Some(travel) = self.stated_travel() {
+            line(&mut text, format_args!("{travel}"));
         }
         text += "\n# In seconds.\n[time]\nstart = 0.0\nstop = 1.0\nstep = 0.02\n";
         text += "\n# From the design position; polynomials of time.\n[drives]\n";
@@ -146,7 +132,7 @@ impl<'a> Draft<'a> {
                 DriveKind::Angle => TURN,
             };
             let name = self.drive(drive);
-            if drive == travel {
+            if self.is_travel(drive) {
                 line(&mut text, format_args!("{name} = [{start:?}, {rate:?}]"));
             } else {
                 line(&mut text, format_args!("{name} = {start:?}"));
@@ -164,11 +150,30 @@ impl<'a> Draft<'a> {
         self.listing.name(Part::Drive(drive))
     }
 
-    /// The drive that moves the wheel up and down.
-    fn travel(&self) -> usize {
-        let mut drives = 0..self.drives();
-        let of_bump = drives.find(|drive| self.drive(*drive).starts_with(BUMP));
-        of_bump.unwrap_or_default()
+    /// Whether a drive moves a wheel up and down: one of that name, or else the first of each corner.
+    fn is_travel(&self, drive: usize) -> bool {
+        let of_bump = |drive: usize| self.drive(drive).split('_').any(|word| word == BUMP);
+        of_bump(drive) || !(0..self.drives()).any(of_bump) && (drive == 0 || self.wheels() > 1)
+    }
+
+    /// What [vehicle] says of travel; drives that are found by their names need no word.
+    fn stated_travel(&self) -> Option<String> {
+        let mut travel = (0..self.drives()).filter(|drive| self.is_travel(*drive));
+        let first = self.drive(travel.next()?);
+        if first.split('_').any(|word| word == BUMP) {
+            return None;
+        }
+        Some(match travel.next() {
+            None => format!("travel = \"{first}\""),
+            Some(second) => {
+                let second = self.drive(second);
+                format!("travel = {{ left = \"{first}\", right = \"{second}\" }}")
+            }
+        })
+    }
+
+    fn wheels(&self) -> usize {
+        (0..).map_while(|wheel| self.listing.wheel(wheel)).count()
     }
 }
 

@@ -3,8 +3,8 @@
 use suspension_core::listing::{Kind, Parts};
 
 use super::choice::Choice;
-use super::draft::Imported;
 use super::hardpoints::Hardpoint;
+use super::imported::Imported;
 use super::orientation::Orientation;
 use crate::layouts::first_sentence;
 use crate::load::only_on_wrong_side;
@@ -25,11 +25,11 @@ impl Imported<'_> {
         }
     }
 
-    /// What was assumed and done.
-    pub(super) fn remarks(&self) -> Vec<String> {
-        let Self { choice, corner, .. } = self;
+    /// What was assumed of the file.
+    pub(super) fn of_file(&self) -> Vec<String> {
+        let choice = &self.choice;
         let (unit, why_unit) = self.unit();
-        let Orientation { axes, why, doubts } = self.orientation;
+        let Orientation { axes, why, doubts } = &self.orientation;
         let axes = *axes;
         let mut remarks = vec![
             format!(
@@ -47,7 +47,14 @@ impl Imported<'_> {
         ];
         let doubts = doubts.iter();
         remarks.extend(doubts.map(|doubt| format!("that is doubtful, as {doubt}")));
-        remarks.extend(self.far_points());
+        remarks.extend(self.said.iter().cloned());
+        remarks
+    }
+
+    /// What was assumed of the corner and done with it.
+    pub(super) fn of_corner(&self) -> Vec<String> {
+        let Self { choice, corner, .. } = self;
+        let mut remarks: Vec<String> = self.far_points().collect();
         let side = corner.side.name();
         if corner.mirrored {
             remarks.push(format!("the corner was mirrored, and is on the {side} now"));
@@ -86,7 +93,7 @@ impl Imported<'_> {
 
     /// A free point of a corner that is on the other side of the vehicle than its wheel.
     fn point_across(&self) -> Option<String> {
-        let Choice { listing, found, .. } = self.choice;
+        let Choice { listing, found, .. } = &self.choice;
         let [chassis, free] = [Kind::ChassisPoint, Kind::FreePoint].map(|kind| listing.count(kind));
         let free = chassis..chassis + free;
         let is_free = |name: &str| {

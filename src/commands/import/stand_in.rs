@@ -16,17 +16,18 @@ pub(super) fn has_stand_in(point: &str, has: impl Fn(&str) -> bool) -> bool {
     }
 }
 
-/// Where a point is put, as the motion file has it, and why there. The others are in ISO 8855; a metre is so many units.
+/// Where a point is put, as the motion file has it, and why there. The others are in ISO 8855; a metre is so many units, and
+/// the names of points have `before` before them.
 pub(super) fn stand_in(
     point: &str,
     at: impl Fn(&str) -> Option<[f64; 3]>,
     spin: &Spin,
-    metre: f64,
+    (metre, before): (f64, &str),
 ) -> Option<(String, String)> {
     match point {
         "axle" | "shaft_outer" => {
             let offset = spin.inboard(INBOARD * metre);
-            let position = format!("{{ from = \"wheel_centre\", offset = {offset:?} }}");
+            let position = format!("{{ from = \"{before}wheel_centre\", offset = {offset:?} }}");
             let why = format!(
                 "on the spin axis, inboard of the wheel centre: {}",
                 spin.why
@@ -34,9 +35,9 @@ pub(super) fn stand_in(
             Some((position, why))
         }
         "bar_inner" => {
-            let [x, _, z] = at("bar_outer")?;
-            let why = "in the middle of the vehicle: the bar twists about a line across it";
-            Some((format!("{:?}", [x, 0.0, z]), why.to_owned()))
+            let [x, y, z] = at("bar_outer")?;
+            let why = "halfway from bar_outer to the middle of the vehicle: the bar twists about a line across it";
+            Some((format!("{:?}", [x, 0.5 * y, z]), why.to_owned()))
         }
         "strut_high" => {
             let [low, top] = [at("strut_low")?, at("top")?];

@@ -27,6 +27,42 @@ fn moved(
     }
 }
 
+/// The number of the wheel where a call has none.
+const FIRST: usize = 0;
+
+fn read_wheel(corner: In<'_, Corner>, index: usize, wheel: Out<'_, Wheel>) -> Status {
+    answer(|| {
+        let (corner, wheel) = (corner.object()?, wheel.get()?);
+        let axis = corner.moving().wheel_axis(index).ok_or(Status::Absent)?;
+        wheel.write(wheel_of(axis)?);
+        Ok(())
+    })
+}
+
+fn read_rotation(
+    corner: In<'_, Corner>,
+    index: usize,
+    rotation: Out<'_, CarrierRotation>,
+) -> Status {
+    answer(|| {
+        let (corner, rotation) = (corner.object()?, rotation.get()?);
+        let carrier = corner.moving().wheel_carrier(index).ok_or(Status::Absent)?;
+        rotation.write(rotation_of(&carrier)?);
+        Ok(())
+    })
+}
+
+fn read_kingpin(corner: In<'_, Corner>, index: usize, kingpin: Out<'_, Kingpin>) -> Status {
+    answer(|| {
+        let (corner, kingpin) = (corner.object()?, kingpin.get()?);
+        let moving = corner.moving();
+        let ends = moving.kingpin(index).zip(moving.wheel_axis(index));
+        let (ends, axis) = ends.ok_or(Status::Absent)?;
+        kingpin.write(kingpin_of(ends, axis)?);
+        Ok(())
+    })
+}
+
 crate::functions! { "susp":
     /// Makes a suspension at rest where the points are, `points[POINTS][3]`: those that `susp_listing_design`
     /// gives, or others in their place. Where the listing states no positions the order of elimination is
@@ -175,35 +211,33 @@ crate::functions! { "susp":
         })
     }
 
-    /// The wheel; SUSP_ERROR_ABSENT where the listing states none.
+    /// The wheel, the first of several; SUSP_ERROR_ABSENT where the listing states none.
     fn corner_read_wheel(corner: In<Corner>, wheel: Out<Wheel>) -> Status {
-        answer(|| {
-            let (corner, wheel) = (corner.object()?, wheel.get()?);
-            let axis = corner.moving().wheel_axis().ok_or(Status::Absent)?;
-            wheel.write(wheel_of(axis)?);
-            Ok(())
-        })
+        read_wheel(corner, FIRST, wheel)
     }
 
-    /// How the body that carries the wheel turns; SUSP_ERROR_ABSENT where the listing states no wheel.
+    /// How the body that carries that wheel turns; SUSP_ERROR_ABSENT where the listing states no wheel.
     fn corner_read_rotation(corner: In<Corner>, rotation: Out<CarrierRotation>) -> Status {
-        answer(|| {
-            let (corner, rotation) = (corner.object()?, rotation.get()?);
-            let carrier = corner.moving().wheel_carrier().ok_or(Status::Absent)?;
-            rotation.write(rotation_of(&carrier)?);
-            Ok(())
-        })
+        read_rotation(corner, FIRST, rotation)
     }
 
-    /// The kingpin; SUSP_ERROR_ABSENT where the listing states none, or no wheel.
+    /// The kingpin of that wheel; SUSP_ERROR_ABSENT where the listing states none, or no wheel.
     fn corner_read_kingpin(corner: In<Corner>, kingpin: Out<Kingpin>) -> Status {
-        answer(|| {
-            let (corner, kingpin) = (corner.object()?, kingpin.get()?);
-            let moving = corner.moving();
-            let ends = moving.kingpin().zip(moving.wheel_axis());
-            let (ends, axis) = ends.ok_or(Status::Absent)?;
-            kingpin.write(kingpin_of(ends, axis)?);
-            Ok(())
-        })
+        read_kingpin(corner, FIRST, kingpin)
+    }
+
+    /// Any of several wheels, by its number among the parts SUSP_WHEEL; SUSP_ERROR_ABSENT where there is no such wheel.
+    fn corner_read_wheel_at(corner: In<Corner>, index: usize, wheel: Out<Wheel>) -> Status {
+        read_wheel(corner, index, wheel)
+    }
+
+    /// How the body that carries it turns; SUSP_ERROR_ABSENT where there is no such wheel.
+    fn corner_read_rotation_at(corner: In<Corner>, index: usize, rotation: Out<CarrierRotation>) -> Status {
+        read_rotation(corner, index, rotation)
+    }
+
+    /// Its kingpin; SUSP_ERROR_ABSENT where there is no such wheel, or it has none.
+    fn corner_read_kingpin_at(corner: In<Corner>, index: usize, kingpin: Out<Kingpin>) -> Status {
+        read_kingpin(corner, index, kingpin)
     }
 }

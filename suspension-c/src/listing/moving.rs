@@ -1,9 +1,10 @@
 //! A suspension that moves, whatever the size of its model, over rows of numbers.
 
 use suspension_core::error::{Explain, Facts};
+use suspension_core::listing::Parts;
 use suspension_core::nalgebra::Vector3;
 use suspension_core::report::Report;
-use suspension_core::{Corner, Linkage, Signal, Values};
+use suspension_core::{Corner, Signal, Values};
 use suspension_runtime::{Model, Room, Size};
 
 use super::loads::{self, Structure, Wanted};
@@ -38,11 +39,12 @@ pub(super) trait Moving: Send + Sync {
         wanted: Wanted<'_>,
     ) -> Result<(), Facts>;
 
-    fn wheel_axis(&self) -> Option<[Vector3<f64>; 2]>;
+    /// Of a wheel by its number, as what follows.
+    fn wheel_axis(&self, wheel: usize) -> Option<[Vector3<f64>; 2]>;
 
-    fn wheel_carrier(&self) -> Option<Signal<[Vector3<f64>; 3]>>;
+    fn wheel_carrier(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 3]>>;
 
-    fn kingpin(&self) -> Option<[Vector3<f64>; 2]>;
+    fn kingpin(&self, wheel: usize) -> Option<[Vector3<f64>; 2]>;
 }
 
 /// A corner of a listing that has so many parts.
@@ -122,22 +124,37 @@ where
         loads::read(&self.corner, structure, forces, wanted)
     }
 
-    fn wheel_axis(&self) -> Option<[Vector3<f64>; 2]> {
-        self.corner.model().wheel_axis(&self.corner.points().value)
+    fn wheel_axis(&self, wheel: usize) -> Option<[Vector3<f64>; 2]> {
+        let places = self.corner.model().wheel(wheel)?.axis;
+        at(places, &self.corner.points().value)
     }
 
-    fn wheel_carrier(&self) -> Option<Signal<[Vector3<f64>; 3]>> {
-        let (model, points) = (self.corner.model(), self.corner.points());
+    fn wheel_carrier(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 3]>> {
+        let places = self.corner.model().wheel(wheel)?.carrier;
+        let points = self.corner.points();
         Some(Signal {
-            value: model.wheel_carrier(&points.value)?,
-            rate: model.wheel_carrier(&points.rate)?,
-            second_rate: model.wheel_carrier(&points.second_rate)?,
+            value: at(places, &points.value)?,
+            rate: at(places, &points.rate)?,
+            second_rate: at(places, &points.second_rate)?,
         })
     }
 
-    fn kingpin(&self) -> Option<[Vector3<f64>; 2]> {
-        self.corner.model().kingpin(&self.corner.points().value)
+    fn kingpin(&self, wheel: usize) -> Option<[Vector3<f64>; 2]> {
+        let places = self.corner.model().wheel(wheel)?.kingpin?;
+        at(places, &self.corner.points().value)
     }
+}
+
+/// The points at some places.
+fn at<P: Values<Vector3<f64>>, const COUNT: usize>(
+    places: [usize; COUNT],
+    points: &P,
+) -> Option<[Vector3<f64>; COUNT]> {
+    let mut found = [Vector3::zeros(); COUNT];
+    for (place, point) in places.into_iter().zip(&mut found) {
+        *point = points.values().nth(place)?;
+    }
+    Some(found)
 }
 
 /// The drives of a row.

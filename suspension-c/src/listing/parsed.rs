@@ -21,6 +21,7 @@ pub struct Parsed {
     points: Vec<CString>,
     drives: Vec<CString>,
     measures: Vec<CString>,
+    wheels: Vec<CString>,
     parts: Vec<CString>,
     pub(super) structure: Structure,
     lengths: Vec<CString>,
@@ -47,6 +48,7 @@ impl Parsed {
             let names = (0..count).map(|index| closed(listing.name(part(index))));
             names.collect()
         };
+        let wheels = (0..).map_while(|wheel| listing.wheel(wheel));
         Self {
             points: names(
                 &[Kind::ChassisPoint, Kind::FreePoint, Kind::Marker],
@@ -54,6 +56,7 @@ impl Parsed {
             ),
             drives: names(&[Kind::Drive], Part::Drive),
             measures: names(&[Kind::Measure], Part::Measure),
+            wheels: wheels.map(|wheel| closed(wheel.name)).collect(),
             parts: structure
                 .parts
                 .iter()
@@ -90,7 +93,8 @@ impl Parsed {
             0 => Ok(&self.points),
             1 => Ok(&self.drives),
             2 => Ok(&self.measures),
-            3 => Ok(&self.parts),
+            3 => Ok(&self.wheels),
+            4 => Ok(&self.parts),
             _ => Err(Status::Argument),
         }
     }

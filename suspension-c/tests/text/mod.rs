@@ -12,7 +12,8 @@ use suspension_c::{Create, Destroy, In, InOut, Out, Status};
 pub(crate) const POINT: i32 = 0;
 pub(crate) const DRIVE: i32 = 1;
 pub(crate) const MEASURE: i32 = 2;
-pub(crate) const PART: i32 = 3;
+pub(crate) const WHEEL: i32 = 3;
+pub(crate) const PART: i32 = 4;
 
 /// Numbers that are read.
 pub(crate) fn from<T>(numbers: &[T]) -> In<'_, T> {

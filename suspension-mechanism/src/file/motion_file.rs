@@ -114,6 +114,16 @@ impl MotionFile {
         file
     }
 
+    /// The same file with its points and offsets in other axes; what else it states stays.
+    pub fn turned(mut self, axes: Axes) -> Self {
+        let from = self.axes;
+        for position in self.points.get_mut().values_mut() {
+            let (Position::At(at) | Position::Off(Offset { offset: at, .. })) = position.get_mut();
+            *at = axes.turned(from.turned((*at).into())).into();
+        }
+        Self { axes, ..self }
+    }
+
     /// The same file with the drives' values less by what `offset` has for their names.
     pub fn driven_from<'a>(mut self, offset: impl Iterator<Item = (&'a str, f64)>) -> Self {
         for (name, offset) in offset {

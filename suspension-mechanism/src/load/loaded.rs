@@ -17,8 +17,8 @@ use crate::tune::{Move, Target};
 /// A motion file that was read. Its mechanism is prepared when it is asked for.
 #[derive(Clone, Debug)]
 pub struct Loaded<'a> {
-    source: &'a Source,
-    file: MotionFile,
+    pub(super) source: &'a Source,
+    pub(super) file: MotionFile,
     listing: Chosen,
     instants: Instants,
 }
@@ -170,7 +170,7 @@ impl Loaded<'_> {
     ///
     /// Those of [`mechanism`](Self::mechanism).
     pub fn at_first_instant(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.noted(Start::FirstInstant)
+        self.noted(self.request(Start::FirstInstant))
     }
 
     /// The same for a command that has an answer where the first instant is out of reach too: the mechanism then
@@ -180,7 +180,7 @@ impl Loaded<'_> {
     ///
     /// Those of [`at_first_instant`](Self::at_first_instant), but for the way there.
     pub fn within_reach(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.noted(Start::WithinReach)
+        self.noted(self.request(Start::WithinReach))
     }
 
     /// The same for a command that works from the design position, whatever the file's motion.
@@ -189,7 +189,7 @@ impl Loaded<'_> {
     ///
     /// Those of [`within_reach`](Self::within_reach).
     pub fn at_design(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.noted(Start::Design)
+        self.noted(self.request(Start::Design))
     }
 
     /// The same for a command that tells the mechanism's notes itself.
@@ -264,15 +264,15 @@ impl Loaded<'_> {
         tuning(self.source, &self.file, self.listing(), mechanism)
     }
 
-    fn noted(&self, to: Start) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        let mechanism = self.listing.kinematics(self.request(to))?;
+    pub(super) fn noted(&self, request: Request<'_>) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        let mechanism = self.listing.kinematics(request)?;
         for note in &mechanism.notes {
             eprintln!("note: {note}");
         }
         Ok(mechanism)
     }
 
-    fn request(&self, to: Start) -> Request<'_> {
+    pub(super) fn request(&self, to: Start) -> Request<'_> {
         Request {
             source: self.source,
             file: &self.file,

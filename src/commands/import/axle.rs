@@ -1,0 +1,97 @@
+//! An axle of both corners: the catalogue's corner and its image, and one rack where they are steered.
+
+use std::fs::remove_file;
+use std::path::{Path, PathBuf};
+
+use suspension_runtime::Listing;
+
+use super::choice::Choice;
+use super::imported::Imported;
+use crate::failure::Failure;
+use crate::output::files::write_file;
+
+/// An axle of a layout of the catalogue.
+pub(super) struct Axle {
+    /// What the motion file states.
+    pub(super) statements: String,
+    /// The listing that it includes where the catalogue's has a rack of its own, and its file.
+    pub(super) corner: Option<(PathBuf, String)>,
+}
+
+/// How the catalogue states a rack, and what moves it.
+const RACK: &str = "fixed: rack at";
+const STEER: &str = "/// Lateral position of the rack.\ndrive steer: rack.y;\n";
+
+/// The same of a rack that both corners share: its ends move across the vehicle, and stay as far apart as they are.
+const FREE_RACK: &str = "free:  rack at";
+const SHARED_RACK: &str = "\
+/// A point that the rack moves past.
+fixed: rack_housing;
+couple left_rack_x: left_rack.x = rack_housing.x;
+couple left_rack_z: left_rack.z = rack_housing.z;
+couple rack:        left_rack.y = right_rack.y;
+/// Lateral position of the rack.
+drive steer: left_rack.y;
+";
+
+impl Axle {
+    /// Of a layout, for a motion file.
+    pub(super) fn of(choice: &Choice<'_>, out: &Path) -> Self {
+        let mirrored = |what: &str| format!("mirror: left -> right;\ninclude left: {what};\n");
+        if choice.listing.drive("steer").is_none() {
+            return Self {
+                statements: mirrored(choice.linkage),
+                corner: None,
+            };
+        }
+        let name = out.file_stem().unwrap_or_default().to_string_lossy();
+        let name = format!("{name}_corner.linkage");
+        let corner = choice.text.replace(RACK, FREE_RACK).replace(STEER, "");
+        Self {
+            statements: mirrored(&format!("{name:?}")) + SHARED_RACK,
+            corner: Some((out.with_file_name(name), corner)),
+        }
+    }
+
+    /// Name, position and origin of the point that the rack moves past: in the middle of the vehicle.
+    pub(super) fn housing(&self, left: &Imported<'_>) -> Option<[String; 3]> {
+        self.corner.as_ref()?;
+        let [x, _, z] = left.at("rack")?;
+        Some([
+            "rack_housing".to_owned(),
+            format!("{:?}", [x, 0.0, z]),
+            "in the middle of the vehicle, beside the rack".to_owned(),
+        ])
+    }
+
+    /// Writes the motion file, `text` of the axle's listing, and the listing that it includes; neither where it cannot be built.
+    pub(super) fn written(
+        &self,
+        out: &Path,
+        text: impl FnOnce(&Listing) -> Result<String, Failure>,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let Some((path, corner)) = &self.corner else {
+            write_file(out, &text(&self.listing(out)?)?)?;
+            return Ok(vec![out.to_owned()]);
+        };
+        // It is there before what includes it is read.
+        write_file(path, corner)?;
+        let text = self.listing(out).and_then(|listing| text(&listing));
+        if text.is_err() {
+            // What is wrong with the axle is worth more than what is wrong with this.
+            let _ = remove_file(path);
+        }
+        write_file(out, &text?)?;
+        Ok(vec![out.to_owned(), path.clone()])
+    }
+
+    fn listing(&self, out: &Path) -> Result<Listing, Failure> {
+        let out = out.display().to_string();
+        let listing = Listing::parse_file(&self.statements, &out);
+        listing.map_err(|mistakes| {
+            Failure::Input(format!(
+                "both corners make no axle, --side left takes one of them: {mistakes}"
+            ))
+        })
+    }
+}

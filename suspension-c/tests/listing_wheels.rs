@@ -1,0 +1,152 @@
+//! Listings from text with several wheels: each of them by its number.
+#![allow(unsafe_code, reason = "it takes what C would pass")]
+
+mod text;
+
+use suspension_c::Status;
+use suspension_c::listing;
+use suspension_c::of::f64::{CarrierRotation, Kingpin, Wheel};
+use suspension_core::linkages::LISTINGS;
+use suspension_core::{Signal, Values};
+use suspension_runtime::Listing;
+use text::{DRIVE, Moving, Read, WHEEL, from, made, pushrod};
+
+/// Heights of the left and the right wheel, and the rack, off the design.
+const MOVED: [(&std::ffi::CStr, f64); 3] = [
+    (c"bump_left", 0.03),
+    (c"bump_right", -0.02),
+    (c"steer", 0.01),
+];
+
+fn axle() -> &'static str {
+    let mut listings = LISTINGS.iter();
+    let found = listings.find(|(name, _)| *name == "steered_axle");
+    found.expect("an axle").1
+}
+
+/// The axle of the catalogue, moved in half a second to rest.
+fn moved() -> (Read, Moving) {
+    let read = Read::new(axle()).expect("a listing");
+    let mut corner = read.place(&read.design()).expect("a geometry");
+    let mut drives = [0.0; 9];
+    let status = listing::corner_drives(corner.get(), text::to(&mut drives[..3]), 3);
+    assert_eq!(status, Status::Ok);
+    for (name, by) in MOVED {
+        drives[read.find(DRIVE, name).expect("a drive")] += by;
+    }
+    let none = None.into();
+    let status = listing::corner_step(corner.get_mut(), from(&drives), 9, 0.5, none, None.into());
+    assert_eq!(status, Status::Ok);
+    (read, corner)
+}
+
+/// As the corner in Rust reads them, which finds them by name.
+#[test]
+fn each_wheel_and_kingpin_is_that_of_its_name() {
+    let (read, corner) = moved();
+    let listing = Listing::parse(axle()).expect("a listing");
+    let mut expected = listing
+        .corner::<60>(&listing.design().expect("stated"))
+        .expect("a geometry");
+    let mut drives = expected.drives();
+    for (name, by) in MOVED {
+        let drive = listing
+            .drive(name.to_str().expect("UTF-8"))
+            .expect("a drive");
+        let value = drives.values().nth(drive).expect("a value");
+        drives = drives.with(drive, value + by);
+    }
+    expected.step(0.5, Signal::still(drives)).expect("a step");
+    assert_eq!(read.count(WHEEL), 2);
+    let mut cambers = Vec::new();
+    for name in [c"left", c"right"] {
+        let index = read.find(WHEEL, name).expect("a wheel");
+        let wheel: Wheel = made(|wheel| listing::corner_read_wheel_at(corner.get(), index, wheel))
+            .expect("a wheel");
+        let kingpin: Kingpin =
+            made(|kingpin| listing::corner_read_kingpin_at(corner.get(), index, kingpin))
+                .expect("a kingpin");
+        let (of_rust, kingpin_of_rust) = expected
+            .wheel_named(name.to_str().expect("UTF-8"))
+            .expect("a wheel");
+        let kingpin_of_rust = kingpin_of_rust.expect("a kingpin");
+        assert_eq!((wheel.camber, wheel.toe), (of_rust.camber, of_rust.toe));
+        assert_eq!(
+            (kingpin.angle, kingpin.caster),
+            (kingpin_of_rust.angle, kingpin_of_rust.caster)
+        );
+        cambers.push(wheel.camber);
+    }
+    assert!((cambers[0] - cambers[1]).abs() > 1e-3, "{cambers:?}");
+}
+
+/// The wheels of a mirror turn as in a mirror, from a symmetric place at opposite rates.
+#[test]
+fn each_carrier_turns_as_its_own() {
+    let read = Read::new(axle()).expect("a listing");
+    let mut corner = read.place(&read.design()).expect("a geometry");
+    let mut drives = [0.0; 9];
+    listing::corner_drives(corner.get(), text::to(&mut drives[..3]), 3);
+    let [left, right] =
+        [c"bump_left", c"bump_right"].map(|name| read.find(DRIVE, name).expect("a drive"));
+    (drives[3 + left], drives[3 + right]) = (0.1, 0.1);
+    let none = None.into();
+    let status = listing::corner_step(corner.get_mut(), from(&drives), 9, 1e-3, none, None.into());
+    assert_eq!(status, Status::Ok);
+    let omega = [0, 1].map(|wheel| {
+        let rotation: CarrierRotation =
+            made(|rotation| listing::corner_read_rotation_at(corner.get(), wheel, rotation))
+                .expect("a wheel");
+        rotation.omega
+    });
+    let [[x, y, z], [of_x, of_y, of_z]] = omega;
+    assert!(x.abs() > 1e-3, "{omega:?}");
+    for off in [x + of_x, y - of_y, z + of_z] {
+        assert!(off.abs() < 1e-12, "{omega:?}");
+    }
+}
+
+#[test]
+fn the_first_wheel_is_that_without_a_number_and_others_are_absent() {
+    for (read, corner, wheels) in [
+        {
+            let (read, corner) = moved();
+            (read, corner, 2)
+        },
+        (pushrod(), text::placed(), 1),
+    ] {
+        assert_eq!(read.count(WHEEL), wheels);
+        let first: Wheel =
+            made(|wheel| listing::corner_read_wheel(corner.get(), wheel)).expect("a wheel");
+        let same: Wheel =
+            made(|wheel| listing::corner_read_wheel_at(corner.get(), 0, wheel)).expect("a wheel");
+        assert_eq!(first.camber.to_bits(), same.camber.to_bits());
+        for index in [wheels, usize::MAX] {
+            let corner = || corner.get();
+            assert_eq!(
+                made::<Wheel>(|wheel| listing::corner_read_wheel_at(corner(), index, wheel)).err(),
+                Some(Status::Absent)
+            );
+            assert_eq!(
+                made::<Kingpin>(|kingpin| listing::corner_read_kingpin_at(
+                    corner(),
+                    index,
+                    kingpin
+                ))
+                .err(),
+                Some(Status::Absent)
+            );
+            assert_eq!(
+                made::<CarrierRotation>(|rotation| listing::corner_read_rotation_at(
+                    corner(),
+                    index,
+                    rotation
+                ))
+                .err(),
+                Some(Status::Absent)
+            );
+        }
+    }
+    assert_eq!(pushrod().find(WHEEL, c""), Ok(0));
+    assert_eq!(pushrod().find(WHEEL, c"left"), Err(Status::Absent));
+}

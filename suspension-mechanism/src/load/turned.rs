@@ -1,0 +1,42 @@
+//! The mechanism of a file in other axes than its own.
+
+use crate::failure::Failure;
+use crate::kinematics::Kinematics;
+use crate::load::loaded::Loaded;
+use crate::load::prepare::{Request, Start};
+use crate::mechanism::Axes;
+
+impl Loaded<'_> {
+    /// The same as [`at_design`](Self::at_design) in other axes: points are turned to them, and the statements mean their coordinates.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`at_design`](Self::at_design), and [`Failure::Input`] where a statement or `[design]` means something else
+    /// in other axes.
+    pub fn at_design_in(&self, axes: Axes) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        let [from, to] = [self.axes(), axes].map(Axes::signs);
+        let refuse = |what: String| {
+            let name = self.source.name();
+            Failure::Input(format!("{name}: {what}; state both files in the same axes"))
+        };
+        let names = [self.axes(), axes].map(Axes::name);
+        if let Some(statement) = self
+            .listing()
+            .bound_to_axes([0, 1, 2].map(|axis| from[axis] * to[axis]))
+        {
+            let [from, to] = names;
+            return Err(refuse(format!(
+                "`{statement}` joins coordinates of which only some change their sign from axes {from} to {to}"
+            )));
+        }
+        if self.file.design.is_some() && self.axes() != axes {
+            let [from, to] = names;
+            return Err(refuse(format!("[design] is in axes {from}, not {to}")));
+        }
+        let file = self.file.clone().turned(axes);
+        self.noted(Request {
+            file: &file,
+            ..self.request(Start::Design)
+        })
+    }
+}

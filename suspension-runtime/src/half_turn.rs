@@ -1,0 +1,82 @@
+//! What of a listing means something else in other axes.
+
+use suspension_listing::form::Form;
+use suspension_listing::system::Quantity;
+
+use crate::listing::Listing;
+
+impl Listing {
+    /// The first statement that is of another mechanism where the coordinates of all points are multiplied by `signs`: one that
+    /// joins coordinates, as a sum or along a direction, of which some change their signs and others do not.
+    pub fn bound_to_axes(&self, signs: [f64; 3]) -> Option<&str> {
+        let system = self.system();
+        let is_bound = |factors: &mut dyn Iterator<Item = (usize, f64)>| {
+            let parts = factors.filter(|(_, factor)| *factor != 0.0);
+            let mut signs = parts.filter_map(|(axis, _)| signs.get(axis));
+            let first = signs.next();
+            signs.any(|sign| Some(sign) != first)
+        };
+        let of_quantity = |quantity: &Quantity| match quantity {
+            Quantity::Sum(terms) => {
+                is_bound(&mut terms.iter().map(|term| (term.axis, term.factor)))
+            }
+            Quantity::Along { direction, .. } => {
+                is_bound(&mut direction.iter().copied().enumerate())
+            }
+            Quantity::Angle { .. } | Quantity::Between { .. } | Quantity::Length { .. } => false,
+        };
+        let equations = system
+            .equations
+            .iter()
+            .filter(|equation| match &equation.form {
+                Form::Linear(sum) => {
+                    is_bound(&mut sum.terms.iter().map(|term| (term.axis, term.factor)))
+                }
+                _ => false,
+            });
+        let equations = equations.map(|equation| &equation.origin.statement);
+        let drives = system
+            .drives
+            .iter()
+            .filter(|drive| of_quantity(&drive.quantity));
+        let measures = system
+            .measures
+            .iter()
+            .filter(|measure| of_quantity(&measure.quantity));
+        let named = drives.map(|drive| &drive.named.name);
+        let named = named.chain(measures.map(|measure| &measure.named.name));
+        named.chain(equations).next().map(|name| name.as_str())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_and_directions_across_axes_are_bound_to_them() {
+        let of = |statement: &str| {
+            let text = format!(
+                "fixed: a at [0.0, 0.0, 0.0], b at [1.0, 0.0, 0.0]; free: tip at [0.3, 0.4, 0.3], end at [0.3, 0.6, 0.3];
+                 hinge arm: a, b -> tip; link rod: tip -> end; drive turn: angle(a -> tip, z); drive low: end.z; {statement}"
+            );
+            let listing = Listing::parse(&text).unwrap();
+            let sae = listing.bound_to_axes([1.0, -1.0, -1.0]).map(str::to_owned);
+            (
+                sae,
+                listing.bound_to_axes([-1.0, -1.0, 1.0]).map(str::to_owned),
+            )
+        };
+        let side = || Some("side".to_owned());
+        assert_eq!(of("drive side: end.x;"), (None, None));
+        assert_eq!(of("drive side: end.y + 2 tip.z;"), (None, side()));
+        assert_eq!(of("drive side: end.x - end.y;"), (side(), None));
+        assert_eq!(of("couple side: end.x = tip.y;"), (side(), None));
+        assert_eq!(
+            of("drive side: end.x; measure across: tip.x + tip.z;").1,
+            Some("across".to_owned())
+        );
+        let askew = of("drive side: end.x; measure across: tip along [0.0, 1.0, 0.2];");
+        assert_eq!(askew, (None, Some("across".to_owned())));
+    }
+}

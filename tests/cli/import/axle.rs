@@ -1,0 +1,268 @@
+//! Both corners of a file, as an axle.
+
+use std::path::Path;
+
+use suspension_core::linkages::LISTINGS;
+use suspension_core::listing::{Part, Parts};
+use suspension_runtime::Listing;
+
+use super::super::program::{Rows, folder, rows, run, text};
+use super::{CORNER, import, table};
+
+/// The corner under the names of a side of Adams/Car; y as on the left, multiplied.
+fn side(prefix: &str, y: f64) -> String {
+    let points = CORNER.map(|(name, at)| (format!("{prefix}{name}"), [at[0], y * at[1], at[2]]));
+    let points = points.each_ref().map(|(name, at)| (name.as_str(), *at));
+    table(&points)
+}
+
+const ANGLES: &str = "toe_angle, 0.3\ncamber_angle, -1.2\ntire_radius, 229\n";
+
+/// Both sides, in a mirror.
+fn symmetric() -> String {
+    side("hpl_", 1.0) + &side("hpr_", -1.0) + ANGLES
+}
+
+fn swept(folder: &Path, file: &str, drives: &[&str]) -> Rows {
+    let drives = drives.iter().flat_map(|drive| ["--drive", drive]);
+    let arguments: Vec<&str> = ["sweep", file, "--csv", "-"]
+        .into_iter()
+        .chain(drives)
+        .collect();
+    let output = run(folder, &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
+
+fn assert_near(found: f64, expected: f64, what: &str) {
+    let bound = 1e-9 * expected.abs().max(1.0);
+    assert!(
+        (found - expected).abs() <= bound,
+        "{what}: {found}, not {expected}"
+    );
+}
+
+#[test]
+fn two_commands_lead_from_a_file_of_both_sides_to_the_sheet_of_the_axle() {
+    let folder = folder();
+    let path = folder.path();
+    std::fs::write(path.join("front.csv"), symmetric()).expect("written");
+    let output = run(path, &["import", "front.csv", "--axle"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(
+        text(&output.stderr).contains("wrote front.toml\nwrote front_corner.linkage\n"),
+        "{output:?}"
+    );
+    // What the file has not, and the motion file has a place for.
+    let motion = std::fs::read_to_string(path.join("front.toml")).expect("a motion file");
+    let motion = motion.replace("# wheelbase = ", "wheelbase = 1550.0 ");
+    std::fs::write(path.join("front.toml"), motion).expect("written");
+    let output = run(path, &["sheet", "front.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let page = std::fs::read_to_string(path.join("out/front_sheet.html")).expect("a page");
+    for quantity in ["track", "total toe", "Ackermann", "roll steer"] {
+        assert!(page.contains(quantity), "{quantity}");
+    }
+    // At the design position, by hand: the contact points stand below the wheel's lean.
+    let design = &swept(path, "front.toml", &["steer=0"])[0];
+    assert_near(design["total_toe_rad"], 0.6_f64.to_radians(), "total toe");
+    let lean = (-1.2_f64).to_radians().sin() * 0.3_f64.to_radians().cos();
+    assert_near(design["track_mm"], 2.0 * (610.0 - 229.0 * lean), "track");
+}
+
+/// The axle's corners on the rack that both share are the corner of the same file, on a rack of its own.
+#[test]
+fn each_side_is_the_corner_alone_and_the_rack_is_one() {
+    let folder = folder();
+    let path = folder.path();
+    import(path, "front.csv", &symmetric(), &[]);
+    let alone = swept(path, "motion.toml", &["bump=-30:30:3", "steer=-15:15:3"]);
+    import(path, "front.csv", &symmetric(), &["--axle"]);
+    let both = swept(
+        path,
+        "motion.toml",
+        &["left_bump,right_bump=-30:30:3", "steer=-15:15:3"],
+    );
+    assert_eq!((alone.len(), both.len()), (9, 9));
+    let quantities = [
+        "camber_rad",
+        "toe_rad",
+        "caster_rad",
+        "damper_mm",
+        "tie_ball_z_mm",
+        "camber_rad_per_bump",
+    ];
+    let mut compared = 0;
+    for (place, row) in both.iter().enumerate() {
+        // The rack goes to the left of one wheel, and away from the other.
+        let mirrored = place / 3 * 3 + (2 - place % 3);
+        for quantity in quantities {
+            let left = format!("left_{quantity}").replace("per_bump", "per_left_bump");
+            let right = format!("right_{quantity}").replace("per_bump", "per_right_bump");
+            let Some(expected) = alone[place].get(quantity) else {
+                continue;
+            };
+            assert_near(row[&left], *expected, &left);
+            assert_near(row[&right], alone[mirrored][quantity], &right);
+            compared += 1;
+        }
+    }
+    assert!(compared >= 9 * 4, "{compared}");
+    let racks = both
+        .iter()
+        .map(|row| row["left_rack_y"] - row["right_rack_y"]);
+    for apart in racks {
+        assert_near(apart, 380.0, "the rack's length");
+    }
+}
+
+#[test]
+fn every_corner_of_the_catalogue_makes_an_axle_within_the_limits() {
+    let folder = folder();
+    let mut made = 0;
+    for (linkage, listing) in LISTINGS {
+        let listing = Listing::parse(listing).expect("a listing");
+        if listing.point("wheel_centre").is_none() {
+            continue;
+        }
+        let points = listing.stated();
+        let points = points.map(|(point, at)| (listing.name(Part::Point(point)), at.into()));
+        let mut points: Vec<(&str, [f64; 3])> = points.collect();
+        if *linkage == "five_link" {
+            points.push(("wheel_centre", [-1.27, 0.415, 0.218]));
+        }
+        let options = ["--axle", "--linkage", linkage];
+        let imported = import(folder.path(), "own.csv", &table(&points), &options);
+        let drives = imported.motion["drives"].as_table().expect("a table");
+        let steered = listing.drive("steer").is_some();
+        assert_eq!(drives.len(), 2 + usize::from(steered), "{linkage}");
+        let (travel, _) = drives.iter().next().expect("a drive");
+        let rows = swept(
+            folder.path(),
+            "motion.toml",
+            &[&format!("{travel}=0:0.001:2")],
+        );
+        let [design, moved] = rows.as_slice() else {
+            panic!("{linkage}: {}", rows.len())
+        };
+        for row in &rows {
+            assert!(row["residual_m"] < 1e-12, "{linkage}: {row:?}");
+        }
+        assert_near(design["right_toe_rad"], design["left_toe_rad"], linkage);
+        assert_near(moved["right_toe_rad"], design["right_toe_rad"], linkage);
+        assert!(
+            moved["left_wheel_centre_z"] > design["left_wheel_centre_z"] + 1e-4
+                || *linkage == "five_link"
+        );
+        made += 1;
+    }
+    assert!(made >= 10, "{made}");
+}
+
+#[test]
+fn sides_that_are_no_mirror_images_make_an_axle_unasked() {
+    let folder = folder();
+    let file = symmetric().replace("hpr_lca_outer, -4, 560", "hpr_lca_outer, -4, 557");
+    let imported = import(folder.path(), "front.csv", &file, &[]);
+    let points = imported.points();
+    assert_eq!(points["left_lower_ball"], [4.0, 560.0, 128.0]);
+    assert_eq!(points["right_lower_ball"], [4.0, -557.0, 128.0]);
+    let said = "left and right are no mirror images, at `hpr_lca_outer` (front.csv:18) for one: both are here, as an axle; \
+                --side takes one of them";
+    assert!(imported.notes.contains(said), "{}", imported.notes);
+    // A side that is asked for is a corner still.
+    let imported = import(folder.path(), "front.csv", &file, &["--side", "right"]);
+    assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
+    assert_eq!(imported.points()["lower_ball"], [4.0, -557.0, 128.0]);
+}
+
+#[test]
+fn of_mirror_images_the_left_one_is_taken_and_the_axle_offered() {
+    let folder = folder();
+    let imported = import(folder.path(), "front.csv", &symmetric(), &[]);
+    assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
+    let said = "the right corner is the mirror image of the left one; --axle makes an axle of both";
+    assert!(imported.notes.contains(said), "{}", imported.notes);
+    let imported = import(folder.path(), "front.csv", &side("hpl_", 1.0), &[]);
+    assert!(!imported.notes.contains("--axle"), "{}", imported.notes);
+}
+
+/// The middle of an anti-roll bar is one point in the file, of no side.
+#[test]
+fn a_bar_of_both_sides_is_halved() {
+    let folder = folder();
+    let bar = [
+        ("arb_bend", [120.0, -200.0, 130.0]),
+        ("droplink_to_arb", [60.0, -205.0, 140.0]),
+        ("droplink_to_bellcrank", [15.0, -240.0, 420.0]),
+    ];
+    let of = |prefix: &str, y: f64| {
+        bar.map(|(name, [x, at, z])| format!("{prefix}{name}, {x}, {}, {z}\n", y * at))
+            .concat()
+    };
+    let file = symmetric() + &of("hpl_", 1.0) + &of("hpr_", -1.0) + "hps_arb_middle, 120, 0, 130\n";
+    let imported = import(folder.path(), "front.csv", &file, &["--axle"]);
+    let points = imported.points();
+    assert_eq!(points["left_bar_inner"], [-120.0, 100.0, 130.0]);
+    assert_eq!(points["right_bar_inner"], [-120.0, -100.0, 130.0]);
+    let output = run(folder.path(), &["sheet", "motion.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+}
+
+#[test]
+fn what_is_no_corner_is_no_axle() {
+    let folder = folder();
+    let path = folder.path();
+    let listing = LISTINGS
+        .iter()
+        .find(|(name, _)| *name == "twist_beam")
+        .expect("a listing");
+    let listing = Listing::parse(listing.1).expect("a listing");
+    let points = listing.stated();
+    let points = points.map(|(point, at)| (listing.name(Part::Point(point)), at.into()));
+    let beam = table(&points.collect::<Vec<_>>());
+    for (file, options, expected) in [
+        (
+            beam,
+            &["--axle"][..],
+            "a.csv: --axle is for corners; twist_beam has both sides",
+        ),
+        (
+            symmetric(),
+            &["--axle", "--side", "left"],
+            "cannot be used with",
+        ),
+    ] {
+        std::fs::write(path.join("a.csv"), file).expect("written");
+        let output = run(path, &[&["import", "a.csv"], options].concat());
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(text(&output.stderr).contains(expected), "{output:?}");
+    }
+    std::fs::write(path.join("a_corner.linkage"), "mine").expect("written");
+    let output = run(path, &["import", "a.csv", "--axle"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(
+        text(&output.stderr).contains("a_corner.linkage: exists already; --out a.toml replaces it"),
+        "{output:?}"
+    );
+    assert!(!path.join("a.toml").exists());
+}
+
+/// A listing that was written for an axle which then cannot be built does not stay behind.
+#[test]
+fn what_cannot_be_built_leaves_no_file_behind() {
+    let folder = folder();
+    let path = folder.path();
+    let file = symmetric().replace(
+        "tierod_inner, -72, -190, 152",
+        "tierod_inner, -68, -552, 166",
+    );
+    std::fs::write(path.join("a.csv"), file).expect("written");
+    let output = run(path, &["import", "a.csv", "--axle"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(
+        text(&output.stderr).contains("is in the same place as point"),
+        "{output:?}"
+    );
+    assert!(!path.join("a.toml").exists() && !path.join("a_corner.linkage").exists());
+}
