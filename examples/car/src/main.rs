@@ -1,0 +1,3 @@
+//! Drives the car.
+
+fn main() {}
