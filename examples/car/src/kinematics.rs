@@ -1,14 +1,16 @@
 //! How a wheel moves on the chassis, whatever computes it.
 
+mod baked;
 mod constant;
 mod hub;
 mod solved;
 
 use std::fmt;
 
-use suspension_core::Signal;
 use suspension_core::error::Cause;
+use suspension_core::{Build, Signal, Values};
 
+pub use baked::Baked;
 pub use constant::Constant;
 pub use hub::{Hub, PerTravel};
 pub use solved::{Solved, bounded, exact};
@@ -63,3 +65,12 @@ impl fmt::Display for Refused {
 }
 
 impl std::error::Error for Refused {}
+
+/// Bump and, where there is one, the rack's place in the design.
+fn design_of<L: Build<N, Scalar = f64>, const N: usize>(model: &L, points: &L::Points) -> [f64; 2] {
+    let mut values = [0.0; 2];
+    for (value, drive) in values.iter_mut().zip(model.drives_at(points).values()) {
+        *value = drive;
+    }
+    values
+}

@@ -1,13 +1,13 @@
 //! Kinematics from the linkage's equations, to rounding or at a fixed cost: the stepper and its numbers decide.
 
 use suspension_core::directions::Directions;
-use suspension_core::error::Explain;
+use suspension_core::error::{Cause, Explain};
 use suspension_core::linkage::{Designed, Values};
 use suspension_core::{
     Bounded, Build, GeometryError, Inputs, Linkage, Listing, Motion, Real, Signal, Stepper, Tracker,
 };
 
-use super::{Drives, Hub, Kinematics, Refused, Why};
+use super::{Drives, Hub, Kinematics, Refused, Why, design_of};
 
 /// A linkage that is solved in each tick.
 #[derive(Clone, Copy)]
@@ -57,15 +57,6 @@ where
     })
 }
 
-/// Bump and, where there is one, the rack's place in the design.
-fn design_of<L: Build<N, Scalar = f64>, const N: usize>(model: &L, points: &L::Points) -> [f64; 2] {
-    let mut values = [0.0; 2];
-    for (value, drive) in values.iter_mut().zip(model.drives_at(points).values()) {
-        *value = drive;
-    }
-    values
-}
-
 impl<T, S, L, const N: usize> Kinematics for Solved<S, L, N>
 where
     T: Real + Into<f64>,
@@ -91,7 +82,6 @@ where
         let per_travel = Directions::new(&self.model, inputs.drives.value, &self.motion.position)
             .and_then(|directions| directions.points(of([1.0, 0.0])))
             .map_err(|error| refused(error.facts().cause))?;
-        Hub::of(&self.model, &points, &per_travel)
-            .ok_or(refused(suspension_core::error::Cause::Overflow))
+        Hub::of(&self.model, &points, &per_travel).ok_or(refused(Cause::Overflow))
     }
 }
