@@ -45,12 +45,23 @@ impl Detail {
             Self::Exact => Box::new(exact::<rear::Model<f64>, _>()?),
             Self::Bounded if is_front => Box::new(bounded::<front::Listing, _>()?),
             Self::Bounded => Box::new(bounded::<rear::Listing, _>()?),
-            Self::Baked if is_front => Box::new(Baked::<_, front::Model<f64>, _, _>::new(
-                tables::front::FRONT_POINTS_BY_BUMP_AND_STEER,
-            )?),
-            Self::Baked => Box::new(Baked::<_, rear::Model<f64>, _, _>::new(
-                tables::rear::REAR_POINTS_BY_BUMP,
-            )?),
+            Self::Baked if is_front => {
+                let corner = front::Corner::<f64>::design()?;
+                let front::Drives { bump, steer } = corner.drives();
+                Box::new(Baked {
+                    table: tables::FRONT,
+                    design: [bump, steer],
+                    strut_upper: corner.points().value.strut_upper,
+                })
+            }
+            Self::Baked => {
+                let corner = rear::Corner::<f64>::design()?;
+                Box::new(Baked {
+                    table: tables::REAR,
+                    design: [corner.drives().bump, 0.0],
+                    strut_upper: corner.points().value.strut_upper,
+                })
+            }
             Self::Constant => Box::new(Constant::of(&mut *Self::Exact.corner(axle)?)?),
         })
     }

@@ -7,12 +7,12 @@ mod solved;
 
 use std::fmt;
 
+use suspension_core::Signal;
 use suspension_core::error::Cause;
-use suspension_core::{Build, Signal, Values};
 
-pub use baked::Baked;
+pub use baked::{Baked, COORDINATES, Table};
 pub use constant::Constant;
-pub use hub::{Hub, PerTravel};
+pub use hub::{Hub, Marks, PerTravel};
 pub use solved::{Solved, bounded, exact};
 
 /// What a left corner's wheel follows, changes from the design in m: of the wheel centre's height, and of the rack's place
@@ -65,12 +65,3 @@ impl fmt::Display for Refused {
 }
 
 impl std::error::Error for Refused {}
-
-/// Bump and, where there is one, the rack's place in the design.
-fn design_of<L: Build<N, Scalar = f64>, const N: usize>(model: &L, points: &L::Points) -> [f64; 2] {
-    let mut values = [0.0; 2];
-    for (value, drive) in values.iter_mut().zip(model.drives_at(points).values()) {
-        *value = drive;
-    }
-    values
-}

@@ -1,11 +1,10 @@
 //! What the equations of motion take of a corner.
 
 use nalgebra::Vector3;
-use suspension_core::body::angular_velocity;
 use suspension_core::{Linkage, Real, Signal, Values};
 
-/// The wheel carrier's motion on the chassis, in chassis axes from the corner's origin, as it is with the rates of the drives.
-/// Second rates leave out what a second rate of travel adds: that is `per_travel` times it.
+/// The wheel carrier's motion on the chassis, in chassis axes, as it is with the rates of the drives. Second rates leave out what a
+/// second rate of travel adds: that is `per_travel` times it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hub {
     /// Wheel centre, m.
@@ -31,9 +30,33 @@ pub struct PerTravel {
     pub strut: f64,
 }
 
+/// Points of a left wheel carrier: the wheel centre, one inboard of it on the spin axis, one beside that axis; positions, or rates.
+pub type Marks = [Vector3<f64>; 3];
+
 impl Hub {
-    /// From the points of a left corner with their rates, and their derivatives per travel; `None` where the listing has no
-    /// wheel or measures nothing.
+    /// From the motion of the marks and the strut's length and rate; then from the rates of both per travel.
+    pub fn new(
+        marks: &Signal<Marks>,
+        strut: [f64; 2],
+        marks_per_travel: &Marks,
+        strut_per_travel: f64,
+    ) -> Self {
+        let [centre, inner, _] = marks.value;
+        Self {
+            centre: marks.map(|[centre, ..]| *centre),
+            axis: (centre - inner).normalize(),
+            turning: angular_velocity(&marks.value, &marks.rate),
+            strut,
+            per_travel: PerTravel {
+                centre: marks_per_travel[0],
+                turn: angular_velocity(&marks.value, marks_per_travel),
+                strut: strut_per_travel,
+            },
+        }
+    }
+
+    /// From all points of a linkage with their rates, and their derivatives per travel; `None` where the listing has no wheel or
+    /// measures nothing.
     pub fn of<T, L, const N: usize>(
         model: &L,
         points: &Signal<L::Points>,
@@ -43,32 +66,24 @@ impl Hub {
         T: Real + Into<f64>,
         L: Linkage<N, Scalar = T>,
     {
-        let wide = |vector: Vector3<T>| vector.map(Into::into);
-        let end = |of: &L::Points| Some(wide(model.wheel_axis(of)?[1]));
-        let [inner, centre] = model.wheel_axis(&points.value)?.map(wide);
-        let carrier = model.wheel_carrier(&points.value)?.map(wide);
-        let turning =
-            |rates: &L::Points| angular_velocity(&carrier, &model.wheel_carrier(rates)?.map(wide));
-        let strut = |motion: &Signal<L::Points>| {
-            let length = model.measures(motion);
-            let first = |of: &L::Measures| of.values().next().map(Into::into);
-            Some([first(&length.value)?, first(&length.rate)?])
+        let marks = |of: &L::Points| -> Option<Marks> {
+            let [inner, centre] = model.wheel_axis(of)?;
+            let [beside, ..] = model.wheel_carrier(of)?;
+            Some([centre, inner, beside].map(|mark| mark.map(Into::into)))
         };
-        Some(Self {
-            centre: Signal {
-                value: centre,
-                rate: end(&points.rate)?,
-                second_rate: end(&points.second_rate)?,
-            },
-            axis: (centre - inner).normalize(),
-            turning: turning(&points.rate)?,
-            strut: strut(points)?,
-            per_travel: PerTravel {
-                centre: end(&per_travel.rate)?,
-                turn: turning(&per_travel.rate)?,
-                strut: strut(per_travel)?[1],
-            },
-        })
+        let motion = Signal {
+            value: marks(&points.value)?,
+            rate: marks(&points.rate)?,
+            second_rate: marks(&points.second_rate)?,
+        };
+        let first = |measures: L::Measures| Some(measures.values().next()?.into());
+        let [strut, by_travel] = [points, per_travel].map(|points| model.measures(points));
+        Some(Self::new(
+            &motion,
+            [first(strut.value)?, first(strut.rate)?],
+            &marks(&per_travel.rate)?,
+            first(by_travel.rate)?,
+        ))
     }
 
     /// The same corner on the right: its image in the plane y = 0. The travel is the left one's, the rack's is the opposite.
@@ -88,4 +103,14 @@ impl Hub {
             },
         }
     }
+}
+
+/// `a x a'` of the axis, and about it what the mark beside it adds.
+fn angular_velocity(marks: &Marks, rates: &Marks) -> Vector3<f64> {
+    let edges = |[centre, inner, beside]: &Marks| [centre - inner, beside - centre];
+    let ([along, beside], [along_rate, beside_rate]) = (edges(marks), edges(rates));
+    let across = along.cross(&along_rate) / along.norm_squared();
+    let about = along.cross(&beside);
+    let rest = about.dot(&(beside_rate - across.cross(&beside)));
+    across + along * (rest / about.norm_squared())
 }

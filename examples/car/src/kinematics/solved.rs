@@ -7,7 +7,7 @@ use suspension_core::{
     Bounded, Build, GeometryError, Inputs, Linkage, Listing, Motion, Real, Signal, Stepper, Tracker,
 };
 
-use super::{Drives, Hub, Kinematics, Refused, Why, design_of};
+use super::{Drives, Hub, Kinematics, Refused, Why};
 
 /// A linkage that is solved in each tick.
 #[derive(Clone, Copy)]
@@ -55,6 +55,15 @@ where
         motion: Motion::at_rest(model.unknowns(&points).map(|x| x as f32)),
         model: G::rounded(&model),
     })
+}
+
+/// Bump and, where there is one, the rack's place in the design.
+fn design_of<L: Build<N, Scalar = f64>, const N: usize>(model: &L, points: &L::Points) -> [f64; 2] {
+    let mut values = [0.0; 2];
+    for (value, drive) in values.iter_mut().zip(model.drives_at(points).values()) {
+        *value = drive;
+    }
+    values
 }
 
 impl<T, S, L, const N: usize> Kinematics for Solved<S, L, N>

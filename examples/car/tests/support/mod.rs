@@ -20,7 +20,7 @@ where
     let frequencies = eigen
         .eigenvalues
         .iter()
-        .map(|square| square.sqrt() / std::f64::consts::TAU);
+        .map(|square| square.max(0.0).sqrt() / std::f64::consts::TAU);
     let mut modes: Vec<_> = frequencies.zip(shapes).collect();
     modes.sort_by(|a, b| a.0.total_cmp(&b.0));
     modes

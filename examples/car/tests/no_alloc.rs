@@ -1,0 +1,29 @@
+//! A tick does not allocate, whatever the detail, nor does a refusal.
+
+#[path = "../../../tests/counting/mod.rs"]
+mod counting;
+
+use counting::{Counting, allocations};
+use suspension_car::car::{Car, Controls};
+use suspension_car::detail::Detail;
+use suspension_car::road::Road;
+use suspension_car::saloon::SALOON;
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+#[test]
+fn a_tick_does_not_allocate() {
+    for detail in Detail::ALL {
+        let mut car = Car::new(&SALOON, detail).expect("the design").rolling(20.0);
+        let before = allocations();
+        for _ in 0..1_000 {
+            let driven = car.tick(1e-3, &Road::Bumpy(0.02), &Controls::default());
+            assert!(driven.is_ok());
+        }
+        car.corners[0].travel = 3.0;
+        let refused = car.tick(1e-3, &Road::Flat, &Controls::default()).is_err();
+        assert_eq!(allocations(), before, "{} allocates", detail.name());
+        assert_eq!(refused, detail != Detail::Constant);
+    }
+}
