@@ -80,7 +80,7 @@ impl Car {
     ///
     /// Those of the kinematics; chassis and wheels then stay where they were.
     pub fn tick(&mut self, dt: f64, road: &Road, controls: &Controls) -> Result<(), Refused> {
-        self.look(dt, &controls.rack)?;
+        self.look(dt, controls)?;
         let frame = self.touch(dt, road);
         self.advance(dt, &frame, controls);
         Ok(())
@@ -91,10 +91,9 @@ impl Car {
     /// # Errors
     ///
     /// Those of the kinematics.
-    pub fn look(&mut self, dt: f64, rack: &Signal<f64>) -> Result<(), Refused> {
-        let straight = Signal::default();
+    pub fn look(&mut self, dt: f64, controls: &Controls) -> Result<(), Refused> {
         for (place, corner) in self.corners.iter_mut().enumerate() {
-            corner.look(dt, if place < 2 { rack } else { &straight })?;
+            corner.look(dt, &controls.rack_of(place))?;
         }
         Ok(())
     }
@@ -148,6 +147,15 @@ impl Car {
 }
 
 impl Controls {
+    /// The rack that a corner sees: those behind have none.
+    pub fn rack_of(&self, place: usize) -> Signal<f64> {
+        if place < 2 {
+            self.rack
+        } else {
+            Signal::default()
+        }
+    }
+
     fn torque(&self, place: usize) -> Torque {
         Torque {
             drive: if place < 2 { 0.0 } else { self.drive },

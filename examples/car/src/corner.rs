@@ -112,19 +112,8 @@ impl Corner {
     ///
     /// Those of the kinematics.
     pub fn look(&mut self, dt: f64, rack: &Signal<f64>) -> Result<(), Refused> {
-        let to_left = if self.on_the_right { -1.0 } else { 1.0 };
-        let drives = |travel, rack: f64| Drives {
-            travel,
-            rack: rack * to_left,
-        };
-        let hub = self.kinematics.step(
-            dt,
-            &Signal {
-                value: drives(self.travel, rack.value),
-                rate: drives(self.travel_rate, rack.rate),
-                second_rate: drives(0.0, rack.second_rate),
-            },
-        )?;
+        let drives = self.drives(rack);
+        let hub = self.kinematics.step(dt, &drives)?;
         self.hub = if self.on_the_right {
             hub.mirrored()
         } else {
@@ -132,6 +121,29 @@ impl Corner {
         };
         self.hub.centre.value += self.origin;
         Ok(())
+    }
+
+    /// What the kinematics of the left corner follow.
+    pub fn drives(&self, rack: &Signal<f64>) -> Signal<Drives> {
+        let to_left = if self.on_the_right { -1.0 } else { 1.0 };
+        let drives = |travel, rack: f64| Drives {
+            travel,
+            rack: rack * to_left,
+        };
+        Signal {
+            value: drives(self.travel, rack.value),
+            rate: drives(self.travel_rate, rack.rate),
+            second_rate: drives(0.0, rack.second_rate),
+        }
+    }
+
+    /// The spin axis away from the car, in chassis axes.
+    pub fn outboard(&self) -> Vector3<f64> {
+        if self.on_the_right {
+            -self.hub.axis
+        } else {
+            self.hub.axis
+        }
     }
 
     /// The tyre on the road below the wheel; the slip goes on by `dt`.

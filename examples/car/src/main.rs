@@ -1,54 +1,98 @@
-//! Drives the car.
+//! Drives the car, compares details, and times a scene of sixteen cars.
 
-use suspension_car::{car::Car, detail::Detail, driver::Driver, road::Road, saloon::SALOON};
+use std::error::Error;
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::Instant;
 
-fn main() {
-    for detail in Detail::ALL {
-        let mut car = Car::new(&SALOON, detail).expect("the design").rolling(20.0);
-        let driver = Driver {
-            speed: 20.0,
-            rack: 0.006,
-            from: 1.0,
-            ramp: 0.3,
-            hold: 2.0,
-        };
-        let mut look = std::time::Duration::ZERO;
-        let mut touch = std::time::Duration::ZERO;
-        let mut advance = std::time::Duration::ZERO;
-        for tick in 0..10_000 {
-            let road = if tick < 5000 {
-                Road::Flat
-            } else {
-                Road::Bumpy(0.02)
-            };
-            let controls = driver.controls(tick as f64 * 1e-3, &car);
-            if tick % 1000 == 0 {
-                println!(
-                    "{tick} {:.3?} {:.3?} rack {:.4} loads {:.0?} travel {:.4?}",
-                    car.chassis.position.as_slice(),
-                    car.chassis.frame().velocity.as_slice(),
-                    controls.rack.value,
-                    car.corners.each_ref().map(|c| c.ground.load),
-                    car.corners.each_ref().map(|c| c.travel)
-                );
-            }
-            let a = std::time::Instant::now();
-            car.look(1e-3, &controls.rack).expect("ok");
-            let b = std::time::Instant::now();
-            let frame = car.touch(1e-3, &road);
-            let c = std::time::Instant::now();
-            car.advance(1e-3, &frame, &controls);
-            let d = std::time::Instant::now();
-            look += b - a;
-            touch += c - b;
-            advance += d - c;
+use suspension_car::compare;
+use suspension_car::detail::Detail;
+use suspension_car::drive::{self, TICK};
+use suspension_car::plot;
+use suspension_car::record::{self, CORNERS, Row};
+use suspension_car::scene;
+
+const USAGE: &str = "\
+usage: suspension-car                drives ten seconds: a table, out/car.csv, out/car.svg
+       suspension-car --minutes 10   drives on, and tells how a tick's time is spent
+       suspension-car detail         each detail's time against its error: a table, out/car_detail.svg
+       suspension-car scene          sixteen cars at mixed detail";
+
+fn main() -> ExitCode {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let done = match *words {
+        [] => show(),
+        ["--minutes", minutes] => match minutes.parse() {
+            Ok(minutes) => long(minutes),
+            Err(_) => Err(format!("--minutes takes a number, not {minutes}").into()),
+        },
+        ["detail"] => compare::run(Path::new("out/car_detail.svg")),
+        ["scene"] => scene::run(),
+        _ => {
+            eprintln!("{USAGE}");
+            return ExitCode::from(2);
         }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Ten seconds, shown.
+fn show() -> Result<(), Box<dyn Error>> {
+    let mut car = drive::start(Detail::Exact)?;
+    let mut rows = Vec::new();
+    drive::drive(&mut car, 10.0, TICK, |time, car, controls| {
+        rows.push(Row::of(time, car, controls));
+    })?;
+    println!("time   x       y      speed  roll   yaw rate  load in N, travel in mm");
+    println!(
+        "s      m       m      m/s    deg    deg/s     {}",
+        CORNERS.join("   ")
+    );
+    for row in rows.iter().step_by(500) {
+        let [x, y, _] = row.position;
+        let [roll, yaw_rate] = [row.angles[0], row.yaw_rate].map(f64::to_degrees);
+        print!(
+            "{:<5.1} {x:6.1} {y:7.2} {:7.2} {roll:6.2} {yaw_rate:8.2}  ",
+            row.time, row.speed
+        );
+        for (load, travel) in row.load.iter().zip(row.travel) {
+            print!("{load:7.0} {:5.1}", 1e3 * travel);
+        }
+        println!();
+    }
+    std::fs::create_dir_all("out")?;
+    record::write(&rows, Path::new("out/car.csv"))?;
+    let title = "A step of steering, then bumps, at 20 m/s";
+    plot::draw(title, &record::panels(&rows), Path::new("out/car.svg"))?;
+    println!("wrote out/car.csv and out/car.svg");
+    Ok(())
+}
+
+/// Minutes, timed.
+fn long(minutes: f64) -> Result<(), Box<dyn Error>> {
+    println!("median times of a tick, {minutes} minutes at 1 kHz");
+    println!("                 kinematics  tyres, road  equations of motion  sum       elapsed");
+    for detail in Detail::ALL {
+        let mut car = drive::start(detail)?;
+        let began = Instant::now();
+        let parts = drive::drive(&mut car, 60.0 * minutes, TICK, |_, _, _| {})?;
         println!(
-            "{} {:?} {:?} {:?}",
+            "{:<16} {:>8.2?}    {:>8.2?}     {:>8.2?}             {:>8.2?}  {:.1?}",
             detail.name(),
-            look / 10_000,
-            touch / 10_000,
-            advance / 10_000
+            parts.kinematics,
+            parts.tyres,
+            parts.motion,
+            parts.sum(),
+            began.elapsed()
         );
     }
+    println!("no refusal");
+    Ok(())
 }

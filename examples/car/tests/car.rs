@@ -8,6 +8,10 @@ use suspension_car::road::Road;
 use suspension_car::saloon::SALOON;
 
 const DT: f64 = 1e-3;
+const BUMPS: Road = Road::Bumpy {
+    size: 0.02,
+    from: 0.0,
+};
 
 fn rolling() -> Car {
     Car::new(&SALOON, Detail::Exact)
@@ -57,7 +61,7 @@ fn energy_error(dt: f64) -> f64 {
                 ..Controls::default()
             }
         };
-        car.look(dt, &controls.rack).expect("a motion");
+        car.look(dt, &controls).expect("a motion");
         let frame = car.touch(dt, &Road::Flat);
         let energy = car.energy(&frame);
         worst = worst.max((energy - *start.get_or_insert(energy) - came_in).abs());
@@ -70,7 +74,6 @@ fn energy_error(dt: f64) -> f64 {
 #[test]
 fn energy_closes_at_the_order_of_the_integrator() {
     let errors = [1e-3, 5e-4, 2.5e-4].map(energy_error);
-    println!("{errors:.2?} J");
     for pair in errors.windows(2) {
         let ratio = pair[0] / pair[1];
         assert!((1.8..2.2).contains(&ratio), "{errors:?} J");
@@ -139,7 +142,7 @@ fn half_a_minute_of_bumps_and_turns_is_driven_without_a_refusal() {
         let mut car = Car::new(&SALOON, detail).expect("the design").rolling(20.0);
         for tick in 0..30_000 {
             let controls = driver.controls(f64::from(tick) * DT, &car);
-            if let Err(refused) = car.tick(DT, &Road::Bumpy(0.02), &controls) {
+            if let Err(refused) = car.tick(DT, &BUMPS, &controls) {
                 panic!("{} at {tick} ms: {refused}", detail.name());
             }
         }

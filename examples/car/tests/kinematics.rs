@@ -8,9 +8,15 @@ use suspension_car::kinematics::{Drives, Hub};
 use suspension_car::linkages::{front, rear};
 use suspension_car::road::Road;
 use suspension_car::saloon::SALOON;
+
 use suspension_car::tables;
 use suspension_core::Signal;
 use suspension_core::body::angular_velocity;
+
+const BUMPS: Road = Road::Bumpy {
+    size: 0.02,
+    from: 0.0,
+};
 
 /// Wheel centre, a point inboard on the axis, and the strut's length.
 struct Cold {
@@ -80,8 +86,7 @@ fn each_tick_has_the_motion_of_a_cold_solve() {
     for tick in 0..2_000 {
         let controls = driver.controls(f64::from(tick) * DT, &car);
         let travels = car.corners.each_ref().map(|corner| corner.travel);
-        car.tick(DT, &Road::Bumpy(0.02), &controls)
-            .expect("a motion");
+        car.tick(DT, &BUMPS, &controls).expect("a motion");
         if tick % 50 != 0 {
             continue;
         }
@@ -173,7 +178,6 @@ fn details_are_as_good_as_they_say() {
             (Detail::Baked, [1e-5, 4e-4, 4e-4]),
         ] {
             let found = off(detail, axle, 1.0);
-            println!("{} {found:?}", detail.name());
             assert!(
                 found
                     .iter()
@@ -185,7 +189,6 @@ fn details_are_as_good_as_they_say() {
         }
         let [coarse, fine] = [1.0, 0.5].map(|size| off(Detail::Constant, axle, size));
         let ratio = coarse[0] / fine[0];
-        println!("{coarse:?}");
         assert!(
             (3.0..5.0).contains(&ratio),
             "of second order: {coarse:?} {fine:?}"
