@@ -87,7 +87,7 @@ impl Chassis {
         self.turning += angular * dt;
         self.position += self.velocity * dt;
         self.attitude *= UnitQuaternion::from_scaled_axis(self.turning * dt);
-        // Rounding alone would take minutes to be seen; that costs less than to think about it.
+        // Each product of quaternions rounds the length.
         self.attitude.renormalize_fast();
     }
 

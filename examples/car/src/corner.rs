@@ -1,20 +1,21 @@
-//! A corner of the car: wheel, tyre and strut on the hub's motion, and what they do to the equations of motion.
-//!
-//! Kane's equations with the speeds of the chassis, the rate of travel and the wheel's angular velocity about its axis. The unsprung
-//! mass is in the wheel centre. The wheel's moment of inertia is the one about its axis, so that its spin stands in an equation of its own
-//! and loads the carrier with the gyroscopic moment `-I spin (turning x axis)`.
+//! A corner of the car: wheel, tyre and strut on the hub's motion.
 
-use nalgebra::{Matrix3, Vector2, Vector3, Vector6};
+mod energy;
+mod motion;
+
+use nalgebra::{Vector2, Vector3};
 use suspension_core::Signal;
 
-use crate::chassis::{Equations, Frame, both};
+use crate::chassis::Frame;
 use crate::contact::Contact;
 use crate::equilibrium;
 use crate::kinematics::{Drives, Hub, Kinematics, Refused};
 use crate::road::Road;
-use crate::saloon::{Axle, GRAVITY, Parameters};
+use crate::saloon::{Axle, Parameters};
 use crate::strut::Strut;
 use crate::tyre::Tyre;
+
+pub use motion::Eliminated;
 
 /// A corner.
 pub struct Corner {
@@ -61,15 +62,6 @@ pub struct Torque {
     pub drive: f64,
     /// What a brake on the carrier takes at most.
     pub brake: f64,
-}
-
-/// A corner's travel, eliminated from the equations of motion: `inertia b'' + coupling . a = force`.
-#[derive(Clone, Copy, Debug)]
-pub struct Eliminated {
-    inertia: f64,
-    coupling: Vector6<f64>,
-    force: f64,
-    spin_rate: f64,
 }
 
 impl Corner {
@@ -185,88 +177,6 @@ impl Corner {
         self.ground.force += contact.ahead * force.x + contact.left * force.y;
     }
 
-    /// Adds the corner to the chassis' equations, its travel eliminated; `bar` is what the anti-roll bar does to the travel, N.
-    pub fn add_to(
-        &self,
-        equations: &mut Equations,
-        frame: &Frame,
-        torque: &Torque,
-        bar: f64,
-        dt: f64,
-    ) -> Eliminated {
-        let Hub {
-            centre,
-            axis,
-            per_travel,
-            strut,
-            ..
-        } = self.hub;
-        let Ground {
-            contact,
-            force: ground,
-            carrier,
-            ..
-        } = self.ground;
-        let turning = frame.turning;
-        let convective =
-            turning.cross(&(turning.cross(&centre.value) + centre.rate * 2.0)) + centre.second_rate;
-        let mass = self.unsprung_mass;
-        let force = ground + (frame.gravity - convective) * mass;
-
-        let of_ground = contact.arm.cross(&ground);
-        let spinning = of_ground.dot(&axis);
-        let gyroscopic = carrier.cross(&axis) * (-self.spin_inertia * self.spin);
-        let brake = self.brake(torque, dt);
-        let moment = of_ground - axis * (spinning - brake) + gyroscopic;
-
-        let arm = centre.value.cross_matrix();
-        equations.mass += point_mass(mass, &arm);
-        equations.force += both(&force, &(arm * force + moment - axis * torque.drive));
-        let row = Eliminated {
-            inertia: mass * per_travel.centre.norm_squared(),
-            coupling: both(&per_travel.centre, &(arm * per_travel.centre)) * mass,
-            force: per_travel.centre.dot(&force)
-                + per_travel.turn.dot(&moment)
-                + per_travel.strut * self.strut.force(strut)
-                + self.strut.stop_force(self.travel)
-                + bar,
-            spin_rate: (spinning + torque.drive - brake) / self.spin_inertia,
-        };
-        equations.mass -= row.coupling * row.coupling.transpose() / row.inertia;
-        equations.force -= row.coupling * (row.force / row.inertia);
-        row
-    }
-
-    /// Semi-implicit Euler, under the chassis' accelerations.
-    pub fn advance(&mut self, row: &Eliminated, chassis: &Vector6<f64>, dt: f64) {
-        self.travel_rate += (row.force - row.coupling.dot(chassis)) / row.inertia * dt;
-        self.travel += self.travel_rate * dt;
-        self.spin += row.spin_rate * dt;
-    }
-
-    /// Kinetic and stored energy, J, as of the last look and touch. The height of the chassis is that of the frame.
-    pub fn energy(&self, frame: &Frame) -> f64 {
-        let Hub { centre, strut, .. } = self.hub;
-        let height = (frame.position + frame.rotation * centre.value).z;
-        let deflection = self.ground.contact.deflection.max(0.0);
-        0.5 * self.unsprung_mass * self.ground.centre_velocity.norm_squared()
-            + 0.5 * self.spin_inertia * self.spin * self.spin
-            + self.unsprung_mass * GRAVITY * height
-            + self.strut.energy(strut[0], self.travel)
-            + 0.5 * self.tyre.stiffness * deflection * deflection
-    }
-
-    /// What comes in by the shaft less what brake, damper and tyre take, W. The road is at rest and flat, and so is the rack.
-    pub fn power(&self, frame: &Frame, torque: &Torque, dt: f64) -> f64 {
-        let Ground { contact, force, .. } = self.ground;
-        let tread = self.tread_velocity();
-        let deflection = contact.deflection;
-        let stored = contact.along_normal(self.tyre.stiffness * deflection.max(0.0));
-        let shaft = self.spin - self.hub.axis.dot(&frame.turning);
-        self.strut.power(self.hub.strut[1]) + (force - stored).dot(&tread) + torque.drive * shaft
-            - self.brake(torque, dt) * self.rolling()
-    }
-
     /// The brake's moment: what would stop the wheel in one step, if it can.
     fn brake(&self, torque: &Torque, dt: f64) -> f64 {
         (self.rolling() * self.spin_inertia / dt).clamp(-torque.brake, torque.brake)
@@ -298,18 +208,4 @@ impl Ground {
             carrier: Vector3::zeros(),
         }
     }
-}
-
-/// The mass matrix of a mass at the end of an arm, given the matrix of the arm's cross product.
-fn point_mass(mass: f64, arm: &Matrix3<f64>) -> nalgebra::Matrix6<f64> {
-    let mut matrix = nalgebra::Matrix6::zeros();
-    matrix.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(mass);
-    matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&(arm * mass));
-    matrix
-        .fixed_view_mut::<3, 3>(0, 3)
-        .copy_from(&(arm * -mass));
-    matrix
-        .fixed_view_mut::<3, 3>(3, 3)
-        .copy_from(&(arm * arm * -mass));
-    matrix
 }

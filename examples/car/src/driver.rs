@@ -39,17 +39,19 @@ impl Driver {
 
     /// Each turn is half a cosine wave, so that rates and second rates are known.
     fn rack_at(&self, time: f64) -> Signal<f64> {
-        let (elapsed, period) = (time - self.from, self.ramp + self.hold);
-        if elapsed < 0.0 {
+        let period = self.ramp + self.hold;
+        let periods = (time - self.from) / period;
+        if periods < 0.0 {
             return Signal::default();
         }
-        let [from, to] = match (elapsed / period) as usize % 4 {
+        let turn = periods.floor();
+        let [from, to] = match turn as usize % 4 {
             0 => [0.0, self.rack],
             1 => [self.rack, 0.0],
             2 => [0.0, -self.rack],
             _ => [-self.rack, 0.0],
         };
-        let part = elapsed % period / self.ramp;
+        let part = (periods - turn) * period / self.ramp;
         if part >= 1.0 {
             return Signal::still(to);
         }
