@@ -23,6 +23,8 @@ pub struct Corner {
     pub travel: f64,
     /// m/s.
     pub travel_rate: f64,
+    /// As of the last tick, m/s^2: what the kinematics predict with.
+    travel_second_rate: f64,
     /// Angular velocity of the wheel about its axis, rad/s, positive ahead.
     pub spin: f64,
     /// Of the tread: longitudinal and lateral.
@@ -82,6 +84,7 @@ impl Corner {
         let mut corner = Self {
             travel: 0.0,
             travel_rate: 0.0,
+            travel_second_rate: 0.0,
             spin: 0.0,
             slip: Vector2::zeros(),
             hub,
@@ -125,7 +128,7 @@ impl Corner {
         Signal {
             value: drives(self.travel, rack.value),
             rate: drives(self.travel_rate, rack.rate),
-            second_rate: drives(0.0, rack.second_rate),
+            second_rate: drives(self.travel_second_rate, rack.second_rate),
         }
     }
 

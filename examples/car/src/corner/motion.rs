@@ -43,8 +43,8 @@ impl Corner {
             ..
         } = self.ground;
         let turning = frame.turning;
-        let convective =
-            turning.cross(&(turning.cross(&centre.value) + centre.rate * 2.0)) + centre.second_rate;
+        let own = centre.second_rate - per_travel.centre * self.travel_second_rate;
+        let convective = turning.cross(&(turning.cross(&centre.value) + centre.rate * 2.0)) + own;
         let mass = self.unsprung_mass;
         let force = ground + (frame.gravity - convective) * mass;
 
@@ -74,7 +74,8 @@ impl Corner {
 
     /// Semi-implicit Euler, under the chassis' accelerations.
     pub fn advance(&mut self, row: &Eliminated, chassis: &Vector6<f64>, dt: f64) {
-        self.travel_rate += (row.force - row.coupling.dot(chassis)) / row.inertia * dt;
+        self.travel_second_rate = (row.force - row.coupling.dot(chassis)) / row.inertia;
+        self.travel_rate += self.travel_second_rate * dt;
         self.travel += self.travel_rate * dt;
         self.spin += row.spin_rate * dt;
     }

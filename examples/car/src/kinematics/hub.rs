@@ -3,8 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::{Linkage, Real, Signal, Values};
 
-/// The wheel carrier's motion on the chassis, in chassis axes, as it is with the rates of the drives. Second rates leave out what a
-/// second rate of travel adds: that is `per_travel` times it.
+/// The wheel carrier's motion on the chassis, in chassis axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hub {
     /// Wheel centre, m.
