@@ -8,7 +8,7 @@ use suspension_core::Signal;
 use crate::chassis::{Chassis, Frame};
 use crate::corner::{Corner, Eliminated, Torque};
 use crate::detail::Detail;
-use crate::kinematics::Refused;
+use crate::kinematics::{Kinematics, Refused};
 use crate::road::Road;
 use crate::saloon::Parameters;
 
@@ -72,6 +72,26 @@ impl Car {
             corner.slip.fill(0.0);
         }
         self
+    }
+
+    /// Goes on in another detail, whose kinematics are given in the order of the corners; those that the car had are left in their place.
+    ///
+    /// # Errors
+    ///
+    /// Where one of them cannot get there; nothing has changed then.
+    pub fn change(
+        &mut self,
+        others: &mut [Box<dyn Kinematics>; 4],
+        controls: &Controls,
+    ) -> Result<(), Refused> {
+        for (place, other) in others.iter_mut().enumerate() {
+            let drives = self.corners[place].drives(&controls.rack_of(place));
+            other.enter(&drives.value)?;
+        }
+        for (corner, other) in self.corners.iter_mut().zip(others) {
+            corner.change(other);
+        }
+        Ok(())
     }
 
     /// One step of semi-implicit Euler.

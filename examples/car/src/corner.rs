@@ -118,6 +118,11 @@ impl Corner {
         Ok(())
     }
 
+    /// Goes on with other kinematics, which have entered where this corner is; the old ones are left in their place.
+    pub fn change(&mut self, other: &mut Box<dyn Kinematics>) {
+        std::mem::swap(&mut self.kinematics, other);
+    }
+
     /// What the kinematics of the left corner follow.
     pub fn drives(&self, rack: &Signal<f64>) -> Signal<Drives> {
         let to_left = if self.on_the_right { -1.0 } else { 1.0 };

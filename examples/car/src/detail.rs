@@ -65,4 +65,14 @@ impl Detail {
             Self::Constant => Box::new(Constant::of(&mut *Self::Exact.corner(axle)?)?),
         })
     }
+
+    /// All four corners of a car.
+    ///
+    /// # Errors
+    ///
+    /// As [`corner`](Self::corner).
+    pub fn corners(self) -> Result<[Box<dyn Kinematics>; 4], Box<dyn Error>> {
+        let corner = |axle| self.corner(axle);
+        Ok([corner(0)?, corner(0)?, corner(1)?, corner(1)?])
+    }
 }

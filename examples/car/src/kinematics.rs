@@ -33,6 +33,16 @@ pub trait Kinematics: Send {
     ///
     /// [`Refused`]; the next call may succeed.
     fn step(&mut self, dt: f64, drives: &Signal<Drives>) -> Result<Hub, Refused>;
+
+    /// Goes from the design to where another detail has led a wheel, in as many steps as it takes: before the first tick in a new
+    /// detail. What looks up or multiplies is there anyway.
+    ///
+    /// # Errors
+    ///
+    /// [`Refused`].
+    fn enter(&mut self, _drives: &Drives) -> Result<(), Refused> {
+        Ok(())
+    }
 }
 
 /// No motion of a wheel is known for these drives.
@@ -51,6 +61,13 @@ pub enum Why {
     Solver(Cause),
     /// The table ends before.
     OutsideTable,
+}
+
+impl Refused {
+    fn by_solver(drives: Drives, cause: Cause) -> Self {
+        let why = Why::Solver(cause);
+        Self { drives, why }
+    }
 }
 
 impl fmt::Display for Refused {

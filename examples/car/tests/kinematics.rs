@@ -219,3 +219,37 @@ fn tables_are_of_the_points_that_they_are_taken_for() {
         ]
     );
 }
+
+#[test]
+fn a_car_that_changes_its_detail_drives_on_as_before() {
+    const DT: f64 = 1e-3;
+    let driver = Driver {
+        speed: 20.0,
+        rack: 0.006,
+        from: 0.2,
+        ramp: 0.3,
+        hold: 0.5,
+    };
+    let fine = [Detail::Exact, Detail::Bounded, Detail::Baked];
+    let mut spare = fine.map(|detail| detail.corners().expect("a linkage"));
+    let [mut steady, mut changing] = [(); 2].map(|()| {
+        Car::new(&SALOON, Detail::Exact)
+            .expect("the design")
+            .rolling(20.0)
+    });
+    for tick in 0..4_000 {
+        let time = f64::from(tick) * DT;
+        if tick % 130 == 129 {
+            let controls = driver.controls(time, &changing);
+            changing
+                .change(&mut spare[tick as usize / 130 % 3], &controls)
+                .expect("a way there");
+        }
+        for car in [&mut steady, &mut changing] {
+            let controls = driver.controls(time, car);
+            car.tick(DT, &BUMPS, &controls).expect("a motion");
+        }
+    }
+    let off = (steady.chassis.position - changing.chassis.position).norm();
+    assert!(off > 0.0 && off < 1e-3, "{off} m");
+}

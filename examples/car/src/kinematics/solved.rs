@@ -4,10 +4,11 @@ use suspension_core::directions::Directions;
 use suspension_core::error::{Cause, Explain};
 use suspension_core::linkage::{Designed, Values};
 use suspension_core::{
-    Bounded, Build, GeometryError, Inputs, Linkage, Listing, Motion, Real, Signal, Stepper, Tracker,
+    Bounded, Build, GeometryError, Inputs, Linkage, Listing, Motion, Real, Signal, Stepper, Still,
+    Tracker,
 };
 
-use super::{Drives, Hub, Kinematics, Refused, Why};
+use super::{Drives, Hub, Kinematics, Refused};
 
 /// A linkage that is solved in each tick.
 #[derive(Clone, Copy)]
@@ -15,6 +16,7 @@ pub struct Solved<S, L: Linkage<N>, const N: usize> {
     stepper: S,
     model: L,
     design: [f64; 2],
+    start: Motion<L::Scalar, N>,
     motion: Motion<L::Scalar, N>,
 }
 
@@ -29,12 +31,9 @@ where
 {
     let points = L::design();
     let model = L::new(&points)?;
-    Ok(Solved {
-        stepper: Tracker::default(),
-        design: design_of(&model, &points),
-        motion: Motion::at_rest(model.unknowns(&points)),
-        model,
-    })
+    let start = Motion::at_rest(model.unknowns(&points));
+    let design = design_of(&model, &points);
+    Ok(Solved::new(Tracker::default(), model, design, start))
 }
 
 /// At a fixed cost, in f32.
@@ -49,12 +48,14 @@ where
 {
     let points = <G::Model<f64> as Designed<N>>::design();
     let model = <G::Model<f64> as Build<N>>::new(&points)?;
-    Ok(Solved {
-        stepper: Bounded::default(),
-        design: design_of(&model, &points),
-        motion: Motion::at_rest(model.unknowns(&points).map(|x| x as f32)),
-        model: G::rounded(&model),
-    })
+    let start = Motion::at_rest(model.unknowns(&points).map(|x| x as f32));
+    let design = design_of(&model, &points);
+    Ok(Solved::new(
+        Bounded::default(),
+        G::rounded(&model),
+        design,
+        start,
+    ))
 }
 
 /// Bump and, where there is one, the rack's place in the design.
@@ -66,6 +67,41 @@ fn design_of<L: Build<N, Scalar = f64>, const N: usize>(model: &L, points: &L::P
     values
 }
 
+impl<T, S, L, const N: usize> Solved<S, L, N>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    fn new(stepper: S, model: L, design: [f64; 2], start: Motion<T, N>) -> Self {
+        Self {
+            stepper,
+            model,
+            design,
+            start,
+            motion: start,
+        }
+    }
+
+    fn inputs(&self, drives: &Signal<Drives>) -> Inputs<Still, L::Drives> {
+        let [bump, steer] = self.design;
+        let Signal {
+            value,
+            rate,
+            second_rate,
+        } = drives;
+        Inputs::still(Signal {
+            value: of([bump + value.travel, steer + value.rack]),
+            rate: of([rate.travel, rate.rack]),
+            second_rate: of([second_rate.travel, second_rate.rack]),
+        })
+    }
+}
+
+/// The drives of a listing; one without a rack has no room for the second.
+fn of<T: Real, D: Values<T>>(values: [f64; 2]) -> D {
+    D::from_values(values.map(T::constant))
+}
+
 impl<T, S, L, const N: usize> Kinematics for Solved<S, L, N>
 where
     T: Real + Into<f64>,
@@ -73,17 +109,8 @@ where
     L: Linkage<N, Scalar = T> + Send,
 {
     fn step(&mut self, dt: f64, drives: &Signal<Drives>) -> Result<Hub, Refused> {
-        let refused = |cause| Refused {
-            drives: drives.value,
-            why: Why::Solver(cause),
-        };
-        let [travel, rack] = self.design;
-        let of = |[travel, rack]: [f64; 2]| L::Drives::from_values([travel, rack].map(T::constant));
-        let inputs = Inputs::still(Signal {
-            value: of([travel + drives.value.travel, rack + drives.value.rack]),
-            rate: of([drives.rate.travel, drives.rate.rack]),
-            second_rate: of([drives.second_rate.travel, drives.second_rate.rack]),
-        });
+        let refused = |cause| Refused::by_solver(drives.value, cause);
+        let inputs = self.inputs(drives);
         self.stepper
             .step(&self.model, &inputs, T::constant(dt), &mut self.motion)
             .map_err(|error| refused(error.facts().cause))?;
@@ -92,5 +119,27 @@ where
             .and_then(|directions| directions.points(of([1.0, 0.0])))
             .map_err(|error| refused(error.facts().cause))?;
         Hub::of(&self.model, &points, &per_travel).ok_or(refused(Cause::Overflow))
+    }
+
+    fn enter(&mut self, drives: &Drives) -> Result<(), Refused> {
+        let mut motion = self.start;
+        let way = |part: T| {
+            let part: f64 = part.into();
+            let of = |part| Drives {
+                travel: drives.travel * part,
+                rack: drives.rack * part,
+            };
+            self.inputs(&Signal {
+                value: of(part),
+                rate: of(1.0),
+                second_rate: of(0.0),
+            })
+        };
+        let whole = [T::zero(), T::one()];
+        self.stepper
+            .advance(&self.model, way, whole, &mut motion)
+            .map_err(|stopped| Refused::by_solver(*drives, stopped.facts().cause))?;
+        self.motion = motion;
+        Ok(())
     }
 }
