@@ -2,7 +2,6 @@
 
 use std::error::Error;
 use std::path::Path;
-use std::time::Duration;
 
 use nalgebra::Vector3;
 use suspension_core::Signal;
@@ -11,7 +10,7 @@ use suspension_core::wheel::camber;
 use crate::car::Car;
 use crate::chart::{self, Mark};
 use crate::detail::Detail;
-use crate::drive::{self, Parts, TICK};
+use crate::drive::{self, Parts, TICK, microseconds};
 use crate::kinematics::{Drives, Kinematics};
 
 /// How long the car is driven, s.
@@ -150,20 +149,22 @@ pub fn run(to: &Path) -> Result<(), Box<dyn Error>> {
     let compared = compare()?;
     let step = step_error()?;
     println!(
-        "                 a tick    of that kinematics  wheel centre  camber    loads, rms  place after {SECONDS} s"
+        "                 a tick  its kinematics  wheel centre  camber   loads, rms  place after {SECONDS} s"
     );
-    println!(
-        "                                               m             deg       N           m"
-    );
+    println!("                 µs      µs              m             deg      N           m");
     for Compared {
         detail,
         parts,
         errors,
     } in &compared
     {
-        row(detail.name(), Some([parts.sum(), parts.kinematics]), errors);
+        row(detail.name(), parts, errors);
     }
-    row("step of 1 ms", None, &step);
+    let [.., load, place] = step.shown();
+    println!(
+        "{:<16} {:38}  {:7}  {load:<10.1e}  {place:.1e}",
+        "the step of 1 ms", "", ""
+    );
     if let Some(folder) = to.parent() {
         std::fs::create_dir_all(folder)?;
     }
@@ -176,7 +177,7 @@ pub fn run(to: &Path) -> Result<(), Box<dyn Error>> {
                  errors,
              }| Mark {
                 name: detail.name(),
-                time: 1e6 * parts.sum().as_secs_f64(),
+                time: microseconds(parts.sum()),
                 errors: errors.shown(),
             },
         )
@@ -186,13 +187,11 @@ pub fn run(to: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn row(name: &str, times: Option<[Duration; 2]>, errors: &Errors) {
-    let [tick, kinematics] = times.map_or(Default::default(), |times| {
-        times.map(|time| format!("{time:.2?}"))
-    });
-    let [wheel, camber, load, trajectory] = errors.shown();
+fn row(name: &str, parts: &Parts, errors: &Errors) {
+    let [tick, kinematics] = [parts.sum(), parts.kinematics].map(microseconds);
+    let [wheel, camber, load, place] = errors.shown();
     println!(
-        "{name:<16} {tick:>8}  {kinematics:>8}            {wheel:<12.1e}  {camber:<8.1e}  {load:<10.1e}  {trajectory:.1e}"
+        "{name:<16} {tick:<6.2}  {kinematics:<14.2}  {wheel:<12.1e}  {camber:<7.1e}  {load:<10.1e}  {place:.1e}"
     );
 }
 

@@ -90,6 +90,11 @@ pub fn median(mut times: Vec<Duration>) -> Duration {
     times.get(times.len() / 2).copied().unwrap_or_default()
 }
 
+/// A time in µs.
+pub fn microseconds(time: Duration) -> f64 {
+    1e6 * time.as_secs_f64()
+}
+
 impl Parts {
     /// The whole tick.
     pub fn sum(&self) -> Duration {

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use suspension_car::compare;
 use suspension_car::detail::Detail;
-use suspension_car::drive::{self, TICK};
+use suspension_car::drive::{self, TICK, microseconds};
 use suspension_car::plot;
 use suspension_car::record::{self, CORNERS, Row};
 use suspension_car::scene;
@@ -77,20 +77,18 @@ fn show() -> Result<(), Box<dyn Error>> {
 
 /// Minutes, timed.
 fn long(minutes: f64) -> Result<(), Box<dyn Error>> {
-    println!("median times of a tick, {minutes} minutes at 1 kHz");
-    println!("                 kinematics  tyres, road  equations of motion  sum       elapsed");
+    println!("a tick's median time in µs, {minutes} minutes at 1 kHz");
+    println!("                 kinematics  tyres, road  motion  sum    s in all");
     for detail in Detail::ALL {
         let mut car = drive::start(detail)?;
         let began = Instant::now();
         let parts = drive::drive(&mut car, 60.0 * minutes, TICK, |_, _, _| {})?;
+        let [kinematics, tyres, motion, sum] =
+            [parts.kinematics, parts.tyres, parts.motion, parts.sum()].map(microseconds);
         println!(
-            "{:<16} {:>8.2?}    {:>8.2?}     {:>8.2?}             {:>8.2?}  {:.1?}",
+            "{:<16} {kinematics:<10.2}  {tyres:<11.2}  {motion:<6.2}  {sum:<5.2}  {:.1}",
             detail.name(),
-            parts.kinematics,
-            parts.tyres,
-            parts.motion,
-            parts.sum(),
-            began.elapsed()
+            began.elapsed().as_secs_f64()
         );
     }
     println!("no refusal");

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use crate::car::Car;
 use crate::detail::Detail;
-use crate::drive::{self, DRIVER, ROAD, TICK, median};
+use crate::drive::{self, DRIVER, ROAD, TICK, median, microseconds};
 
 /// Cars by detail: the player's, those beside it, those in sight, those far away.
 const MIXED: [(Detail, usize); 4] = [
@@ -69,5 +69,6 @@ pub fn run() -> Result<(), Box<dyn Error>> {
 
 fn show(what: &str, time: Duration) {
     let part = 100.0 * time.as_secs_f64() / TICK;
-    println!("{what:<58} {time:>8.1?} a tick, {part:4.1} % of real time");
+    let time = microseconds(time);
+    println!("{what:<58} {time:5.1} µs a tick, {part:4.1} % of real time");
 }
