@@ -1,6 +1,7 @@
 //! The car, and its tick.
 
 use std::error::Error;
+use std::fmt;
 
 use nalgebra::Vector6;
 use suspension_core::Signal;
@@ -19,6 +20,18 @@ pub struct Car {
     /// Its corners.
     pub corners: [Corner; 4],
     bars: [f64; 2],
+}
+
+/// Names of the corners, in their order.
+pub const CORNERS: [&str; 4] = ["front_left", "front_right", "rear_left", "rear_right"];
+
+/// A corner whose kinematics refuse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stopped {
+    /// Its name.
+    pub corner: &'static str,
+    /// Why.
+    pub refused: Refused,
 }
 
 /// What a driver does.
@@ -83,10 +96,10 @@ impl Car {
         &mut self,
         others: &mut [Box<dyn Kinematics>; 4],
         controls: &Controls,
-    ) -> Result<(), Refused> {
+    ) -> Result<(), Stopped> {
         for (place, other) in others.iter_mut().enumerate() {
             let drives = self.corners[place].drives(&controls.rack_of(place));
-            other.enter(&drives.value)?;
+            other.enter(&drives.value).map_err(Stopped::at(place))?;
         }
         for (corner, other) in self.corners.iter_mut().zip(others) {
             corner.change(other);
@@ -98,8 +111,8 @@ impl Car {
     ///
     /// # Errors
     ///
-    /// Those of the kinematics; chassis and wheels then stay where they were.
-    pub fn tick(&mut self, dt: f64, road: &Road, controls: &Controls) -> Result<(), Refused> {
+    /// Those of the kinematics; chassis and wheels then stay where they were, and may go on in another detail.
+    pub fn tick(&mut self, dt: f64, road: &Road, controls: &Controls) -> Result<(), Stopped> {
         self.look(dt, controls)?;
         let frame = self.touch(dt, road);
         self.advance(dt, &frame, controls);
@@ -111,9 +124,10 @@ impl Car {
     /// # Errors
     ///
     /// Those of the kinematics.
-    pub fn look(&mut self, dt: f64, controls: &Controls) -> Result<(), Refused> {
+    pub fn look(&mut self, dt: f64, controls: &Controls) -> Result<(), Stopped> {
         for (place, corner) in self.corners.iter_mut().enumerate() {
-            corner.look(dt, &controls.rack_of(place))?;
+            let looked = corner.look(dt, &controls.rack_of(place));
+            looked.map_err(Stopped::at(place))?;
         }
         Ok(())
     }
@@ -183,3 +197,20 @@ impl Controls {
         }
     }
 }
+
+impl Stopped {
+    fn at(place: usize) -> impl Fn(Refused) -> Self {
+        move |refused| Self {
+            corner: CORNERS[place],
+            refused,
+        }
+    }
+}
+
+impl fmt::Display for Stopped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.corner, self.refused)
+    }
+}
+
+impl Error for Stopped {}

@@ -125,10 +125,11 @@ impl Corner {
 
     /// What the kinematics of the left corner follow.
     pub fn drives(&self, rack: &Signal<f64>) -> Signal<Drives> {
-        let to_left = if self.on_the_right { -1.0 } else { 1.0 };
-        let drives = |travel, rack: f64| Drives {
+        // Of zero not the negative.
+        let to_left = |rack: f64| if self.on_the_right { 0.0 - rack } else { rack };
+        let drives = |travel, rack| Drives {
             travel,
-            rack: rack * to_left,
+            rack: to_left(rack),
         };
         Signal {
             value: drives(self.travel, rack.value),

@@ -65,7 +65,7 @@ pub fn drive(
         let controls = DRIVER.controls(time, car);
         let began = Instant::now();
         car.look(dt, &controls)
-            .map_err(|refused| format!("after {time:.3} s, a corner at {refused}"))?;
+            .map_err(|stopped| format!("after {time:.3} s, {stopped}"))?;
         let looked = Instant::now();
         let frame = car.touch(dt, &ROAD);
         let touched = Instant::now();

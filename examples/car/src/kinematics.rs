@@ -75,7 +75,7 @@ impl fmt::Display for Refused {
         let Drives { travel, rack } = self.drives;
         write!(f, "travel {travel:.4} m, rack {rack:.4} m: ")?;
         match self.why {
-            Why::Solver(cause) => f.write_str(cause.what()),
+            Why::Solver(cause) => write!(f, "{}; {}", cause.what(), cause.remedy()),
             Why::OutsideTable => f.write_str("outside the baked range; bake a larger one"),
         }
     }

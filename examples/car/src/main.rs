@@ -5,11 +5,12 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
+use suspension_car::car::CORNERS;
 use suspension_car::compare;
 use suspension_car::detail::Detail;
 use suspension_car::drive::{self, TICK, microseconds};
 use suspension_car::plot;
-use suspension_car::record::{self, CORNERS, Row};
+use suspension_car::record::{self, Row};
 use suspension_car::scene;
 
 const USAGE: &str = "\

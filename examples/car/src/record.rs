@@ -5,11 +5,8 @@ use std::path::Path;
 
 use suspension_core::wheel::camber;
 
-use crate::car::{Car, Controls};
+use crate::car::{CORNERS, Car, Controls};
 use crate::plot::{Curve, Panel};
-
-/// Names of the corners, in their order.
-pub const CORNERS: [&str; 4] = ["front_left", "front_right", "rear_left", "rear_right"];
 
 /// One instant.
 #[derive(Clone, Copy, Debug)]

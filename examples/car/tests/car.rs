@@ -149,3 +149,25 @@ fn half_a_minute_of_bumps_and_turns_is_driven_without_a_refusal() {
         assert!(car.chassis.velocity.norm() > 15.0, "it drives on");
     }
 }
+
+#[test]
+fn a_refusal_says_where_and_leaves_a_car_that_goes_on_with_constant_ratios() {
+    let mut car = Car::new(&SALOON, Detail::Baked)
+        .expect("the design")
+        .rolling(20.0);
+    car.corners[1].travel = 0.13;
+    let controls = Controls::default();
+    let stopped = car
+        .tick(DT, &Road::Flat, &controls)
+        .expect_err("the table ends at 0.12 m");
+    assert_eq!(
+        stopped.to_string(),
+        "front_right: travel 0.1300 m, rack 0.0000 m: outside the baked range; bake a larger one"
+    );
+    let mut constant = Detail::Constant.corners().expect("a linkage");
+    car.change(&mut constant, &controls).expect("anywhere");
+    for _ in 0..1_000 {
+        car.tick(DT, &Road::Flat, &controls).expect("a motion");
+    }
+    assert!(car.corners[1].travel < 0.05, "{} m", car.corners[1].travel);
+}
