@@ -184,7 +184,7 @@ susp_status susp_corner_read_kingpin(
         const susp_corner *corner,
         susp_f64_kingpin *kingpin);
 
-/** Any of several wheels, by its number among the parts SUSP_WHEEL; SUSP_ERROR_ABSENT where there is no such wheel. */
+/** Any of several wheels, by its number as SUSP_WHEEL; SUSP_ERROR_ABSENT where there is no such wheel. */
 susp_status susp_corner_read_wheel_at(
         const susp_corner *corner,
         size_t index,

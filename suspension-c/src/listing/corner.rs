@@ -226,7 +226,7 @@ crate::functions! { "susp":
         read_kingpin(corner, FIRST, kingpin)
     }
 
-    /// Any of several wheels, by its number among the parts SUSP_WHEEL; SUSP_ERROR_ABSENT where there is no such wheel.
+    /// Any of several wheels, by its number as SUSP_WHEEL; SUSP_ERROR_ABSENT where there is no such wheel.
     fn corner_read_wheel_at(corner: In<Corner>, index: usize, wheel: Out<Wheel>) -> Status {
         read_wheel(corner, index, wheel)
     }

@@ -1,0 +1,31 @@
+//! A corner's energy, and what it gains and loses: for tests.
+
+use super::{Corner, Ground, Torque};
+use crate::chassis::Frame;
+use crate::kinematics::Hub;
+use crate::saloon::GRAVITY;
+
+impl Corner {
+    /// Kinetic and stored energy, J, as of the last look and touch. The height of the chassis is that of the frame.
+    pub fn energy(&self, frame: &Frame) -> f64 {
+        let Hub { centre, strut, .. } = self.hub;
+        let height = (frame.position + frame.rotation * centre.value).z;
+        let deflection = self.ground.contact.deflection.max(0.0);
+        0.5 * self.unsprung_mass * self.ground.centre_velocity.norm_squared()
+            + 0.5 * self.spin_inertia * self.spin * self.spin
+            + self.unsprung_mass * GRAVITY * height
+            + self.strut.energy(strut[0], self.travel)
+            + 0.5 * self.tyre.stiffness * deflection * deflection
+    }
+
+    /// What comes in by the shaft less what brake, damper and tyre take, W. The road is at rest and flat, and so is the rack.
+    pub fn power(&self, frame: &Frame, torque: &Torque, dt: f64) -> f64 {
+        let Ground { contact, force, .. } = self.ground;
+        let tread = self.tread_velocity();
+        let deflection = contact.deflection;
+        let stored = contact.along_normal(self.tyre.stiffness * deflection.max(0.0));
+        let shaft = self.spin - self.hub.axis.dot(&frame.turning);
+        self.strut.power(self.hub.strut[1]) + (force - stored).dot(&tread) + torque.drive * shaft
+            - self.brake(torque, dt) * self.rolling()
+    }
+}

@@ -1,0 +1,78 @@
+//! Levels of detail: how a car's corners are computed.
+
+use std::error::Error;
+
+use crate::kinematics::{Baked, Constant, Kinematics, bounded, exact};
+use crate::linkages::{front, rear};
+use crate::tables;
+
+/// A level of detail.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// The linkage to rounding, f64.
+    Exact,
+    /// The linkage at a fixed cost, f32.
+    Bounded,
+    /// Baked surfaces and curves.
+    Baked,
+    /// The ratios of the design.
+    Constant,
+}
+
+impl Detail {
+    /// All, the finest first.
+    pub const ALL: [Self; 4] = [Self::Exact, Self::Bounded, Self::Baked, Self::Constant];
+
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Bounded => "bounded f32",
+            Self::Baked => "baked",
+            Self::Constant => "constant ratios",
+        }
+    }
+
+    /// The left corner of the front axle (0) or of the rear axle (1).
+    ///
+    /// # Errors
+    ///
+    /// Where the positions in a listing are not those of a linkage.
+    pub fn corner(self, axle: usize) -> Result<Box<dyn Kinematics>, Box<dyn Error>> {
+        let is_front = axle == 0;
+        Ok(match self {
+            Self::Exact if is_front => Box::new(exact::<front::Model<f64>, _>()?),
+            Self::Exact => Box::new(exact::<rear::Model<f64>, _>()?),
+            Self::Bounded if is_front => Box::new(bounded::<front::Listing, _>()?),
+            Self::Bounded => Box::new(bounded::<rear::Listing, _>()?),
+            Self::Baked if is_front => {
+                let corner = front::Corner::<f64>::design()?;
+                let front::Drives { bump, steer } = corner.drives();
+                Box::new(Baked {
+                    table: tables::FRONT,
+                    design: [bump, steer],
+                    strut_upper: corner.points().value.strut_upper,
+                })
+            }
+            Self::Baked => {
+                let corner = rear::Corner::<f64>::design()?;
+                Box::new(Baked {
+                    table: tables::REAR,
+                    design: [corner.drives().bump, 0.0],
+                    strut_upper: corner.points().value.strut_upper,
+                })
+            }
+            Self::Constant => Box::new(Constant::of(&mut *Self::Exact.corner(axle)?)?),
+        })
+    }
+
+    /// All four corners of a car.
+    ///
+    /// # Errors
+    ///
+    /// As [`corner`](Self::corner).
+    pub fn corners(self) -> Result<[Box<dyn Kinematics>; 4], Box<dyn Error>> {
+        let corner = |axle| self.corner(axle);
+        Ok([corner(0)?, corner(0)?, corner(1)?, corner(1)?])
+    }
+}

@@ -1,0 +1,6 @@
+//! The suspensions, compiled from their listings.
+
+use suspension_core::linkage;
+
+linkage! { pub mod front; }
+linkage! { pub mod rear; }
