@@ -168,12 +168,19 @@ impl Reference<'_> {
             }
         };
         let [braked, driven] = [path(carrier.velocity_of(&ground)), path(carrier.velocity)];
+        let outboard = if ground.y.is_below_zero() {
+            -100.0
+        } else {
+            100.0
+        }
+        .into();
         let angle = |path: Vector| Number::arc_tangent(path.x, path.z);
         let support = |path: Vector, share: f64| path.x / path.z * (100.0 * share * LEVER).into();
         let [brakes, shafts] = [support(braked, BRAKE_SHARE), support(driven, DRIVE_SHARE)];
         named.extend(
             [
                 ("roll_centre_m", carrier.roll_centre(&ground) - ground.z),
+                ("jacking_percent", braked.y / braked.z * outboard),
                 ("front_centre_y", front.across),
                 ("front_centre_z", front.z),
                 ("front_arm_m", front.arm),
