@@ -223,9 +223,9 @@ fn what_is_no_corner_is_no_axle() {
     assert!(!path.join("a.toml").exists());
 }
 
-/// A listing that was written for an axle which then cannot be built does not stay behind.
+/// A listing that was written for an axle which then cannot be built does not stay behind, and one that was there does.
 #[test]
-fn what_cannot_be_built_leaves_no_file_behind() {
+fn what_cannot_be_built_leaves_all_as_it_was() {
     let folder = folder();
     let path = folder.path();
     let file = symmetric().replace(
@@ -240,4 +240,9 @@ fn what_cannot_be_built_leaves_no_file_behind() {
         "{output:?}"
     );
     assert!(!path.join("a.toml").exists() && !path.join("a_corner.linkage").exists());
+    std::fs::write(path.join("a_corner.linkage"), "mine").expect("written");
+    let output = run(path, &["import", "a.csv", "--axle", "--out", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let kept = std::fs::read_to_string(path.join("a_corner.linkage"));
+    assert_eq!(kept.expect("there"), "mine");
 }
