@@ -76,7 +76,7 @@ impl Axle {
             return Ok(vec![out.to_owned()]);
         };
         // It is there before what includes it is read.
-        let before = fs::read(path).ok();
+        let before = path.is_file().then(|| fs::read(path)).and_then(Result::ok);
         write_file(path, corner)?;
         let text = self.listing(out).and_then(|listing| text(&listing));
         if text.is_err() {
