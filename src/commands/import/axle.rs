@@ -1,6 +1,6 @@
 //! An axle of both corners: the catalogue's corner and its image, and one rack where they are steered.
 
-use std::fs::remove_file;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use suspension_runtime::Listing;
@@ -64,7 +64,8 @@ impl Axle {
         ])
     }
 
-    /// Writes the motion file, `text` of the axle's listing, and the listing that it includes; neither where it cannot be built.
+    /// Writes the motion file, `text` of the axle's listing, and the listing that it includes; where it cannot be built all is as
+    /// it was.
     pub(super) fn written(
         &self,
         out: &Path,
@@ -75,11 +76,15 @@ impl Axle {
             return Ok(vec![out.to_owned()]);
         };
         // It is there before what includes it is read.
+        let before = path.is_file().then(|| fs::read(path)).and_then(Result::ok);
         write_file(path, corner)?;
         let text = self.listing(out).and_then(|listing| text(&listing));
         if text.is_err() {
             // What is wrong with the axle is worth more than what is wrong with this.
-            let _ = remove_file(path);
+            let _ = match before {
+                Some(before) => fs::write(path, before),
+                None => fs::remove_file(path),
+            };
         }
         write_file(out, &text?)?;
         Ok(vec![out.to_owned(), path.clone()])

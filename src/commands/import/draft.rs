@@ -23,8 +23,8 @@ pub(super) struct Draft<'a> {
     pub(super) remarks: Vec<String>,
     /// Name, position and origin of each point.
     points: Vec<[String; 3]>,
-    /// With its origin.
-    wheel_radius: Option<(f64, String)>,
+    /// As the motion file has it, with its origin.
+    wheel_radius: Option<[String; 2]>,
 }
 
 /// How far the travel goes in the motion, m and rad.
@@ -45,12 +45,25 @@ fn corner(imported: &Imported<'_>, before: &str) -> (Vec<[String; 3]>, Vec<Strin
     (points, remarks)
 }
 
+/// The wheel's radius, and its origin.
+fn wheel_radius(imported: &Imported<'_>) -> Option<[String; 2]> {
+    let Imported {
+        stated,
+        names,
+        corner,
+        ..
+    } = imported;
+    let radius = number(stated, names, "wheel_radius", corner.side)?;
+    Some([format!("{:?}", radius.value), stated.line(&radius.place)])
+}
+
 impl<'a> Draft<'a> {
     /// Of what was found of a corner.
     pub(super) fn of(imported: &'a Imported<'_>) -> Self {
         let stated = format!("linkage = \"{}\"", imported.choice.linkage);
         let corner = corner(imported, "");
-        Self::new(imported, &imported.choice.listing, stated, corner)
+        let radius = wheel_radius(imported);
+        Self::new(imported, &imported.choice.listing, stated, corner, radius)
     }
 
     /// Of both corners, the left one first.
@@ -67,7 +80,14 @@ impl<'a> Draft<'a> {
             remarks.extend(new.collect::<Vec<_>>());
         }
         let stated = format!("statements = '''\n{}'''", axle.statements);
-        Self::new(sides[0], listing, stated, (points, remarks))
+        let radius = match sides.map(wheel_radius) {
+            [Some([left, line]), Some([right, other])] if left != right => Some([
+                format!("{{ left = {left}, right = {right} }}"),
+                format!("{line}, {other}"),
+            ]),
+            [left, right] => left.or(right),
+        };
+        Self::new(sides[0], listing, stated, (points, remarks), radius)
     }
 
     fn new(
@@ -75,14 +95,12 @@ impl<'a> Draft<'a> {
         listing: &'a Listing,
         stated: String,
         (points, of_corners): (Vec<[String; 3]>, Vec<String>),
+        wheel_radius: Option<[String; 2]>,
     ) -> Self {
-        let Imported { names, corner, .. } = imported;
         let (unit, _) = imported.unit();
         let mut remarks = imported.of_file();
         remarks.extend(of_corners);
-        let radius = number(imported.stated, names, "wheel_radius", corner.side);
-        let radius = radius.map(|radius| (radius.value, imported.stated.line(&radius.place)));
-        if radius.is_none() {
+        if wheel_radius.is_none() {
             remarks.push("the file has no tire_radius; wheel_radius under [vehicle] gives what needs the ground".to_owned());
         }
         Self {
@@ -92,7 +110,7 @@ impl<'a> Draft<'a> {
             unit,
             remarks,
             points,
-            wheel_radius: radius,
+            wheel_radius,
         }
     }
 
@@ -110,10 +128,10 @@ impl<'a> Draft<'a> {
         }
         line(&mut text, format_args!("\n[vehicle]"));
         match &self.wheel_radius {
-            Some((radius, remark)) => {
+            Some([radius, remark]) => {
                 line(
                     &mut text,
-                    format_args!("wheel_radius = {radius:?}  # {remark}"),
+                    format_args!("wheel_radius = {radius}  # {remark}"),
                 );
             }
             None => line(&mut text, format_args!("# wheel_radius = ")),

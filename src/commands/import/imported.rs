@@ -1,8 +1,10 @@
 //! What a file has of a corner.
 
+use std::ops::Range;
+
 use super::choice::Choice;
 use super::corner::Corner;
-use super::hardpoints::{Hardpoint, Hardpoints};
+use super::hardpoints::{Hardpoint, Hardpoints, Number, Side};
 use super::names::Names;
 use super::orientation::Orientation;
 use super::stand_in::{Spin, stand_in};
@@ -26,11 +28,12 @@ pub(super) struct Imported<'a> {
 
 /// What a file has of the other side.
 pub(super) enum Other {
+    Nothing,
     /// Not all of its points.
-    Missing,
+    Part,
     /// The mirror image.
     Image,
-    /// Another suspension, at this point for one.
+    /// Another suspension: this is not as in a mirror, for one.
     Unlike(String),
 }
 
@@ -44,9 +47,12 @@ impl Other {
             Self::Image if !is_axle => Some(
                 "the right corner is the mirror image of the left one; --axle makes an axle of both".to_owned(),
             ),
-            Self::Unlike(point) if !is_axle => Some(format!(
-                "left and right are no mirror images, at {point} for one: both are here, as an axle; --side takes one of them"
+            Self::Unlike(what) if !is_axle => Some(format!(
+                "left and right are no mirror images, at {what} for one: both are here, as an axle; --side takes one of them"
             )),
+            Self::Part if !is_axle => Some(
+                "the file has points of the other side too, but not all: they are not used".to_owned(),
+            ),
             _ => None,
         }
     }
@@ -55,29 +61,53 @@ impl Other {
 impl Imported<'_> {
     /// What the file has of the other side, of the points that the layout takes.
     pub(super) fn other_side(&self) -> Other {
-        let off = ROUNDING * self.corner.apart();
-        let mut other = Other::Missing;
-        for (_, point) in &self.choice.found {
-            let Some(side) = point.side else { continue };
-            let mut points = self.stated.points.iter();
-            let is_its = |other: &&Hardpoint| {
-                other.key == point.key && other.side.is_some_and(|of| of != side)
-            };
-            let Some(image) = points.find(is_its) else {
-                return Other::Missing;
-            };
-            let [[x, y, z], [of_x, of_y, of_z]] = [point.at, image.at];
-            let is_image = [x - of_x, y + of_y, z - of_z]
-                .iter()
-                .all(|by| by.abs() <= off);
-            if !is_image && !matches!(other, Other::Unlike(_)) {
-                let line = self.stated.line(&image.place);
-                other = Other::Unlike(format!("`{}` ({line})", image.name));
-            } else if matches!(other, Other::Missing) {
-                other = Other::Image;
-            }
+        let found = self.choice.found.iter().map(|(_, point)| *point);
+        let sided = found.filter(|point| point.side.is_some());
+        let images: Vec<_> = sided.map(|point| (point, self.image(point))).collect();
+        let count = images.iter().filter(|(_, image)| image.is_some()).count();
+        if count == 0 {
+            return Other::Nothing;
         }
-        other
+        if count < images.len() {
+            return Other::Part;
+        }
+        let mut pairs = images
+            .into_iter()
+            .filter_map(|(point, image)| Some((point, image?)));
+        let point = pairs.find(|(point, image)| !self.is_mirrored(point, image));
+        let point = point.map(|(_, image)| (&image.name, &image.place));
+        match point.or_else(|| self.unlike_number()) {
+            Some((name, place)) => Other::Unlike(format!("`{name}` ({})", self.stated.line(place))),
+            None => Other::Image,
+        }
+    }
+
+    /// The same point on the other side.
+    fn image(&self, point: &Hardpoint) -> Option<&Hardpoint> {
+        let mut points = self.stated.points.iter();
+        points.find(|other| other.key == point.key && is_other_side(other.side, point.side))
+    }
+
+    fn is_mirrored(&self, point: &Hardpoint, image: &Hardpoint) -> bool {
+        let off = ROUNDING * self.corner.apart();
+        let [[x, y, z], [of_x, of_y, of_z]] = [point.at, image.at];
+        let apart = [x - of_x, y + of_y, z - of_z];
+        apart.iter().all(|by| by.abs() <= off)
+    }
+
+    /// A number, an angle for one, that is another on the other side.
+    fn unlike_number(&self) -> Option<(&String, &Range<usize>)> {
+        let numbers = &self.stated.numbers;
+        let is_unlike = |number: &&Number| {
+            let mut others = numbers.iter();
+            others.any(|other| {
+                other.key == number.key
+                    && is_other_side(other.side, number.side)
+                    && other.value != number.value
+            })
+        };
+        let unlike = numbers.iter().find(is_unlike);
+        unlike.map(|number| (&number.key, &number.place))
     }
 
     /// Name, position and origin of each point, in the order of the listing, its names and those of the corner's points having
@@ -125,4 +155,8 @@ impl Imported<'_> {
             .position(|(found, _)| found == name)?;
         Some(self.corner.at[place])
     }
+}
+
+fn is_other_side(other: Option<Side>, side: Option<Side>) -> bool {
+    other.is_some() && side.is_some() && other != side
 }

@@ -37,9 +37,8 @@ fn a_corner_does_not_differ_from_itself_in_other_axes_and_units() {
                 let record = record.expect("a row");
                 let [a, difference] =
                     [4, 6].map(|column| record[column].parse::<f64>().expect("a number"));
-                // Derivatives and what lies far away have the rounding of what they are divided by.
                 assert!(
-                    difference.abs() <= 1e-9 * a.abs().max(1.0).powi(2),
+                    difference.abs() <= 1e-11 * a.abs().max(1.0),
                     "{axes:?} {stated:?} {record:?}"
                 );
                 *sorts.entry(record[0].to_owned()).or_insert(0) += 1;

@@ -1,5 +1,7 @@
 //! Both corners of a file, as an axle.
 
+mod sides;
+
 use std::path::Path;
 
 use suspension_core::linkages::LISTINGS;
@@ -159,34 +161,7 @@ fn every_corner_of_the_catalogue_makes_an_axle_within_the_limits() {
     assert!(made >= 10, "{made}");
 }
 
-#[test]
-fn sides_that_are_no_mirror_images_make_an_axle_unasked() {
-    let folder = folder();
-    let file = symmetric().replace("hpr_lca_outer, -4, 560", "hpr_lca_outer, -4, 557");
-    let imported = import(folder.path(), "front.csv", &file, &[]);
-    let points = imported.points();
-    assert_eq!(points["left_lower_ball"], [4.0, 560.0, 128.0]);
-    assert_eq!(points["right_lower_ball"], [4.0, -557.0, 128.0]);
-    let said = "left and right are no mirror images, at `hpr_lca_outer` (front.csv:18) for one: both are here, as an axle; \
-                --side takes one of them";
-    assert!(imported.notes.contains(said), "{}", imported.notes);
-    // A side that is asked for is a corner still.
-    let imported = import(folder.path(), "front.csv", &file, &["--side", "right"]);
-    assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
-    assert_eq!(imported.points()["lower_ball"], [4.0, -557.0, 128.0]);
-}
-
-#[test]
-fn of_mirror_images_the_left_one_is_taken_and_the_axle_offered() {
-    let folder = folder();
-    let imported = import(folder.path(), "front.csv", &symmetric(), &[]);
-    assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
-    let said = "the right corner is the mirror image of the left one; --axle makes an axle of both";
-    assert!(imported.notes.contains(said), "{}", imported.notes);
-    let imported = import(folder.path(), "front.csv", &side("hpl_", 1.0), &[]);
-    assert!(!imported.notes.contains("--axle"), "{}", imported.notes);
-}
-
+/// Angles and radii that a table states of each side, in a file whose points are mirror images.
 /// The middle of an anti-roll bar is one point in the file, of no side.
 #[test]
 fn a_bar_of_both_sides_is_halved() {
@@ -248,9 +223,9 @@ fn what_is_no_corner_is_no_axle() {
     assert!(!path.join("a.toml").exists());
 }
 
-/// A listing that was written for an axle which then cannot be built does not stay behind.
+/// A listing that was written for an axle which then cannot be built does not stay behind, and one that was there does.
 #[test]
-fn what_cannot_be_built_leaves_no_file_behind() {
+fn what_cannot_be_built_leaves_all_as_it_was() {
     let folder = folder();
     let path = folder.path();
     let file = symmetric().replace(
@@ -265,4 +240,9 @@ fn what_cannot_be_built_leaves_no_file_behind() {
         "{output:?}"
     );
     assert!(!path.join("a.toml").exists() && !path.join("a_corner.linkage").exists());
+    std::fs::write(path.join("a_corner.linkage"), "mine").expect("written");
+    let output = run(path, &["import", "a.csv", "--axle", "--out", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let kept = std::fs::read_to_string(path.join("a_corner.linkage"));
+    assert_eq!(kept.expect("there"), "mine");
 }

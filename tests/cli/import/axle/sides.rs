@@ -1,0 +1,75 @@
+//! Sides that are mirror images, and sides that are not.
+
+use super::super::super::program::folder;
+use super::super::import;
+use super::{assert_near, side, swept, symmetric};
+
+#[test]
+fn sides_that_are_no_mirror_images_make_an_axle_unasked() {
+    let folder = folder();
+    let file = symmetric().replace("hpr_lca_outer, -4, 560", "hpr_lca_outer, -4, 557");
+    let imported = import(folder.path(), "front.csv", &file, &[]);
+    let points = imported.points();
+    assert_eq!(points["left_lower_ball"], [4.0, 560.0, 128.0]);
+    assert_eq!(points["right_lower_ball"], [4.0, -557.0, 128.0]);
+    let said = "left and right are no mirror images, at `hpr_lca_outer` (front.csv:18) for one: both are here, as an axle; \
+                --side takes one of them";
+    assert!(imported.notes.contains(said), "{}", imported.notes);
+    // A side that is asked for is a corner still.
+    let imported = import(folder.path(), "front.csv", &file, &["--side", "right"]);
+    assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
+    assert_eq!(imported.points()["lower_ball"], [4.0, -557.0, 128.0]);
+}
+
+#[test]
+fn of_mirror_images_the_left_one_is_taken_and_the_axle_offered() {
+    let folder = folder();
+    let imported = import(folder.path(), "front.csv", &symmetric(), &[]);
+    assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
+    let said = "the right corner is the mirror image of the left one; --axle makes an axle of both";
+    assert!(imported.notes.contains(said), "{}", imported.notes);
+    let imported = import(folder.path(), "front.csv", &side("hpl_", 1.0), &[]);
+    assert!(!imported.notes.contains("--axle"), "{}", imported.notes);
+}
+
+#[test]
+fn numbers_of_each_side_stay_with_it() {
+    let folder = folder();
+    let points = side("hpl_", 1.0) + &side("hpr_", -1.0);
+    let file = points
+        + "camber_angle, left, -1.0\ncamber_angle, right, -1.5\ntire_radius, left, 229\ntire_radius, right, 231\n";
+    let imported = import(folder.path(), "front.csv", &file, &[]);
+    assert!(
+        imported
+            .notes
+            .contains("no mirror images, at `camber_angle` (front.csv:31) for one"),
+        "{}",
+        imported.notes
+    );
+    let design = &swept(folder.path(), "motion.toml", &["steer=0"])[0];
+    assert_near(
+        design["left_camber_rad"],
+        (-1.0_f64).to_radians(),
+        "left camber",
+    );
+    assert_near(
+        design["right_camber_rad"],
+        (-1.5_f64).to_radians(),
+        "right camber",
+    );
+    let radius = imported.motion["vehicle"]["wheel_radius"]
+        .as_table()
+        .expect("a table");
+    let radius = ["left", "right"].map(|side| radius[side].as_float());
+    assert_eq!(radius, [Some(229.0), Some(231.0)]);
+}
+
+#[test]
+fn points_of_a_side_that_is_not_complete_are_not_dropped_without_a_word() {
+    let folder = folder();
+    let file = side("hpl_", 1.0) + "hpr_lca_outer, -4, 557, 128\n";
+    let imported = import(folder.path(), "front.csv", &file, &[]);
+    assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
+    let said = "the file has points of the other side too, but not all: they are not used";
+    assert!(imported.notes.contains(said), "{}", imported.notes);
+}
