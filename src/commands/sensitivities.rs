@@ -3,22 +3,24 @@
 mod report;
 
 use std::path::PathBuf;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
-use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::load::load;
-use crate::mechanism::Names;
+use crate::kinematics::Kinematics;
+use crate::load::{Loaded, load};
+use crate::mechanism::Description;
 use crate::output::csv_file::CsvFile;
 use crate::output::files::{announce, print, refuse_input};
 use crate::output::heading::Heading;
 use crate::output::progress::Progress;
 use crate::output::target::Target;
-use crate::sensitivities::{Sensitivities, changes, sensitivities};
-use report::Report;
+use crate::sensitivities::{Change, Sensitivities, coordinates, length, sensitivities};
+use crate::tolerances::{Tolerance, first_order, sampled};
+use crate::tune::Move;
+use report::{Report, Scatter};
 
 /// What `suspension sensitivities` is given.
 #[derive(Args, Clone, Debug)]
@@ -32,6 +34,12 @@ pub struct Arguments {
     /// How many hardpoint coordinates and lengths are printed of each, those with the largest effect first.
     #[arg(long, value_name = "COUNT", default_value_t = 5)]
     largest: usize,
+    /// How many suspensions are built with random changes, where the file has tolerances.
+    #[arg(long, value_name = "COUNT", default_value_t = 1000, value_parser = samples)]
+    samples: usize,
+    /// What the random changes begin with: the same number gives the same ones.
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    seed: u64,
     /// Write all as comma-separated values to PATH, or to standard output for `-`, a row for each coordinate and length.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
@@ -51,18 +59,25 @@ impl Arguments {
         }
         let loaded = load(&source)?;
         let mechanism = &*loaded.at_design()?;
-        let links = links(loaded.listing(), &mechanism.names);
-        let changes = changes(mechanism, &links);
+        let changes = changes(&loaded, mechanism)?;
+        let tolerances = loaded.tolerances(mechanism)?;
+        let stopped = || {
+            let message = format!("{}: interrupted; nothing was written", source.name());
+            Failure::Interrupted(message)
+        };
         let mut progress = Progress::new(changes.len(), "changes");
         let found = sensitivities(mechanism, &changes, interrupted, || progress.step());
-        let Some(found) = found else {
-            let message = format!("{}: interrupted; nothing was written", source.name());
-            return Err(Failure::Interrupted(message));
-        };
+        let found = found.ok_or_else(stopped)?;
+        drop(progress);
+        let scatter = self.scatter(mechanism, &found, &tolerances, interrupted);
+        if interrupted.load(Ordering::Relaxed) {
+            return Err(stopped());
+        }
         let report = Report {
             file: source.name(),
             mechanism,
             found: &found,
+            scatter: scatter.as_ref(),
         };
         if csv != Some(Target::Stdout) {
             print(
@@ -78,13 +93,43 @@ impl Arguments {
     }
 }
 
-/// The lengths of links, by number.
-fn links(listing: &Listing, names: &Names) -> Vec<usize> {
-    let statements = listing.statements().into_iter();
+impl Arguments {
+    /// How quantities scatter, where the file has tolerances.
+    fn scatter(
+        &self,
+        mechanism: &dyn Kinematics,
+        found: &Sensitivities,
+        tolerances: &[Tolerance],
+        interrupted: &AtomicBool,
+    ) -> Option<Scatter> {
+        if tolerances.is_empty() {
+            return None;
+        }
+        let mut progress = Progress::new(self.samples, "samples");
+        let drawn = (self.samples, self.seed);
+        Some(Scatter {
+            first_order: first_order(found, tolerances),
+            sampled: sampled(mechanism, tolerances, drawn, interrupted, || {
+                progress.step()
+            }),
+            drawn,
+        })
+    }
+}
+
+/// The coordinates of all points, the lengths of links, and the moves of the file.
+fn changes(loaded: &Loaded<'_>, mechanism: &Description) -> Result<Vec<Change>, Failure> {
+    let names = &mechanism.names;
+    let points = 0..names.points.len();
+    let coordinates = points.flat_map(|point| coordinates(mechanism, point));
+    let statements = loaded.listing().statements().into_iter();
     let links = statements.filter(|statement| statement.kind == "link");
-    links
+    let links = links
         .filter_map(|link| names.lengths.iter().position(|length| length == link.name))
-        .collect()
+        .map(|link| length(mechanism, link));
+    let moves = loaded.moves(mechanism)?.into_iter();
+    let moves = moves.map(|Move { name, per_unit, .. }| Change { name, per_unit });
+    Ok(coordinates.chain(links).chain(moves).collect())
 }
 
 fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<(), Failure> {
@@ -103,18 +148,31 @@ fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<
             .numbers()
             .map(|at| each.of[at.column][at.number] * at.in_file);
         let texts: Vec<String> = numbers.map(|number| format!("{number}")).collect();
-        let changed = report.changed(each.change);
         table.record(
-            [changed.as_str()]
+            [each.change.name.as_str()]
                 .into_iter()
                 .chain(texts.iter().map(String::as_str)),
         )?;
+    }
+    if let Some(scatter) = report.scatter {
+        for (name, deviations) in scatter.rows() {
+            let numbers = report
+                .numbers()
+                .map(|at| deviations[at.column][at.number] * at.in_file.abs());
+            let texts: Vec<String> = numbers.map(|number| format!("{number}")).collect();
+            table.record([name].into_iter().chain(texts.iter().map(String::as_str)))?;
+        }
     }
     table.finish()?;
     if let Target::File(path) = target {
         announce(std::slice::from_ref(path));
     }
     Ok(())
+}
+
+fn samples(text: &str) -> Result<usize, String> {
+    let count = text.parse().ok().filter(|count| *count > 1);
+    count.ok_or_else(|| "COUNT is a whole number, at least 2".to_owned())
 }
 
 const NOTES: &str = "\
@@ -125,7 +183,18 @@ A hardpoint is moved alone, the suspension is built of its points and read at it
 changed. A link's length is changed with the chassis points and the drives held, as a turnbuckle does. Each
 number is a difference of sixth order over thousandths of the suspension's size, good to about nine digits.
 
-The CSV file has a row for each coordinate and length and a column for each number, per unit of length of the file, in that
+A file that states tolerances, standard deviations of points (of each coordinate) and of links, independent of each other and in
+its unit, has of each quantity the standard deviation that they make: to first order, and of so many suspensions built with normally
+distributed changes.
+
+  [tolerances]
+  tie_ball = 0.0005
+  tie_rod = 0.0002
+
+The moves of [tune], a turnbuckle, a shim or a rack's height say, are changes under their own names.
+
+The CSV file has a row for each coordinate and length, then for each move, and with tolerances standard_deviation and
+standard_deviation_of_samples; and a column for each number, per unit of length of the file, in that
 unit and that of its angles: camber_rad, camber_rad_per_bump.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the design does not assemble, 130 interrupted.

@@ -15,6 +15,7 @@ mod said_of_wheels;
 mod springs;
 mod start;
 mod task;
+mod tolerances;
 mod tuning;
 mod turned;
 mod unsatisfied;

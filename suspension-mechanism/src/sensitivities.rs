@@ -13,12 +13,12 @@ use crate::mechanism::{Description, From, Grid, Order, Place};
 use crate::quantities::{Axis, Column, Reader};
 
 /// What is changed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Change {
-    /// A coordinate of a point, by number.
-    Coordinate(usize, Axis),
-    /// A length, by number.
-    Length(usize),
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// Its name: `tie_ball.z`, `length tie_rod`, or a move's.
+    pub name: String,
+    /// What it is, of one unit of length.
+    pub per_unit: Changes,
 }
 
 /// What a change does.
@@ -44,13 +44,27 @@ pub struct Sensitivities {
 /// How far neighbours are from each other, as a part of the suspension's size.
 const STEP: f64 = 1e-3;
 
-/// What can be changed: the coordinates of all points, and lengths by number, those of links.
-pub fn changes(mechanism: &Description, lengths: &[usize]) -> Vec<Change> {
-    let points = 0..mechanism.names.points.len();
-    let coordinates =
-        points.flat_map(|point| Axis::ALL.map(|axis| Change::Coordinate(point, axis)));
-    let lengths = lengths.iter().copied().map(Change::Length);
-    coordinates.chain(lengths).collect()
+/// The coordinates of a point.
+pub fn coordinates(mechanism: &Description, point: usize) -> impl Iterator<Item = Change> {
+    let name = &mechanism.names.points[point];
+    Axis::ALL.into_iter().map(move |axis| Change {
+        name: format!("{name}.{axis}"),
+        per_unit: Changes {
+            points: vec![(point, axis.vector())],
+            ..Changes::default()
+        },
+    })
+}
+
+/// A length.
+pub fn length(mechanism: &Description, length: usize) -> Change {
+    Change {
+        name: format!("length {}", mechanism.names.lengths[length]),
+        per_unit: Changes {
+            lengths: vec![(length, 1.0)],
+            ..Changes::default()
+        },
+    }
 }
 
 /// The sensitivities of a mechanism at its design position; `None` where the user interrupts.
@@ -63,19 +77,19 @@ pub fn sensitivities(
     let columns = columns(mechanism);
     let step = STEP * size(mechanism);
     let mut each = Vec::new();
-    for &change in changes {
+    for change in changes {
         if interrupted.load(Ordering::Relaxed) {
             return None;
         }
         on_change();
         let at = |steps: i32| -> Option<Vec<Vec<f64>>> {
-            let changes = changes_by(change, f64::from(steps) * step);
+            let changes = change.per_unit.times(f64::from(steps) * step);
             read(&*mechanism.changed(&changes)?, &columns)
         };
         let neighbours = [-3, -2, -1, 1, 2, 3].map(at);
         let neighbours: Option<Vec<_>> = neighbours.into_iter().collect();
         each.extend(neighbours.map(|neighbours| Sensitivity {
-            change,
+            change: change.clone(),
             of: difference(&neighbours, step),
         }));
     }
@@ -96,21 +110,8 @@ fn size(mechanism: &dyn Kinematics) -> f64 {
     (0..3).map(extent).fold(0.0, f64::max)
 }
 
-fn changes_by(change: Change, by: f64) -> Changes {
-    match change {
-        Change::Coordinate(point, axis) => Changes {
-            points: vec![(point, axis.vector() * by)],
-            ..Changes::default()
-        },
-        Change::Length(length) => Changes {
-            lengths: vec![(length, by)],
-            ..Changes::default()
-        },
-    }
-}
-
 /// Value and derivatives of each column where a mechanism starts.
-fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec<Vec<f64>>> {
+pub(crate) fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec<Vec<f64>>> {
     let grid = Grid::new(mechanism, Vec::new(), From::Start).ok()?;
     let mut of_place = |place: &dyn Place| {
         let state = place.state();

@@ -94,16 +94,6 @@ pub fn tune(
 
 /// All moves together.
 fn changes(moves: &[Move], moved: &DVector<f64>) -> Changes {
-    let mut changes = Changes::default();
-    for (each, by) in moves.iter().zip(moved.iter()) {
-        let points = each.per_unit.points.iter();
-        changes
-            .points
-            .extend(points.map(|(point, unit)| (*point, unit * *by)));
-        let lengths = each.per_unit.lengths.iter();
-        changes
-            .lengths
-            .extend(lengths.map(|(length, unit)| (*length, unit * by)));
-    }
-    changes
+    let each = moves.iter().zip(moved.iter());
+    Changes::together(each.map(|(each, by)| each.per_unit.times(*by)))
 }

@@ -35,6 +35,7 @@ mod support;
 mod support_angles;
 mod sweep;
 mod tables;
+mod tolerances;
 mod tune;
 mod units;
 

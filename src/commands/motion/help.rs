@@ -113,6 +113,7 @@ const FILE: &str = r#"The file:
   load = 3800.0                      # what it presses at the design position, positive where it makes the measure larger
   [masses]                           # of parts, and load cases: see suspension loads --help
   [loads.braking]
+  [tolerances]                       # of points and links: see suspension sensitivities --help
   [tune]                             # what may be moved, what is to be reached: see suspension tune --help
 
 Results, one row an instant, its columns in this order, named here as for attia2003; lengths and angles are in

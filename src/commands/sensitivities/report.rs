@@ -5,7 +5,8 @@ use std::fmt::Write;
 use crate::mechanism::{Description, Length};
 use crate::number::{rounded, without_rounding};
 use crate::quantities::Kind;
-use crate::sensitivities::{Change, Sensitivities};
+use crate::sensitivities::Sensitivities;
+use crate::tolerances::{Deviations, Sampled};
 
 /// Digits of a sensitivity.
 const DIGITS: usize = 4;
@@ -15,6 +16,48 @@ pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
     pub(super) found: &'a Sensitivities,
+    pub(super) scatter: Option<&'a Scatter>,
+}
+
+/// How quantities scatter.
+pub(super) struct Scatter {
+    pub(super) first_order: Deviations,
+    /// `None` where fewer than two suspensions can be built.
+    pub(super) sampled: Option<Sampled>,
+    /// How many were asked for, and with which seed.
+    pub(super) drawn: (usize, u64),
+}
+
+impl Scatter {
+    /// Under their names in tables.
+    pub(super) fn rows(&self) -> impl Iterator<Item = (&'static str, &Deviations)> {
+        let sampled = self.sampled.iter();
+        let sampled = sampled.map(|sampled| ("standard_deviation_of_samples", &sampled.deviations));
+        [("standard_deviation", &self.first_order)]
+            .into_iter()
+            .chain(sampled)
+    }
+
+    fn in_words(&self, at: &Number) -> String {
+        let of = |deviations: &Deviations| {
+            let deviation = deviations[at.column][at.number] * at.scale.abs();
+            rounded(without_rounding(deviation), DIGITS)
+        };
+        let (count, seed) = self.drawn;
+        let sampled = match &self.sampled {
+            None => "no two samples can be built".to_owned(),
+            Some(sampled) => {
+                let built = match count - sampled.built {
+                    0 => String::new(),
+                    failed => format!(", {failed} of which cannot be built"),
+                };
+                let deviation = of(&sampled.deviations);
+                format!("of {count} samples (seed {seed}{built}) {deviation}")
+            }
+        };
+        let (first, symbol) = (of(&self.first_order), &at.symbol);
+        format!("standard deviation {first} {symbol}; {sampled}")
+    }
 }
 
 /// A number of a quantity: its value, or a derivative with respect to a drive.
@@ -75,15 +118,6 @@ impl Report<'_> {
         }
     }
 
-    /// What a change is called.
-    pub(super) fn changed(&self, change: Change) -> String {
-        let names = &self.mechanism.names;
-        match change {
-            Change::Coordinate(point, axis) => format!("{}.{axis}", names.points[point]),
-            Change::Length(length) => format!("length {}", names.lengths[length]),
-        }
-    }
-
     /// The largest sensitivities of the numbers whose names begin with one of `of`, of all where there is none.
     ///
     /// # Errors
@@ -122,6 +156,9 @@ impl Report<'_> {
             // Writing into a string has no way to fail.
             let _ = writeln!(out, "\n{title}: {} {symbol}", rounded(value, DIGITS));
             let _ = writeln!(out, "  {}", self.largest(&number, largest));
+            if let Some(scatter) = self.scatter {
+                let _ = writeln!(out, "  {}", scatter.in_words(&number));
+            }
         }
         Ok(out)
     }
@@ -137,8 +174,9 @@ impl Report<'_> {
     fn largest(&self, at: &Number, count: usize) -> String {
         let numbers = self.found.each.iter();
         let scale = at.scale * self.per().1;
-        let numbers = numbers.map(|each| (each.change, each.of[at.column][at.number] * scale));
-        let mut numbers: Vec<(Change, f64)> = numbers.filter(|(_, by)| by.is_finite()).collect();
+        let numbers =
+            numbers.map(|each| (&*each.change.name, each.of[at.column][at.number] * scale));
+        let mut numbers: Vec<(&str, f64)> = numbers.filter(|(_, by)| by.is_finite()).collect();
         numbers.sort_by(|(_, a), (_, b)| b.abs().total_cmp(&a.abs()));
         let greatest = numbers.first().map_or(0.0, |(_, by)| by.abs());
         // Differences of what does not change leave rounding.
@@ -148,8 +186,7 @@ impl Report<'_> {
             return "nothing changes it".to_owned();
         }
         let each = numbers.iter().take(count);
-        let each =
-            each.map(|(change, by)| format!("{} {}", self.changed(*change), rounded(*by, DIGITS)));
+        let each = each.map(|(change, by)| format!("{change} {}", rounded(*by, DIGITS)));
         each.collect::<Vec<_>>().join(", ")
     }
 }

@@ -56,6 +56,8 @@ pub struct MotionFile {
     pub masses: Option<Table<MassTable>>,
     /// Load cases by name, each with what acts where.
     pub loads: Option<Table<BTreeMap<Spanned<String>, Spanned<Load>>>>,
+    /// Standard deviations of points and links by name, in the unit.
+    pub tolerances: Option<Table<f64>>,
     /// What may be moved to reach which curves.
     pub tune: Option<Spanned<TuneTable>>,
     /// The instants.

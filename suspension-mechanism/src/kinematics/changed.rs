@@ -14,6 +14,30 @@ pub struct Changes {
     pub lengths: Vec<(usize, f64)>,
 }
 
+impl Changes {
+    /// So many times as much.
+    pub fn times(&self, by: f64) -> Self {
+        let points = self.points.iter().map(|(point, unit)| (*point, unit * by));
+        let lengths = self
+            .lengths
+            .iter()
+            .map(|(length, unit)| (*length, unit * by));
+        Self {
+            points: points.collect(),
+            lengths: lengths.collect(),
+        }
+    }
+
+    /// All of them together.
+    pub fn together(all: impl Iterator<Item = Self>) -> Self {
+        all.fold(Self::default(), |mut together, each| {
+            together.points.extend(each.points);
+            together.lengths.extend(each.lengths);
+            together
+        })
+    }
+}
+
 /// Built anew of the points where the mechanism starts, with the drives as those have them; then lengths change, and the
 /// drives are held.
 pub(super) fn changed<L: Suspension<N>, const N: usize>(

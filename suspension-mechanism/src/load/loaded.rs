@@ -9,9 +9,11 @@ use crate::load::cases::cases;
 use crate::load::listing::Chosen;
 use crate::load::masses::masses;
 use crate::load::prepare::{Request, Start, prepare};
+use crate::load::tolerances::tolerances;
 use crate::load::tuning::tuning;
 use crate::loads::{Case, Mass};
 use crate::mechanism::{Axes, Description, Instants, Mechanism, Suspension, Unit};
+use crate::tolerances::Tolerance;
 use crate::tune::{Move, Target};
 
 /// A motion file that was read. Its mechanism is prepared when it is asked for.
@@ -253,6 +255,27 @@ impl Loaded<'_> {
             self.listing(),
             (mechanism, &design),
         )
+    }
+
+    /// The tolerances of the file's points and links.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] with the place of what is no tolerance, or of nothing in the mechanism.
+    pub fn tolerances(&self, mechanism: &Description) -> Result<Vec<Tolerance>, Failure> {
+        tolerances(self.source, &self.file, self.listing(), mechanism)
+    }
+
+    /// The named changes of the file, the moves of `[tune]`; none where it has none.
+    ///
+    /// # Errors
+    ///
+    /// As [`tuning`](Self::tuning).
+    pub fn moves(&self, mechanism: &Description) -> Result<Vec<Move>, Failure> {
+        match self.file.tune {
+            Some(_) => Ok(self.tuning(mechanism)?.0),
+            None => Ok(Vec::new()),
+        }
     }
 
     /// What the file has for `suspension tune`: what may be moved, and the targets, in its order.

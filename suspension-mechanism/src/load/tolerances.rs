@@ -1,0 +1,63 @@
+//! The tolerances of a motion file, by what they are of.
+
+use suspension_listing::did_you_mean::did_you_mean;
+use suspension_runtime::Listing;
+
+use crate::failure::Failure;
+use crate::file::{MotionFile, Source};
+use crate::mechanism::Description;
+use crate::sensitivities::{Change, coordinates, length};
+use crate::tolerances::Tolerance;
+
+/// The tolerances that a file states: of a point those of its three coordinates, of a link that of its length.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at what is no point and no link, and at a standard deviation that is none.
+pub(super) fn tolerances(
+    source: &Source,
+    file: &MotionFile,
+    listing: &Listing,
+    mechanism: &Description,
+) -> Result<Vec<Tolerance>, Failure> {
+    let Some(table) = &file.tolerances else {
+        return Ok(Vec::new());
+    };
+    let names = &mechanism.names;
+    let statements = listing.statements().into_iter();
+    let links = statements.filter(|statement| statement.kind == "link");
+    let links: Vec<&str> = links.map(|link| link.name).collect();
+    let changes = |name: &str| -> Option<Vec<Change>> {
+        if let Some(point) = names.points.iter().position(|point| point == name) {
+            return Some(coordinates(mechanism, point).collect());
+        }
+        let link = links.iter().find(|link| **link == name)?;
+        let number = names.lengths.iter().position(|length| length == link)?;
+        Some(vec![length(mechanism, number)])
+    };
+    let mut found = Vec::new();
+    for (name, deviation) in table.get_ref() {
+        let changes = changes(name.get_ref()).ok_or_else(|| {
+            let known = names.points.iter().map(String::as_str);
+            let known: Vec<&str> = known.chain(links.iter().copied()).collect();
+            let hint = did_you_mean(name.get_ref(), known.iter().copied());
+            let known = known.join(", ");
+            let message = format!(
+                "`{}` is no point and no link; known are {known}{hint}",
+                name.get_ref()
+            );
+            source.refuse(&name.span(), message)
+        })?;
+        let value = *deviation.get_ref();
+        if !(value.is_finite() && value >= 0.0) {
+            let message =
+                "a tolerance is a standard deviation in the unit of lengths, from zero on";
+            return Err(source.refuse(&deviation.span(), message));
+        }
+        found.extend(changes.into_iter().map(|change| Tolerance {
+            change,
+            deviation: value,
+        }));
+    }
+    Ok(found)
+}
