@@ -32,17 +32,17 @@ const TOLERANCES: &str =
 #[test]
 fn camber_scatters_as_the_ends_of_the_spin_axis() {
     let points = TOLERANCES.replace("tie_rod = 0.0002\n", "");
-    let rows = table(&format!("{CORNER}{points}"), &[]);
+    let rows = table(&format!("{CORNER}{points}"), &["--samples", "300"]);
     let expected = 0.0005 * 2.0_f64.sqrt() / 0.1;
     let first_order = rows["standard_deviation"]["camber_rad"];
     assert!(
         (first_order - expected).abs() < 1e-9,
         "{first_order} {expected}"
     );
-    // A thousand samples know a standard deviation to 2.2 % of it.
+    // Three hundred samples know a standard deviation to 4 % of it.
     let sampled = rows["standard_deviation_of_samples"]["camber_rad"];
     assert!(
-        (sampled / expected - 1.0).abs() < 0.1,
+        (sampled / expected - 1.0).abs() < 0.15,
         "{sampled} {expected}"
     );
     assert!(sampled != expected);

@@ -79,7 +79,11 @@ fn at_rest<L: Suspension<N>, const N: usize>(
 ) -> Option<Mechanism<L, N>> {
     let mut position = model.unknowns(points);
     let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
-    assemble(&Newton::from_afar(), &model, &inputs, &mut position).ok()?;
+    // The points are the solution where only they were changed.
+    let nearby = Newton::default().solve(&model, &inputs, &mut position);
+    if nearby.is_err() {
+        assemble(&Newton::from_afar(), &model, &inputs, &mut position).ok()?;
+    }
     let mut names = mechanism.names.clone();
     let there = Motion::at_rest(position).points(&model, &inputs);
     let measures: Vec<f64> = model.measures(&there).value.values().collect();
