@@ -1,5 +1,6 @@
 //! `suspension loads`: the forces in a mechanism under the load cases of its file.
 
+mod drawing;
 mod found;
 mod report;
 mod table;
@@ -9,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
+use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::Source;
@@ -17,11 +19,13 @@ use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::loads::{Case, Outcome, Structure};
 use crate::mechanism::{End, Order, State};
-use crate::output::files::{announce, print};
+use crate::output::drawing::{SIZE, Seen};
+use crate::output::files::{announce, print, write_file};
 use crate::output::progress::Progress;
 use crate::output::rows::Forms;
 use crate::output::target::Target;
 use crate::quantities::{DRIVES, Quantity, TIME};
+use drawing::drawing;
 use found::Found;
 use report::Report;
 
@@ -49,6 +53,9 @@ pub struct Arguments {
     /// to out/NAME_loads.csv, NAME being the motion file's.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
+    /// Draw each case at the first place, with the forces along the links, as PATH/NAME_CASE.svg, NAME being the motion file's.
+    #[arg(long, value_name = "PATH")]
+    drawings: Option<PathBuf>,
     /// Write the rows as JSON to PATH, or to standard output for `-`.
     #[arg(long, value_name = "PATH")]
     json: Option<PathBuf>,
@@ -80,8 +87,10 @@ impl Arguments {
         let work = Work {
             source: source.name(),
             mechanism,
+            listing: loaded.listing(),
             structure: &structure,
             cases: &cases,
+            drawings: self.drawings.as_deref().map(|folder| (folder, self.stem())),
         };
         if self.motion {
             work.in_motion(&forms, interrupted)
@@ -90,8 +99,13 @@ impl Arguments {
         }
     }
 
+    fn stem(&self) -> String {
+        let stem = self.file.file_stem().unwrap_or_default();
+        stem.to_string_lossy().into_owned()
+    }
+
     fn forms(&self) -> Forms {
-        let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
+        let stem = self.stem();
         let beside = || Path::new("out").join(format!("{stem}_loads.csv"));
         let is_grid = (self.motion || !self.drives.is_empty()) && self.json.is_none();
         let csv = self.csv.clone().or_else(|| is_grid.then(beside));
@@ -106,8 +120,11 @@ impl Arguments {
 struct Work<'a> {
     source: &'a str,
     mechanism: &'a dyn Kinematics,
+    listing: &'a Listing,
     structure: &'a Structure<'a>,
     cases: &'a [Case],
+    /// The folder of drawings, and what their names begin with.
+    drawings: Option<(&'a Path, String)>,
 }
 
 impl Work<'_> {
@@ -194,6 +211,20 @@ impl Work<'_> {
             )?;
             let written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
             announce(&written);
+        }
+        if let (Some((folder, stem)), [first, ..]) = (&self.drawings, &*states) {
+            let drawn = found.iter().map(|found| {
+                let whole = (self.mechanism, self.listing);
+                let drawing = drawing(whole, self.structure, found, first);
+                let path = folder.join(format!("{stem}_{}.svg", found.case.name));
+                let nothing = || Failure::Solver(format!("{}: nothing to draw", self.source));
+                write_file(
+                    &path,
+                    &drawing.svg(Seen::Oblique, SIZE).ok_or_else(nothing)?,
+                )?;
+                Ok(path)
+            });
+            announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
         }
         if [&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
             return Ok(());

@@ -2,6 +2,7 @@
 
 mod axes;
 mod disc;
+mod forces;
 mod hull;
 mod labels;
 mod start;
@@ -15,6 +16,7 @@ use plotters::style::text_anchor::{Pos, VPos};
 
 use crate::mechanism::Axes;
 use disc::rim;
+pub use forces::{Acting, Forces, InLink};
 use labels::{Boxed, Labels, Segment};
 pub use start::drawing_of;
 pub use view::Seen;
@@ -41,6 +43,8 @@ pub struct Drawing {
     pub wheels: Vec<Wheel>,
     /// All points at other places of the motion, drawn faintly.
     pub others: Vec<Vec<[f64; 3]>>,
+    /// What acts and what links bear, where that is shown.
+    pub forces: Option<Forces>,
     /// The symbol of the unit of lengths.
     pub unit: &'static str,
 }
@@ -200,7 +204,7 @@ impl Drawing {
             let style = font.color(&CHASSIS).pos(Pos::new(anchor, VPos::Top));
             area.draw(&Text::new(name.as_str(), at, style))?;
         }
-        Ok(())
+        self.draw_forces(area, view, &mut labels)
     }
 
     /// The lines that names keep clear of.
@@ -234,7 +238,8 @@ impl Drawing {
             let rims = self.wheels.iter().filter_map(|wheel| rim(wheel, at));
             at.iter().copied().chain(rims.flatten())
         });
-        with_rim.collect()
+        let arrows = self.arrows().into_iter().flatten();
+        with_rim.chain(arrows).collect()
     }
 }
 

@@ -99,6 +99,19 @@ impl<'l> Structure<'l> {
         Some(outcome)
     }
 
+    /// Where the loads of a case act at places, in the file's coordinates, and their forces, N.
+    pub fn acting(
+        &self,
+        mechanism: &dyn Kinematics,
+        case: &Case,
+        state: &State,
+    ) -> Vec<[Vector3<f64>; 2]> {
+        let here = Here::new(mechanism, &self.carriers, state);
+        let each = case.at.iter();
+        each.map(|(site, [force, _])| [here.place_of(*site) + state.origin, *force])
+            .collect()
+    }
+
     /// Adds the forces `by` a statement on all points, with what acts on the part itself, which it passes on.
     fn add(
         &self,

@@ -208,3 +208,30 @@ fn what_is_no_mass_is_refused_with_its_place() {
         "{output:?}"
     );
 }
+
+/// A picture of each case: the numbers of the table along the links, and an arrow for what acts.
+#[test]
+fn a_picture_shows_what_links_bear() {
+    let cases = "contact = [-3000.0, 0.0, 4000.0]\n[loads.b]\ncontact = [0.0, 3000.0, 4000.0]\nbump = \"damper\"";
+    let file = corner("", cases).replace("[masses]", "[vehicle]\nwheel_radius = 0.3\n[masses]");
+    let rows = table(&file, &[]);
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), &file).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml", "--drawings", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    for case in ["a", "b"] {
+        let path = folder.path().join(format!("out/a_{case}.svg"));
+        let svg = std::fs::read_to_string(path).expect("a drawing");
+        for link in ["tie_rod", "pushrod", "drop_link"] {
+            let force = rows[0][&format!("{case}_{link}_N")];
+            assert!(
+                svg.contains(&format!("\n{force:.0} N\n")),
+                "{case} {link}: {force}"
+            );
+        }
+        assert!(
+            svg.contains("\n5000 N\n")
+                && svg.contains(&format!("load case {case}: links in tension blue"))
+        );
+    }
+}

@@ -31,6 +31,7 @@ pub fn drawing_of(
         bodies: listing.bodies(),
         wheels: names.wheels.iter().map(of_wheel).collect(),
         others: Vec::new(),
+        forces: None,
         unit: unit.symbol(),
     }
 }

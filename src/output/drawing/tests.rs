@@ -23,6 +23,7 @@ fn corner() -> Drawing {
             radius: 0.3,
         }],
         others: Vec::new(),
+        forces: None,
         unit: "m",
     }
 }

@@ -72,6 +72,14 @@ impl<'a> Here<'a> {
         &self.state.points.value
     }
 
+    /// Where a site is, in local coordinates.
+    pub(super) fn place_of(&self, site: Site) -> Vector3<f64> {
+        match site {
+            Site::Point(point) | Site::Body(point, _) => self.points()[point],
+            Site::Contact(wheel) => self.contact(wheel),
+        }
+    }
+
     /// The forces of loads, N and N m, at places.
     pub(super) fn at_sites(&self, loads: &[(Site, [Vector3<f64>; 2])]) -> Vec<Force> {
         let each = loads.iter().map(|(site, [force, moment])| match *site {
@@ -80,10 +88,10 @@ impl<'a> Here<'a> {
                 force: *force,
                 part: Vec::new(),
             }],
-            Site::Body(point, body) => self.spread(body, self.points()[point], *force, *moment),
+            Site::Body(_, body) => self.spread(body, self.place_of(*site), *force, *moment),
             Site::Contact(wheel) => {
                 let body = self.mechanism.names.wheels[wheel].points.carrier;
-                self.spread(body, self.contact(wheel), *force, *moment)
+                self.spread(body, self.place_of(*site), *force, *moment)
             }
         });
         each.flatten().collect()

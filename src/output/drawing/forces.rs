@@ -1,0 +1,160 @@
+//! Forces in a drawing: along links, and arrows of what acts.
+
+use plotters::prelude::*;
+use plotters::style::text_anchor::{Pos, VPos};
+
+use super::labels::{Boxed, Labels};
+use super::view::View;
+use super::{Area, CHASSIS, Drawing, Drawn, FINE, LINK, pixels};
+
+/// The force in a link.
+#[derive(Clone, Debug)]
+pub struct InLink {
+    /// Its ends, by their indices.
+    pub ends: [usize; 2],
+    /// N, positive in tension.
+    pub tension: f64,
+}
+
+/// A force that acts.
+#[derive(Clone, Copy, Debug)]
+pub struct Acting {
+    /// Where.
+    pub at: [f64; 3],
+    /// N.
+    pub force: [f64; 3],
+}
+
+/// All forces of a drawing.
+#[derive(Clone, Debug, Default)]
+pub struct Forces {
+    /// Above the drawing.
+    pub title: String,
+    /// Along links.
+    pub links: Vec<InLink>,
+    /// From outside.
+    pub acting: Vec<Acting>,
+}
+
+const PRESSED: RGBColor = RGBColor(190, 40, 40);
+const ACTING: RGBColor = RGBColor(110, 60, 150);
+
+/// The widths of links without force, and with the largest, as shown.
+const THIN: f64 = 2.0;
+const THICK: f64 = 10.0;
+
+/// The longest arrow, as a part of the mechanism's extent.
+const LONGEST: f64 = 0.3;
+
+impl Drawing {
+    /// The ends of the arrows, the tip last.
+    pub(super) fn arrows(&self) -> Vec<[[f64; 3]; 2]> {
+        let Some(forces) = &self.forces else {
+            return Vec::new();
+        };
+        let size = |acting: &Acting| acting.force.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let largest = forces.acting.iter().map(size).fold(0.0, f64::max);
+        let scale = LONGEST * self.extent() / largest;
+        let arrow = |acting: &Acting| {
+            let tip = |axis: usize| acting.at[axis] + scale * acting.force[axis];
+            [acting.at, [0, 1, 2].map(tip)]
+        };
+        let acting = forces.acting.iter().filter(|acting| size(acting) > 0.0);
+        acting.map(arrow).collect()
+    }
+
+    /// The largest distance of points along an axis.
+    fn extent(&self) -> f64 {
+        let along = |axis: usize| {
+            let each = self.points.iter().map(|(_, at)| at[axis]);
+            each.clone().fold(f64::NEG_INFINITY, f64::max) - each.fold(f64::INFINITY, f64::min)
+        };
+        [0, 1, 2].map(along).into_iter().fold(0.0, f64::max)
+    }
+
+    /// Draws links by what is in them, the arrows, and the numbers.
+    pub(super) fn draw_forces(&self, area: &Area<'_>, view: &View, labels: &mut Labels) -> Drawn {
+        let Some(forces) = &self.forces else {
+            return Ok(());
+        };
+        let largest = forces.links.iter().map(|link| link.tension.abs());
+        let largest = largest.fold(f64::MIN_POSITIVE, f64::max);
+        for link in &forces.links {
+            let ends = link.ends.map(|end| pixels(view.of(self.points[end].1)));
+            let width = THIN + (THICK - THIN) * link.tension.abs() / largest;
+            let stroke = colour(link.tension).stroke_width((width * f64::from(FINE)) as u32);
+            area.draw(&PathElement::new(ends.to_vec(), stroke))?;
+        }
+        for arrow in self.arrows() {
+            let ends = arrow.map(|at| pixels(view.of(at)));
+            area.draw(&PathElement::new(
+                ends.to_vec(),
+                ACTING.stroke_width(3 * FINE),
+            ))?;
+            area.draw(&Polygon::new(head(ends), ACTING.filled()))?;
+        }
+        for link in &forces.links {
+            let [a, b] = link.ends.map(|end| pixels(view.of(self.points[end].1)));
+            let middle = (i32::midpoint(a.0, b.0), i32::midpoint(a.1, b.1));
+            let text = format!("{:.0} N", link.tension);
+            put(area, labels, &text, (middle, colour(link.tension)))?;
+        }
+        for (acting, [_, tip]) in forces.acting.iter().zip(self.arrows()) {
+            let size = acting.force.iter().map(|x| x * x).sum::<f64>().sqrt();
+            put(
+                area,
+                labels,
+                &format!("{size:.0} N"),
+                (pixels(view.of(tip)), ACTING),
+            )?;
+        }
+        let font = ("sans-serif", labels.font_size()).into_font();
+        let corner = (12 * FINE as i32, 12 * FINE as i32);
+        area.draw(&Text::new(
+            forces.title.as_str(),
+            corner,
+            font.color(&CHASSIS),
+        ))?;
+        Ok(())
+    }
+}
+
+fn colour(tension: f64) -> RGBColor {
+    if tension < 0.0 { PRESSED } else { LINK }
+}
+
+/// The head of an arrow.
+fn head([from, to]: [(i32, i32); 2]) -> Vec<(i32, i32)> {
+    const LENGTH: f64 = 14.0;
+    const HALF_WIDTH: f64 = 5.0;
+    let [dx, dy] = [to.0 - from.0, to.1 - from.1].map(f64::from);
+    let length = dx.hypot(dy).max(1.0) / f64::from(FINE);
+    let [ux, uy] = [dx / length, dy / length];
+    let at = |along: f64, across: f64| {
+        let x = f64::from(to.0) - along * ux - across * uy;
+        let y = f64::from(to.1) - along * uy + across * ux;
+        (x.round() as i32, y.round() as i32)
+    };
+    vec![
+        at(-2.0, 0.0),
+        at(LENGTH, HALF_WIDTH),
+        at(LENGTH, -HALF_WIDTH),
+    ]
+}
+
+fn put(
+    area: &Area<'_>,
+    labels: &mut Labels,
+    text: &str,
+    (place, colour): ((i32, i32), RGBColor),
+) -> Drawn {
+    let Boxed { at, anchor, leader } = labels.put(text, place);
+    if let Some(end) = leader {
+        let stroke = colour.mix(0.5).stroke_width(FINE);
+        area.draw(&PathElement::new([place, end], stroke))?;
+    }
+    let font = ("sans-serif", labels.font_size()).into_font();
+    let style = font.color(&colour).pos(Pos::new(anchor, VPos::Top));
+    area.draw(&Text::new(text, at, style))?;
+    Ok(())
+}
