@@ -1,22 +1,19 @@
 //! Small vibrations, of a linear model and as measured.
 
-use nalgebra::{SMatrix, SVector, SymmetricEigen};
+use nalgebra::{DMatrix, SMatrix, SVector, SymmetricEigen};
 
 /// The modes of `M x'' + K x = 0`, slowest first: frequency in Hz and shape, of length 1.
 pub(crate) fn modes<const N: usize>(
     mass: SMatrix<f64, N, N>,
     stiffness: SMatrix<f64, N, N>,
-) -> Vec<(f64, SVector<f64, N>)>
-where
-    nalgebra::Const<N>: nalgebra::DimSub<nalgebra::Const<1>>,
-    nalgebra::DefaultAllocator:
-        nalgebra::allocator::Allocator<nalgebra::DimDiff<nalgebra::Const<N>, nalgebra::Const<1>>>,
-{
-    let lower = mass.cholesky().expect("masses").l();
+) -> Vec<(f64, SVector<f64, N>)> {
+    let on_heap = |matrix: SMatrix<f64, N, N>| DMatrix::from_column_slice(N, N, matrix.as_slice());
+    let lower = on_heap(mass).cholesky().expect("masses").l();
     let inverse = lower.try_inverse().expect("masses");
-    let eigen = SymmetricEigen::new(inverse * stiffness * inverse.transpose());
-    let shapes =
-        (0..N).map(|mode| (inverse.transpose() * eigen.eigenvectors.column(mode)).normalize());
+    let transposed = inverse.transpose();
+    let eigen = SymmetricEigen::new(&inverse * on_heap(stiffness) * &transposed);
+    let shape = |mode: usize| (&transposed * eigen.eigenvectors.column(mode)).normalize();
+    let shapes = (0..N).map(|mode| SVector::from_column_slice(shape(mode).as_slice()));
     let frequencies = eigen
         .eigenvalues
         .iter()
