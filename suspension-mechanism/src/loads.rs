@@ -45,6 +45,22 @@ pub struct Outcome {
     pub links: Vec<(usize, f64)>,
     /// The force, N, that each other statement, and each link with a mass, exerts on each of its points, both by number.
     pub joints: Vec<(usize, usize, Vector3<f64>)>,
+    /// The largest force that acts at a point, N: of the loads, of what bears drives' loads, of weight and inertia.
+    pub largest_load: f64,
+}
+
+impl Outcome {
+    /// How many times the largest force that acts the largest one inside is: without bound where the mechanism locks.
+    pub fn amplification(&self) -> f64 {
+        let links = self.links.iter().map(|(_, tension)| tension.abs());
+        let joints = self.joints.iter().map(|(.., force)| force.norm());
+        let largest = links.chain(joints).fold(0.0, f64::max);
+        if largest == 0.0 {
+            0.0
+        } else {
+            largest / self.largest_load
+        }
+    }
 }
 
 /// The statements of a listing that hold its points.
@@ -90,6 +106,10 @@ impl<'l> Structure<'l> {
             in_measures,
             links: Vec::new(),
             joints: Vec::new(),
+            largest_load: forces
+                .iter()
+                .map(|each| each.force.norm())
+                .fold(0.0, f64::max),
         };
         for (number, by) in by_groups.into_iter().enumerate() {
             let own = forces.iter();

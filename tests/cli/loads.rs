@@ -265,3 +265,24 @@ fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
     assert!(is_told && output.status.code() == Some(3), "{output:?}");
     assert!(!folder.path().join("a.csv").exists());
 }
+
+/// The published five-point suspension locks at theta = 2.178426 rad.
+#[test]
+fn near_a_lock_the_report_says_so() {
+    let file = include_str!("../../examples/attia2003.toml");
+    let file = format!("{file}[loads.a]\np11 = [0.0, 0.0, 1000.0]\n");
+    for (theta, is_near) in [("2.1", false), ("2.17842626", true)] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), &file).expect("written");
+        let drive = format!("theta={theta}");
+        let output = run(
+            folder.path(),
+            &["loads", "a.toml", "--absolute", "--drive", &drive],
+        );
+        let told = text(&output.stdout).contains("is near a position where it locks");
+        assert!(
+            output.status.success() && told == is_near,
+            "{theta}: {output:?}"
+        );
+    }
+}

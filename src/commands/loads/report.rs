@@ -61,6 +61,7 @@ impl Report<'_> {
             joints_in_words(&outcomes),
             self.joints(&outcomes),
         );
+        out.push_str(&near_a_lock(&outcomes));
         out
     }
 
@@ -87,6 +88,20 @@ impl Report<'_> {
         });
         joints.collect()
     }
+}
+
+/// A note where forces inside are so large that a lock must be near.
+fn near_a_lock(outcomes: &[&Outcome]) -> String {
+    /// Arms and rockers make forces several times as large as the load.
+    const MANY: f64 = 100.0;
+    let each = outcomes.iter().map(|outcome| outcome.amplification());
+    let most = each.fold(0.0, f64::max);
+    if most < MANY {
+        return String::new();
+    }
+    format!(
+        "The largest force inside is {most:.0} times the largest load: the mechanism is near a position where it locks.\n\n"
+    )
 }
 
 fn joints_in_words(outcomes: &[&Outcome]) -> &'static str {
