@@ -14,6 +14,7 @@ mod prepare;
 mod said_of_wheels;
 mod springs;
 mod start;
+mod stated;
 mod task;
 mod tolerances;
 mod tuning;

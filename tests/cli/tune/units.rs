@@ -1,0 +1,164 @@
+//! Tuning in other units and axes, and what is refused.
+
+use super::super::program::{folder, text};
+use super::{FLAT, file, tuned};
+
+/// The same target in millimetres, radians and the axes of Adams.
+#[test]
+fn units_and_axes_do_not_matter() {
+    let moved = |file: &str| -> Vec<f64> {
+        let folder = folder();
+        let output = tuned(folder.path(), file);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let lines = text(&output.stdout)
+            .lines()
+            .map(str::to_owned)
+            .collect::<Vec<_>>();
+        let number = |name: &str| {
+            let line = lines
+                .iter()
+                .find(|line| line.starts_with(name))
+                .expect(name);
+            line.split_whitespace()
+                .nth(1)
+                .expect("a number")
+                .parse()
+                .expect("a number")
+        };
+        vec![number("rack_height"), number("ball_height")]
+    };
+    let listing = r#"statements = """
+        fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
+        free: lower_ball, upper_ball, tie_ball, wheel_centre;
+        link a: lower_front -> lower_ball;
+        link b: lower_rear -> lower_ball;
+        link c: upper_front -> upper_ball;
+        link d: upper_rear -> upper_ball;
+        link tie_rod: rack -> tie_ball;
+        body upright: lower_ball, upper_ball, tie_ball, wheel_centre;
+        point axle: upright;
+        drive bump: wheel_centre.z;
+        drive steer: rack.y;
+        wheel: axle -> wheel_centre;
+    """"#;
+    let of = |unit: &str, scale: f64, [x, y]: [f64; 2], axes: &str| {
+        let points = [
+            ("lower_front", [0.20, 0.35, 0.16]),
+            ("lower_rear", [-0.20, 0.35, 0.16]),
+            ("upper_front", [0.15, 0.42, 0.42]),
+            ("upper_rear", [-0.15, 0.42, 0.42]),
+            ("rack", [0.11, 0.34, 0.20]),
+            ("lower_ball", [0.005, 0.70, 0.17]),
+            ("upper_ball", [-0.015, 0.66, 0.44]),
+            ("tie_ball", [0.12, 0.68, 0.21]),
+            ("wheel_centre", [0.0, 0.75, 0.30]),
+            ("axle", [0.0, 0.65, 0.30]),
+        ];
+        let points = points.map(|(name, [px, py, pz])| {
+            format!(
+                "{name} = [{:?}, {:?}, {:?}]",
+                x * px * scale,
+                y * py * scale,
+                pz * scale
+            )
+        });
+        let tune = FLAT.replace("0.03", &format!("{:?}", 0.03 * scale));
+        let tune = tune.replace("0.06", &format!("{:?}", 0.06 * scale));
+        let (angle, within) = match unit {
+            "mm" => ("rad", 0.02_f64.to_radians()),
+            _ => ("deg", 0.02),
+        };
+        let tune = tune.replace("within = 0.02", &format!("within = {within:?}"));
+        let head = format!("unit = \"{unit}\"\nangle = \"{angle}\"\naxes = \"{axes}\"\n");
+        let [bump, steer] = [0.3 * scale, 0.34 * scale * y];
+        let drives = format!(
+            "time = {{ instants = [0.0] }}\n[drives]\nbump = {bump:?}\nsteer = {steer:?}\n"
+        );
+        format!(
+            "{head}{listing}\n{drives}[points]\n{}\n{tune}",
+            points.join("\n")
+        )
+    };
+    let iso = moved(&of("m", 1.0, [1.0, 1.0], "ISO 8855"));
+    let adams = moved(&of("mm", 1000.0, [-1.0, -1.0], "Adams"));
+    for (iso, adams) in iso.iter().zip(&adams) {
+        assert!((1000.0 * iso - adams).abs() < 0.01, "{iso} {adams}");
+    }
+}
+
+#[test]
+fn what_cannot_be_tuned_is_refused_with_its_place() {
+    let drives = "bump = 0.3\nsteer = 0.34";
+    for (tune, code, expected) in [
+        ("", 2, "nothing to tune: write [tune.moves.NAME]"),
+        (
+            &FLAT.replace("\"tie_ball\"", "\"tie_bal\""),
+            2,
+            "unknown point `tie_bal`; known are ",
+        ),
+        (
+            &FLAT.replace("of = \"toe\"", "of = \"tow\""),
+            2,
+            "unknown quantity `tow`; known are ",
+        ),
+        (
+            &FLAT.replace("{ bump", "{ bumb"),
+            2,
+            "unknown drive `bumb`; known are bump, steer",
+        ),
+        (
+            &FLAT.replace("change = 0.0\n", ""),
+            2,
+            "a target has `value`, or `change`",
+        ),
+        (
+            &FLAT.replace("along = \"z\"\n", ""),
+            2,
+            "`along` is missing",
+        ),
+        (
+            &FLAT.replace("along = \"z\"", "along = \"up\""),
+            2,
+            "expected \"x\", \"y\", \"z\" or [x, y, z]",
+        ),
+        (
+            &FLAT.replace("[0, 0, 2]", "[0, 0, 0]"),
+            2,
+            "a direction is finite and not zero",
+        ),
+        (
+            &FLAT.replacen("[-0.03, 0.03]", "[0.03, -0.03]", 1),
+            2,
+            "`by` is [least, greatest]",
+        ),
+        (
+            &FLAT.replace("points = [\"rack\"]\nalong = \"z\"", "length = \"tie_rot\""),
+            2,
+            "unknown link `tie_rot`; known are ",
+        ),
+        (
+            &FLAT.replace("within = 0.02", "within = 0.0"),
+            2,
+            "`within` is how far",
+        ),
+        (
+            &FLAT.replace("[-0.06, 0.06]", "[-0.06, 0.6]"),
+            3,
+            "target `bump_steer`: ",
+        ),
+        (
+            &format!("{FLAT}[design]\nbump = 0.3\nsteer = 0.34\n"),
+            2,
+            "without [lengths] and [design]",
+        ),
+    ] {
+        let folder = folder();
+        let output = tuned(folder.path(), &file("double_wishbone", drives, tune));
+        assert_eq!(output.status.code(), Some(code), "{tune}: {output:?}");
+        assert!(
+            text(&output.stderr).contains(expected),
+            "{expected}: {output:?}"
+        );
+        assert!(!folder.path().join("a_tuned.toml").exists());
+    }
+}
