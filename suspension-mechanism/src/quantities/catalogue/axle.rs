@@ -8,6 +8,7 @@ use crate::quantities::of_axle::{
     of_both, of_roll, of_roll_centre, of_steered_wheels, of_turn, track,
 };
 use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::sprung;
 
 catalogue! {
     TOTAL_TOE: "total toe" {
@@ -93,5 +94,14 @@ catalogue! {
         source: "roll steer coefficient",
         shown: Shown::InTables,
         read: |names| of_roll(names, |per_roll| per_roll.steer),
+    }
+    ROLL_RATE: "roll rate of the axle" {
+        name: "roll_rate",
+        sign: "positive where the springs push back",
+        definition: "of springs and bars together, the drives of both wheels moving opposite ways: sum rate (ds/dp)^2 - F d2s/dp2 \
+                     with p the angle of the line through the wheel centres in the front view",
+        source: "virtual work; without the tyres",
+        shown: Shown::InTables,
+        read: |names| sprung::of_roll(names, |sprung| sprung.rate),
     }
 }

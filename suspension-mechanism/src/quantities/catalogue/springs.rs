@@ -2,7 +2,7 @@
 
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::sprung::{of_roll, of_wheels};
+use crate::quantities::sprung::of_wheels;
 
 catalogue! {
     SPRING_LOAD: "load on the springs at the wheel" {
@@ -22,14 +22,5 @@ catalogue! {
         source: "Milliken 1995, chapter 16, with the change of the motion ratio",
         shown: Shown::InTables,
         read: |names| of_wheels(names, Kind::Stiffness, |sprung| sprung.rate),
-    }
-    ROLL_RATE: "roll rate of the axle" {
-        name: "roll_rate",
-        sign: "positive where the springs push back",
-        definition: "of springs and bars together, the drives of both wheels moving opposite ways: sum rate (ds/dp)^2 - F d2s/dp2 \
-                     with p the angle of the line through the wheel centres in the front view",
-        source: "virtual work; without the tyres",
-        shown: Shown::InTables,
-        read: |names| of_roll(names, |sprung| sprung.rate),
     }
 }
