@@ -2,6 +2,7 @@
 
 mod report;
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -32,8 +33,8 @@ pub struct Arguments {
     #[arg(long = "of", value_name = "NAME")]
     of: Vec<String>,
     /// How many hardpoint coordinates and lengths are printed of each, those with the largest effect first.
-    #[arg(long, value_name = "COUNT", default_value_t = 5)]
-    largest: usize,
+    #[arg(long, value_name = "COUNT", default_value = "5")]
+    largest: NonZeroUsize,
     /// How many suspensions are built with random changes, where the file has tolerances.
     #[arg(long, value_name = "COUNT", default_value_t = 1000, value_parser = samples)]
     samples: usize,
@@ -82,7 +83,7 @@ impl Arguments {
         if csv != Some(Target::Stdout) {
             print(
                 &report
-                    .text(&self.of, self.largest)
+                    .text(&self.of, self.largest.get())
                     .map_err(Failure::Input)?,
             )?;
         }
@@ -121,7 +122,8 @@ impl Arguments {
 fn changes(loaded: &Loaded<'_>, mechanism: &Description) -> Result<Vec<Change>, Failure> {
     let names = &mechanism.names;
     let points = 0..names.points.len();
-    let coordinates = points.flat_map(|point| coordinates(mechanism, point));
+    let followers = loaded.followers(mechanism);
+    let coordinates = points.flat_map(|point| coordinates(mechanism, point, &followers));
     let statements = loaded.listing().statements().into_iter();
     let links = statements.filter(|statement| statement.kind == "link");
     let links = links
@@ -179,7 +181,7 @@ const NOTES: &str = "\
 Of each quantity at the design position, and of its derivative with respect to each drive (bump steer is that of toe),
 the hardpoint coordinates and link lengths that change it most, per mm (per inch in a file in inches).
 
-A hardpoint is moved alone, the suspension is built of its points and read at its own design position, as a drawing is
+A hardpoint is moved alone, with it a marker that the file states off it; the suspension is built of its points and read at its own design position, as a drawing is
 changed. A link's length is changed with the chassis points and the drives held, as a turnbuckle does. Each
 number is a difference of sixth order over thousandths of the suspension's size, good to about nine digits.
 

@@ -23,7 +23,8 @@ use rewritten::rewritten;
 pub struct Arguments {
     /// The motion file (TOML) with [tune], see below.
     file: PathBuf,
-    /// Write the motion file with the hardpoints found to PATH; without it beside FILE, as NAME_tuned.toml.
+    /// Write the motion file with the hardpoints found to PATH; without it beside FILE, as NAME_tuned.toml where there is none
+    /// yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
@@ -39,9 +40,16 @@ impl Arguments {
         let out = self.out.clone();
         let out = out.unwrap_or_else(|| beside(&self.file));
         refuse_input(&out, &self.file, "--out")?;
+        self.refuse_existing(&out)?;
         let stated = MotionFile::parse(&source)?;
         refuse_rough_points(&source, &stated)?;
         let loaded = load(&source)?;
+        load(&Source::new(out.display().to_string(), source.text())).map_err(|failure| {
+            Failure::Input(format!(
+                "--out {}: the file would not be read there: {failure}",
+                out.display()
+            ))
+        })?;
         let mechanism = &*loaded.at_design()?;
         let (moves, targets) = loaded.tuning(mechanism)?;
         let mut progress = Progress::new(MOST_STEPS, "steps");
@@ -70,6 +78,18 @@ impl Arguments {
         report.unmet().map_or(Ok(()), |unmet| {
             Err(Failure::Solver(format!("{}: {unmet}", source.name())))
         })
+    }
+}
+
+impl Arguments {
+    /// What has no name of the user's choice replaces nothing.
+    fn refuse_existing(&self, out: &Path) -> Result<(), Failure> {
+        if self.out.is_some() || !out.exists() {
+            return Ok(());
+        }
+        let out = out.display();
+        let message = format!("{out}: exists already; --out {out} replaces it");
+        Err(Failure::Input(message))
     }
 }
 
@@ -122,7 +142,8 @@ The motion file says what may be moved, and what is to be reached; lengths in it
   [tune.targets.bump_steer]
   of = \"toe\"                        # a quantity by its name in tables, without the unit; a measure
   over = { bump = [-0.060, 0.060] } # drives, from the design position; without it at the design position
-  change = 0.0                      # from the design position; or value = ...; or a number for each place: [0.1, 0.0, 0.2]
+  change = 0.0                      # from the design position; or value = ...; or of one drive a list, which says how many
+                                    # evenly spaced places there are: change = [0.1, 0.0, 0.2]
   within = 0.00035                  # how far it may be off
 
   [tune.targets.motion_ratio]
@@ -136,7 +157,8 @@ the targets are off, in parts of what is allowed, is made least, from the points
 out. What is near the file's points is found: a better design far from them may be missed.
 
 A table of the moves and of the targets is printed, and the motion file is written with the points found, all else as it
-stands. Where a move changes what a drive is at the design position, the drive's law begins by as much later.
+stands. Where a move changes what a drive is at the design position, the constant of its law in [drives] changes by as much.
+A marker that the file states off a point goes with it.
 
 Exit codes: 0 all targets are met, 1 a result cannot be written, 2 wrong input, 3 some targets are not met (the file is
 written), or the design locks before all places of a target, 130 interrupted (the best so far is written).

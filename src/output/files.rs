@@ -7,6 +7,7 @@ use std::path::{Component, Path, PathBuf};
 use tempfile::{NamedTempFile, TempPath};
 
 use crate::failure::Failure;
+use crate::file::inputs;
 use crate::interrupt;
 
 /// A file being written. It takes its name only when it is finished; until then what had the
@@ -27,8 +28,13 @@ impl Pending {
     ///
     /// # Errors
     ///
-    /// [`Failure::Output`] where the place cannot be written to.
+    /// [`Failure::Input`] where the file was read, [`Failure::Output`] where the place cannot be written to.
     pub fn create(path: &Path) -> Result<Self, Failure> {
+        if inputs::has(path) {
+            let path = path.display();
+            let message = format!("{path}: this is a file that is read; write to another one");
+            return Err(Failure::Input(message));
+        }
         let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
         match open(&target) {
             Ok((file, temporary)) => Ok(Self {

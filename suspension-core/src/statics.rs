@@ -75,6 +75,27 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Configuration<'a, L
             position: *position,
         }
     }
+
+    /// The work of forces per unit of each drive: by the equations, and of those at chassis points that it moves.
+    #[inline(always)]
+    fn on_drives(&self, multipliers: &SVector<T, N>, forces: &L::Points) -> L::Drives {
+        let Self {
+            linkage,
+            fixed,
+            rates,
+            position,
+        } = self;
+        let rates = rates.values().enumerate();
+        L::Drives::from_values(rates.map(|(drive, rate)| {
+            let rate = L::Drives::default().with(drive, rate);
+            let anchors = linkage.drive_anchors(L::Fixed::default(), &rate);
+            let terms = linkage.drive_rate(position, fixed, &anchors, &rate);
+            let moved = anchors.values().zip(forces.values());
+            moved.fold(multipliers.dot(&terms), |work, (rate, force)| {
+                work + rate.dot(&force)
+            })
+        }))
+    }
 }
 
 impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
@@ -96,7 +117,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
     }
 
     /// Loads the linkage with a force at each of its free points, in the axes of the hardpoints. Those at chassis points
-    /// go into the chassis and load nothing else; one at a marker, or at any other place of a body, is
+    /// go into the chassis, or into the drive that moves the point; one at a marker, or at any other place of a body, is
     /// [`spread`] over three points of that body.
     ///
     /// # Errors
@@ -105,7 +126,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
     pub fn under(&self, forces: &L::Points) -> Result<Loads<'a, L, N>, SolveError<T>> {
         let on_unknowns = on_unknowns(self.at.linkage, forces);
         let multipliers = self.factored.factors().solve_transposed(&on_unknowns);
-        Loads::checked(self.at, multipliers)
+        Loads::checked(self.at, multipliers, forces)
     }
 }
 
@@ -114,6 +135,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
 pub struct Loads<'a, L: Linkage<N>, const N: usize> {
     at: Configuration<'a, L, N>,
     multipliers: SVector<L::Scalar, N>,
+    on_drives: L::Drives,
 }
 
 impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
@@ -134,16 +156,21 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         let multipliers = with_factors(linkage, position, fixed, smallest_pivot(), |factors| {
             factors.solve_transposed(&on_unknowns)
         })?;
-        Self::checked(at, multipliers)
+        Self::checked(at, multipliers, forces)
     }
 
     #[inline(always)]
     fn checked(
         at: Configuration<'a, L, N>,
         multipliers: SVector<T, N>,
+        forces: &L::Points,
     ) -> Result<Self, SolveError<T>> {
         magnitude(&multipliers).map_err(SolveError::overflow)?;
-        Ok(Self { at, multipliers })
+        Ok(Self {
+            on_drives: at.on_drives(&multipliers, forces),
+            at,
+            multipliers,
+        })
     }
 
     /// The multiplier of each equation.
@@ -154,19 +181,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
     /// The work of the forces per unit of each drive: a force along a drive that is a length, a moment about one that is
     /// an angle. What moves the drive bears it.
     pub fn on_drives(&self) -> L::Drives {
-        let Configuration {
-            linkage,
-            fixed,
-            rates,
-            position,
-        } = &self.at;
-        let rates = rates.values().enumerate();
-        L::Drives::from_values(rates.map(|(drive, rate)| {
-            let rate = L::Drives::default().with(drive, rate);
-            let anchors = linkage.drive_anchors(L::Fixed::default(), &rate);
-            let terms = linkage.drive_rate(position, fixed, &anchors, &rate);
-            self.multipliers.dot(&terms)
-        }))
+        self.on_drives
     }
 
     /// The forces that some equations, those of one statement say, exert on chassis points and free points; zero at

@@ -2,6 +2,7 @@
 
 pub mod check;
 mod explain;
+pub mod inputs;
 mod leading;
 mod load;
 mod mark;

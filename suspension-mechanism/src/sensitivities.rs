@@ -44,13 +44,22 @@ pub struct Sensitivities {
 /// How far neighbours are from each other, as a part of the suspension's size.
 const STEP: f64 = 1e-3;
 
-/// The coordinates of a point.
-pub fn coordinates(mechanism: &Description, point: usize) -> impl Iterator<Item = Change> {
+/// The coordinates of a point, with which other points move that follow it: pairs of these and of what they follow.
+pub fn coordinates(
+    mechanism: &Description,
+    point: usize,
+    followers: &[[usize; 2]],
+) -> impl Iterator<Item = Change> {
     let name = &mechanism.names.points[point];
+    let following = followers.iter().filter(move |[_, from]| *from == point);
+    let moved: Vec<usize> = following
+        .map(|[marker, _]| *marker)
+        .chain([point])
+        .collect();
     Axis::ALL.into_iter().map(move |axis| Change {
         name: format!("{name}.{axis}"),
         per_unit: Changes {
-            points: vec![(point, axis.vector())],
+            points: moved.iter().map(|point| (*point, axis.vector())).collect(),
             ..Changes::default()
         },
     })

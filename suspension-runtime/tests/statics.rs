@@ -118,11 +118,9 @@ where
         points.values().take(count.into_iter().sum()).collect()
     }
 
-    /// What loads do to a drive is the work of the forces where the drive moves, forces at chassis points that it moves
-    /// left out.
+    /// What loads do to a drive is the work of the forces where the drive moves, those at chassis points that it moves too.
     fn virtual_work(&self, forces: &[Vector3<f64>], loads: &Loads<'_, Model<'_, f64, N>, N>) {
         let directions = Directions::new(self.model, self.drives, &self.q).expect("not singular");
-        let chassis = self.model.count(Kind::ChassisPoint);
         for (drive, found) in loads
             .on_drives()
             .values()
@@ -134,7 +132,6 @@ where
             let works = points
                 .values()
                 .zip(forces)
-                .skip(chassis)
                 .map(|(rate, force)| rate.dot(force));
             let works: Vec<f64> = works.collect();
             let size: f64 = works.iter().map(|work| work.abs()).sum();

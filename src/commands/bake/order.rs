@@ -142,6 +142,12 @@ impl Ordered<'_> {
         let [from, to] = wished.range.map(|end| end.map(inside));
         let range = [from.unwrap_or(low), to.unwrap_or(high)];
         let in_words = range.map(|end| self.in_words(drive, end)).join(" to ");
+        if low == high && wished.range == [None, None] {
+            let name = &names.drives[drive].name;
+            return Err(self.refuse(&format!(
+                "the file's motion holds {name}; say its range, as --drive {name}=FROM:TO"
+            )));
+        }
         if !(range[0] < range[1] && range.iter().all(|end| end.is_finite())) {
             return Err(self.refuse(&format!(
                 "{in_words} is no range; --from must be less than --to"

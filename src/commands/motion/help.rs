@@ -29,13 +29,14 @@ fn names_on(axle: Axle) -> Names {
             steer: vec![0],
             wheelbase: Some(2.6),
             cg_height: Some(0.5),
-            springs: vec![Spring {
+            springs: [Spring {
                 measure: 0,
                 kind: MeasureKind::Length,
                 rate: 0.0,
                 load: 0.0,
                 design: 0.0,
-            }],
+            }]
+            .into(),
         },
         ..Names::of(&attia2003::Listing)
     }

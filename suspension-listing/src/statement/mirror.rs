@@ -143,14 +143,16 @@ fn opposite(vector: TokenStream) -> TokenStream {
         |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
     let is_minus =
         |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == '-');
-    let (mut commas, mut image) = (0, Vec::new());
+    let (mut commas, mut begins_y, mut image) = (0, false, Vec::new());
     for token in vector {
-        let starts = image.last().is_some_and(is_comma);
-        let is_of_y = commas == 1 && starts;
-        commas += usize::from(is_comma(&token));
+        let begins = std::mem::take(&mut begins_y);
+        if is_comma(&token) {
+            commas += 1;
+            begins_y = commas == 1;
+        }
         match token {
-            minus if is_of_y && is_minus(&minus) => continue,
-            number if is_of_y => {
+            minus if begins && is_minus(&minus) => {}
+            number if begins => {
                 let mut minus = Punct::new('-', Spacing::Alone);
                 minus.set_span(number.span());
                 image.extend([TokenTree::Punct(minus), number]);

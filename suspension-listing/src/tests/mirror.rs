@@ -21,6 +21,8 @@ drive steer: rack_left.y;
 /// The length of a spring.
 measure left_spring: length(middle -> left_hub);
 point left_hub: arm_left at [0.0, 0.8, 0.3];
+point left_inner: arm_left at [0.1, -0.2, 0.3];
+measure left_skew: left along [0.1, -0.9, 0.2];
 wheel left: left_hub -> left;
 kingpin left: middle -> left;
 ";
@@ -40,8 +42,12 @@ drive right_bump: right along [0.0, -0.6, 0.8];
 drive steer: rack_left.y;
 measure left_spring: length(middle -> left_hub);
 measure right_spring: length(middle -> right_hub);
+measure left_skew: left along [0.1, -0.9, 0.2];
+measure right_skew: right along [0.1, 0.9, 0.2];
 point left_hub: arm_left at [0.0, 0.8, 0.3];
 point right_hub: arm_right at [0.0, -0.8, 0.3];
+point left_inner: arm_left at [0.1, -0.2, 0.3];
+point right_inner: arm_right at [0.1, 0.2, 0.3];
 wheel left: left_hub -> left;
 wheel right: right_hub -> right;
 kingpin right: middle -> right;
@@ -109,7 +115,15 @@ fn the_other_side_is_the_image() {
     assert_eq!(positions(&half.fixed), positions(&whole.fixed));
     assert_eq!(positions(&half.free), positions(&whole.free));
     assert_eq!(parts(&half), parts(&whole));
-    let springs = half.measures.iter().map(|measure| &measure.named.docs);
+    let markers = |system: &System| -> BTreeMap<String, Option<Vector>> {
+        let each = system.markers.iter();
+        each.map(|marker| (marker.named.name.to_string(), marker.at))
+            .collect()
+    };
+    assert_eq!(markers(&half), markers(&whole));
+    let springs = half.measures.iter();
+    let springs = springs.filter(|measure| measure.named.name.to_string().ends_with("spring"));
+    let springs = springs.map(|measure| &measure.named.docs);
     assert!(
         springs.clone().count() == 2
             && springs

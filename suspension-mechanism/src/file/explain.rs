@@ -28,6 +28,12 @@ fn to_write(key: &str) -> &'static str {
     match key {
         "unit" => "; write unit = \"m\", \"mm\" or \"in\", that of all lengths in the file",
         "time" => "; write [time] with start, stop and step, or with instants, in seconds",
+        "targets" => "; write [tune.targets.NAME], see suspension tune --help",
+        "moves" => "; write [tune.moves.NAME], see suspension tune --help",
+        "by" => "; write the box, from the least to the greatest, as by = [-0.010, 0.010]",
+        "of" => "; write the name of a quantity, as of = \"toe\"",
+        "within" => "; write how far the target may be off, as within = 0.001",
+        "rate" => "; write it in N per unit of length, of an angle in N m per unit of angle",
         "drives" => "; write [drives] with a line for each drive, as bump = [0.30, 0.05]",
         _ => "",
     }

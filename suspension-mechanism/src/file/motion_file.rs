@@ -103,6 +103,19 @@ impl MotionFile {
         self
     }
 
+    /// Markers that are stated off another point, each with that one, by their numbers among `points`.
+    pub fn followers(&self, points: &[String]) -> Vec<[usize; 2]> {
+        let number = |name: &str| points.iter().position(|point| point == name);
+        let stated = self.points.get_ref().iter();
+        let pairs = stated.filter_map(|(name, position)| match position.get_ref() {
+            Position::Off(Offset { from, .. }) => {
+                Some([number(name.get_ref())?, number(from.get_ref())?])
+            }
+            Position::At(_) => None,
+        });
+        pairs.collect()
+    }
+
     /// The same file with its points in coordinates whose origin is at `origin`.
     pub fn seen_from(&self, origin: [f64; 3]) -> Self {
         let mut file = self.clone();

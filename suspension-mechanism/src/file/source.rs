@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::failure::Failure;
-use crate::file::mark;
+use crate::file::{inputs, mark};
 use crate::interrupt;
 
 /// The largest file that is read, in bytes: a motion takes a few thousand, and reading takes a
@@ -40,6 +40,7 @@ impl Source {
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = in_one_line(&path.display().to_string());
         let refuse = |why: String| Err(Failure::Input(format!("{name}: {why}")));
+        inputs::note(path);
         let bytes = match read_at_most(path, LARGEST + 1) {
             Ok(bytes) => bytes,
             Err(error) if error.kind() == io::ErrorKind::Interrupted => {

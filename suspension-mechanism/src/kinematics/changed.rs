@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::{Inputs, Motion, Newton, Signal, Still, Values, assemble};
 
-use crate::mechanism::{Description, DriveLaws, Mechanism, Suspension};
+use crate::mechanism::{Description, DriveLaws, Mechanism, Spring, Suspension};
 
 /// What another mechanism has different, in the file's axes and unit.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -87,9 +87,11 @@ fn at_rest<L: Suspension<N>, const N: usize>(
     let mut names = mechanism.names.clone();
     let there = Motion::at_rest(position).points(&model, &inputs);
     let measures: Vec<f64> = model.measures(&there).value.values().collect();
-    for spring in &mut names.vehicle.springs {
-        spring.design = measures[spring.measure] + mechanism.measure_offsets[spring.measure];
-    }
+    let springs = names.vehicle.springs.iter().map(|spring| Spring {
+        design: measures[spring.measure] + mechanism.measure_offsets[spring.measure],
+        ..spring.clone()
+    });
+    names.vehicle.springs = springs.collect();
     Some(Mechanism {
         description: Description {
             drives: DriveLaws::held(drives.values()),

@@ -2,25 +2,31 @@
 
 use std::cell::RefCell;
 use std::ops::Range;
+use std::path::Path;
 
 use suspension_runtime::{CatalogueAndFiles, IncludeSource, Listing, Mistakes, Wanted};
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Source};
+use crate::file::{MotionFile, Source, inputs};
 use crate::load::points::points;
 use crate::mechanism::{Axes, Length};
 
 /// The listings that one may include, and the first of the catalogue that it does.
-struct Included {
+struct Included<'a> {
+    /// The file that includes.
+    by: &'a Path,
     files: CatalogueAndFiles,
     of_catalogue: RefCell<Option<String>>,
 }
 
-impl IncludeSource for Included {
+impl IncludeSource for Included<'_> {
     fn text(&self, wanted: Wanted<'_>) -> Result<String, String> {
         if let Wanted::OfCatalogue(name) = wanted {
             let mut first = self.of_catalogue.borrow_mut();
             first.get_or_insert_with(|| name.to_owned());
+        }
+        if let Wanted::File(path) = wanted {
+            inputs::note(&self.by.with_file_name(path));
         }
         self.files.text(wanted)
     }
@@ -29,6 +35,7 @@ impl IncludeSource for Included {
 /// A listing, and the first layout of the catalogue that it includes.
 pub(super) fn parsed(text: &str, file: &str) -> Result<(Listing, Option<String>), Mistakes> {
     let includes = Included {
+        by: Path::new(file),
         files: CatalogueAndFiles::beside(file),
         of_catalogue: RefCell::default(),
     };

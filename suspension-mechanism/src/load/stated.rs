@@ -46,6 +46,11 @@ impl Loaded<'_> {
         tolerances(self.source, &self.file, self.listing(), mechanism)
     }
 
+    /// Markers that the file states off another point, each with that one, by number.
+    pub fn followers(&self, mechanism: &Description) -> Vec<[usize; 2]> {
+        self.file.followers(&mechanism.names.points)
+    }
+
     /// The named changes of the file, the moves of `[tune]`; none where it has none.
     ///
     /// # Errors

@@ -24,12 +24,13 @@ pub(super) fn tolerances(
         return Ok(Vec::new());
     };
     let names = &mechanism.names;
+    let followers = file.followers(&names.points);
     let statements = listing.statements().into_iter();
     let links = statements.filter(|statement| statement.kind == "link");
     let links: Vec<&str> = links.map(|link| link.name).collect();
     let changes = |name: &str| -> Option<Vec<Change>> {
         if let Some(point) = names.points.iter().position(|point| point == name) {
-            return Some(coordinates(mechanism, point).collect());
+            return Some(coordinates(mechanism, point, &followers).collect());
         }
         let link = links.iter().find(|link| **link == name)?;
         let number = names.lengths.iter().position(|length| length == link)?;

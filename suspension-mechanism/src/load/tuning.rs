@@ -12,7 +12,7 @@ use crate::file::{
 };
 use crate::kinematics::Changes;
 use crate::mechanism::{self, Description, evenly_spaced};
-use crate::quantities::{Axis, Column};
+use crate::quantities::{Axis, Column, catalogue};
 use crate::tune::{self, Move, Reading, Target};
 
 /// Places along a drive where the file states one number for all.
@@ -35,6 +35,7 @@ pub(super) fn tuning(
     };
     let reader = Reader {
         source,
+        file,
         listing,
         mechanism,
     };
@@ -56,8 +57,26 @@ fn in_order<V>(table: &Table<V>) -> impl Iterator<Item = (&Spanned<String>, &Spa
     stated.into_iter()
 }
 
+/// The points with the markers that follow them.
+fn with_markers(
+    mut points: Vec<(usize, Vector3<f64>)>,
+    followers: &[[usize; 2]],
+) -> Vec<(usize, Vector3<f64>)> {
+    for [marker, from] in followers {
+        let along = points
+            .iter()
+            .find(|(point, _)| point == from)
+            .map(|(_, along)| *along);
+        if !points.iter().any(|(point, _)| point == marker) {
+            points.extend(along.map(|along| (*marker, along)));
+        }
+    }
+    points
+}
+
 struct Reader<'a> {
     source: &'a Source,
+    file: &'a MotionFile,
     listing: &'a Listing,
     mechanism: &'a Description,
 }
@@ -76,6 +95,13 @@ impl Reader<'_> {
             return Err(self.source.refuse(&table.by.span(), message));
         }
         let of_points = !table.points.is_empty() || !table.mirrored.is_empty();
+        if let (Some(length), Some(along)) = (&table.length, &table.along) {
+            let message = format!(
+                "`along` is of points; link `{}` becomes longer along itself",
+                length.get_ref()
+            );
+            return Err(self.source.refuse(&along.span(), message));
+        }
         let per_unit = match (&table.length, of_points) {
             (Some(length), false) => Changes {
                 lengths: vec![(self.length(length)?, 1.0)],
@@ -105,9 +131,20 @@ impl Reader<'_> {
         let each = ways
             .into_iter()
             .flat_map(|(points, along)| points.iter().map(move |point| (point, along)));
-        let points = each.map(|(point, along)| Ok((self.point(point)?, along)));
+        let mut points: Vec<(usize, Vector3<f64>)> = Vec::new();
+        for (name, along) in each {
+            let point = self.point(name)?;
+            if points.iter().any(|(other, _)| *other == point) {
+                let message = format!(
+                    "`{}` is moved twice by one move; remove one",
+                    name.get_ref()
+                );
+                return Err(self.source.refuse(&name.span(), message));
+            }
+            points.push((point, along));
+        }
         Ok(Changes {
-            points: points.collect::<Result<_, Failure>>()?,
+            points: with_markers(points, &self.file.followers(&self.mechanism.names.points)),
             ..Changes::default()
         })
     }
@@ -200,6 +237,22 @@ impl Reader<'_> {
         let mut columns = columns(self.mechanism);
         let names: Vec<String> = columns.iter().map(Column::title).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let wanted = of.get_ref();
+        if catalogue().any(|quantity| quantity.name == wanted) && !names.contains(&&**wanted) {
+            let message = format!(
+                "there is no `{wanted}` of this mechanism: suspension motion --help says what it needs, the wheel's name before it, \
+                 an axis behind it, or a line under [vehicle]"
+            );
+            return Err(self.source.refuse(&of.span(), message));
+        }
+        if let Some(name) = names
+            .iter()
+            .find(|name| wanted.starts_with(&format!("{name}_")))
+        {
+            let message =
+                format!("unknown quantity `{wanted}`; did you mean `{name}`, without a unit?");
+            return Err(self.source.refuse(&of.span(), message));
+        }
         let found = self.named("quantity", of, &names)?;
         Ok(columns.swap_remove(found))
     }
@@ -214,6 +267,11 @@ impl Reader<'_> {
         let refuse = |message: &str| Err(self.source.refuse(&name.span(), message));
         let (stated, of): (_, fn(Vec<f64>) -> tune::Wanted) = match (&table.value, &table.change) {
             (Some(value), None) => (value, tune::Wanted::Values),
+            (None, Some(_)) if table.over.is_none() => {
+                return refuse(
+                    "`change` is from the design position: say `over` which drives, as over = { bump = [-0.060, 0.060] }",
+                );
+            }
             (None, Some(change)) => (change, tune::Wanted::Changes),
             _ => {
                 return refuse(

@@ -49,7 +49,7 @@ pub(super) fn with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
         steer: each(|wheel| wheel.steer),
         wheelbase,
         cg_height,
-        springs: Vec::new(),
+        springs: [].into(),
     };
     Ok(names)
 }

@@ -105,7 +105,7 @@ impl Names {
 
     /// The same with springs.
     pub fn with_springs(mut self, springs: Vec<Spring>) -> Self {
-        self.vehicle.springs = springs;
+        self.vehicle.springs = springs.into();
         self
     }
 

@@ -8,6 +8,7 @@ use suspension_core::{Signal, Values};
 use crate::mechanism::axes::Axes;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
+use crate::mechanism::spring::Spring;
 
 /// All points in a list, or their rates: states about one place share them.
 pub type Points = Rc<[Vector3<f64>]>;
@@ -34,6 +35,8 @@ pub struct State {
     /// Where springs are: the states along changes of travel drives, the derivatives with respect to them, those of each
     /// alone and those of the two of an axle the opposite ways.
     pub moved: Rc<[Moved]>,
+    /// Springs and anti-roll bars.
+    pub springs: Rc<[Spring]>,
     /// Units of length in a metre.
     pub metre: f64,
     /// Iterations of Newton's method, steps in between included.
@@ -89,6 +92,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             measures,
             velocities: Vec::new(),
             moved: Rc::new([]),
+            springs: self.names.vehicle.springs.clone(),
             metre: self.unit.metre(),
             iterations: 0,
             residual: 0.0,

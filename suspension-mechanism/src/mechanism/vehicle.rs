@@ -1,5 +1,7 @@
 //! The wheels of a listing, and what a motion file says of their vehicle.
 
+use std::rc::Rc;
+
 use serde::Deserialize;
 use suspension_core::listing::WheelPlaces;
 
@@ -17,7 +19,7 @@ pub struct Vehicle {
     /// The height of the centre of gravity above the ground, in the unit of lengths.
     pub cg_height: Option<f64>,
     /// Springs and anti-roll bars.
-    pub springs: Vec<Spring>,
+    pub springs: Rc<[Spring]>,
 }
 
 impl Vehicle {

@@ -3,7 +3,7 @@
 use suspension_core::listing::MeasureKind;
 use suspension_core::signal::Number as _;
 
-use crate::mechanism::{Names, Spring, State};
+use crate::mechanism::{Names, State};
 use crate::quantities::kind::Kind;
 use crate::quantities::of_axle::Axle;
 use crate::quantities::quantity::Reading;
@@ -22,13 +22,13 @@ pub(super) struct Sprung {
 
 impl Sprung {
     /// `-sum F s'` and `sum k s'^2 - F s''` along a coordinate of which the state's measures have the derivatives of another one:
-    /// by the chain rule. `metre` are the units of length in a metre.
-    fn along(coordinate: Number, state: &State, springs: &[Spring], metre: f64) -> Self {
+    /// by the chain rule.
+    fn along(coordinate: Number, state: &State) -> Self {
         let none = Self {
             force: 0.0,
             rate: 0.0,
         };
-        springs.iter().fold(none, |sum, spring| {
+        state.springs.iter().fold(none, |sum, spring| {
             let [value, rate, second_rate] = [
                 &state.measures.value,
                 &state.measures.rate,
@@ -40,7 +40,7 @@ impl Sprung {
             let presses = spring.presses(value);
             // Newton metres per unit of length.
             let scale = match spring.kind {
-                MeasureKind::Angle => metre,
+                MeasureKind::Angle => state.metre,
                 MeasureKind::Length => 1.0,
             };
             Self {
@@ -53,16 +53,14 @@ impl Sprung {
 
 /// A number of the springs at each wheel, along the height of its centre.
 pub(super) fn of_wheels(names: &Names, kind: Kind, value: fn(Sprung) -> f64) -> Vec<Reading> {
-    let springs = names.vehicle.springs.clone();
+    let has_springs = !names.vehicle.springs.is_empty();
     of_each_wheel(names, |rolling| {
-        let Some(drive) = rolling.travel.filter(|_| !springs.is_empty()) else {
+        let Some(drive) = rolling.travel.filter(|_| has_springs) else {
             return Vec::new();
         };
-        let springs = springs.clone();
         let of_state = move |reader: &Reader<'_>| {
             let state = reader.moved_along(&[(drive, 1.0)])?;
-            let height = height(state, rolling);
-            Some(value(Sprung::along(height, state, &springs, reader.metre)))
+            Some(value(Sprung::along(height(state, rolling), state)))
         };
         vec![without_derivatives(kind, of_state)]
     })
@@ -70,18 +68,18 @@ pub(super) fn of_wheels(names: &Names, kind: Kind, value: fn(Sprung) -> f64) -> 
 
 /// The same of each axle in roll, its wheels moving opposite ways, along the angle of the line through their centres.
 pub(super) fn of_roll(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading> {
-    let springs = &names.vehicle.springs;
+    let has_springs = !names.vehicle.springs.is_empty();
     let axles = Axle::all(names).into_iter();
-    let axles = axles.filter(|axle| axle.has_travel() && !springs.is_empty());
+    let axles = axles.filter(|axle| axle.has_travel() && has_springs);
     let of_axle = |axle: Axle| {
-        let (wheels, springs) = (axle.wheels, springs.clone());
+        let wheels = axle.wheels;
         let of_state = move |reader: &Reader<'_>| {
             let [a, b] = [wheels[0].travel?, wheels[1].travel?];
             let state = reader.moved_along(&[(a, 1.0), (b, -1.0)])?;
             let of = Reader::of(state);
             let [left, right] = wheels.map(|rolling| of.wheel(rolling).centre);
             let roll = Number::arc_tangent(left.z - right.z, left.y - right.y);
-            let sprung = Sprung::along(roll, state, &springs, reader.metre);
+            let sprung = Sprung::along(roll, state);
             // Along an angle a force is newtons times the unit of length.
             Some(value(sprung) / reader.metre)
         };

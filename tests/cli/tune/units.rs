@@ -92,6 +92,26 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
     for (tune, code, expected) in [
         ("", 2, "nothing to tune: write [tune.moves.NAME]"),
         (
+            &FLAT.replace("[\"rack\"]", "[\"rack\", \"rack\"]"),
+            2,
+            "`rack` is moved twice by one move; remove one",
+        ),
+        (
+            &FLAT.replace("over = { bump = [-0.06, 0.06] }\n", ""),
+            2,
+            "`change` is from the design position: say `over` which drives",
+        ),
+        (
+            &FLAT.replace("of = \"toe\"", "of = \"toe_deg\""),
+            2,
+            "unknown quantity `toe_deg`; did you mean `toe`, without a unit?",
+        ),
+        (
+            &FLAT.replace("of = \"toe\"", "of = \"wheel_rate\""),
+            2,
+            "there is no `wheel_rate` of this mechanism",
+        ),
+        (
             &FLAT.replace("\"tie_ball\"", "\"tie_bal\""),
             2,
             "unknown point `tie_bal`; known are ",

@@ -27,7 +27,7 @@ catalogue! {
     JACKING: "jacking by lateral force" {
         name: "jacking",
         sign: "positive where a force on the contact point towards the middle of the vehicle lifts the body",
-        definition: "the part of such a force that lifts the body, 100 v_y / v_z of the contact point as a point of the carrier in \
+        definition: "of an axle of independent wheels, the part of such a force that lifts the body, 100 v_y / v_z of the contact point as a point of the carrier in \
                      travel, v_y outboard: the slope of the line from the contact point to the roll centre",
         source: "virtual work; Milliken 1995, chapter 17",
         shown: Shown::InTables,

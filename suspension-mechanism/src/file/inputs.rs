@@ -1,0 +1,20 @@
+//! The files that were read: what no result may overwrite.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+static READ: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Notes that a file was read: a motion file, its listing, or what that includes.
+pub fn note(path: &Path) {
+    if let Ok(path) = path.canonicalize() {
+        let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
+        read.push(path);
+    }
+}
+
+/// Whether a file was read.
+pub fn has(path: &Path) -> bool {
+    let read = READ.lock().unwrap_or_else(PoisonError::into_inner);
+    path.canonicalize().is_ok_and(|path| read.contains(&path))
+}
