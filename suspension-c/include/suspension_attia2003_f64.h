@@ -302,7 +302,7 @@ susp_status susp_attia2003_f64_read_derivatives(
         susp_f64_failure *failure);
 
 /** What forces at the free points do, N in the axes of the points, the mechanism at rest at the position of a
- * motion; what acts at chassis points and markers loads nothing. `drives` gets their work per unit of each
+ * motion; what acts at markers loads nothing, at chassis points the drive that moves them. `drives` gets their work per unit of each
  * drive, which what moves the drive bears; `equations` the multiplier of each equation: of a
  * link the force in it, positive in tension. The rates of `inputs` do not matter. Takes about half a
  * step. SUSP_ERROR_SINGULAR where the drives lock. */

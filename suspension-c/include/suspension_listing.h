@@ -152,7 +152,7 @@ susp_status susp_corner_read_derivatives(
         susp_f64_failure *failure);
 
 /** What forces at the points do, `forces[POINTS][3]`, in N in the axes of the points, the suspension at rest where it
- * is: at a marker on its body, at a chassis point on nothing. `drives[DRIVES]` is their work per unit of each
+ * is: at a marker on its body, at a chassis point on the drive that moves it. `drives[DRIVES]` is their work per unit of each
  * drive, which what moves the drive bears, of a length in N, of an angle in N times the unit of the points;
  * `tensions[PARTS]` the force in each link, positive in tension, 0 of other parts; `reactions[PARTS][POINTS][3]`
  * the forces that each part exerts on the points. Each of these may be NULL. SUSP_ERROR_SINGULAR where the
