@@ -91,6 +91,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Configuration<'a, L
             let anchors = linkage.drive_anchors(L::Fixed::default(), &rate);
             let terms = linkage.drive_rate(position, fixed, &anchors, &rate);
             let moved = anchors.values().zip(forces.values());
+            // What a drive moves is known when a linkage is compiled: the rest of this sum is then left out.
+            let moved = moved.filter(|(rate, _)| *rate != Vector3::zeros());
             moved.fold(multipliers.dot(&terms), |work, (rate, force)| {
                 work + rate.dot(&force)
             })
