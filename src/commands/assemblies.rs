@@ -47,10 +47,10 @@ impl Arguments {
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let csv = self.csv.map(Target::from);
-        if let Some(Target::File(csv)) = &csv {
-            refuse_input(csv, &self.file, "--csv")?;
-        }
         let loaded = load(&source)?;
+        if let Some(Target::File(csv)) = &csv {
+            refuse_input(csv, "--csv")?;
+        }
         let wish = Wish {
             drive: self.drive,
             at: self.at,

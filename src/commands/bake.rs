@@ -96,7 +96,7 @@ impl Arguments {
             let ending = language.extension();
             PathBuf::from(format!("out/{stem}_{}.{ending}", sheet.subject()))
         });
-        refuse_input(&path, &self.file, "--output")?;
+        refuse_input(&path, "--output")?;
         write_file(&path, &sheet.text(language, &path))?;
         eprintln!("wrote {}: {}", path.display(), sheet.baked.count_in_words());
         Ok(())

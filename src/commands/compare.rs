@@ -49,16 +49,14 @@ impl Arguments {
     /// See [`Failure`]. Where a mechanism locks within the travel, its curves end there, and what there is is compared.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let csv = self.csv.clone().map(Target::from);
-        for input in [&self.a, &self.b] {
-            if let Some(html) = &self.html {
-                refuse_input(html, input, "--html")?;
-            }
-            if let Some(Target::File(csv)) = &csv {
-                refuse_input(csv, input, "--csv")?;
-            }
-        }
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
         let (first, second) = (load(&a)?, load(&b)?);
+        if let Some(html) = &self.html {
+            refuse_input(html, "--html")?;
+        }
+        if let Some(Target::File(csv)) = &csv {
+            refuse_input(csv, "--csv")?;
+        }
         let spans = [self.travel, self.steer];
         let side = |source: &Source, loaded: &Loaded<'_>| {
             let mechanism = loaded.at_design_in(first.axes())?;

@@ -41,9 +41,9 @@ impl Arguments {
         let stem = self.file.file_stem().unwrap_or_default();
         let beside = || Path::new("out").join(stem).with_extension("svg");
         let out = self.out.clone().unwrap_or_else(beside);
-        refuse_input(&out, &self.file, "--out")?;
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
+        refuse_input(&out, "--out")?;
         let mechanism = loaded.at_first_instant()?;
         let drawing = drawing_of(&*mechanism, loaded.listing(), self.wheel_radius);
         let nothing = || Failure::Solver(format!("{}: nothing to draw", source.name()));

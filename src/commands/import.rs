@@ -25,7 +25,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::mechanism::{self, Axes, Length};
-use crate::output::files::{announce, print, refuse_input, write_file};
+use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
 use axle::Axle;
 use choice::choose;
 use corner::Corner;
@@ -61,7 +61,8 @@ pub struct Arguments {
     /// has the other not.
     #[arg(long, conflicts_with = "side")]
     axle: bool,
-    /// Write the motion file to PATH; without it beside FILE, with the ending .toml, where there is none yet.
+    /// Write the motion file to PATH, an axle's NAME_corner.linkage beside it; both replace what is there. Without it beside FILE,
+    /// with the ending .toml, where there is none yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
@@ -102,15 +103,11 @@ impl Arguments {
 
     /// Refuses to write over the file that is read, and unasked over another; `out` is the motion file.
     fn check_place(&self, path: &Path, out: &Path) -> Result<(), Failure> {
-        if let Some(file) = &self.file {
-            refuse_input(path, file, "--out")?;
+        refuse_input(path, "--out")?;
+        match self.out {
+            None => refuse_existing(path, out),
+            Some(_) => Ok(()),
         }
-        if self.out.is_none() && path.exists() {
-            let (path, out) = (path.display(), out.display());
-            let message = format!("{path}: exists already; --out {out} replaces it");
-            return Err(Failure::Input(message));
-        }
-        Ok(())
     }
 
     /// Writes the motion file, and what it needs beside it.

@@ -18,7 +18,7 @@ use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::loads::{Case, Outcome, Structure};
-use crate::mechanism::{End, Order, State};
+use crate::mechanism::{Order, State};
 use crate::output::drawing::{SIZE, Seen};
 use crate::output::files::{announce, print, write_file};
 use crate::output::progress::Progress;
@@ -70,8 +70,8 @@ impl Arguments {
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let forms = self.forms();
-        forms.check(&self.file)?;
         let loaded = load(&source)?;
+        forms.check()?;
         let mechanism = if self.motion {
             loaded.at_first_instant()?
         } else {
@@ -165,18 +165,8 @@ impl Work<'_> {
             })
         })?;
         self.write(&[&TIME, &DRIVES], states, forms)?;
-        match end {
-            End::Complete => Ok(()),
-            End::Cut => Err(Failure::Interrupted(format!(
-                "{}: interrupted; the rows up to there were written",
-                self.source
-            ))),
-            End::Stopped(stop) => Err(Failure::Solver(format!(
-                "{}: {}",
-                self.source,
-                stop.in_words(self.source)
-            ))),
-        }
+        let failure = end.failure(self.source, "the rows up to there were written");
+        failure.map_or(Ok(()), Err)
     }
 
     /// What each case does at a state.
@@ -274,9 +264,9 @@ Links: tension is positive. Joints: the force that a body, or what else a statem
 the chassis or on the parts that it joins there, in the file's axes; also that of a link with a mass, whose tension is that
 at its middle.
 
-Over a grid of drives, or a motion, the least and the greatest are printed, and a row for each place is written: the time of a motion, the drives, then of
-each case what drives and measures bear, links and joints: braking_bump_N, braking_damper_N, braking_tie_rod_N,
-braking_upright_lower_ball_x_N.
+Over a grid of drives, or a motion, the least and the greatest are printed, and a row for each place is written: the time of
+a motion, the drives, then of each case what drives and measures bear, links and joints: braking_bump_N, braking_damper_N,
+braking_tie_rod_N, braking_upright_lower_ball_x_N.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration, 130 interrupted.
 

@@ -58,8 +58,8 @@ impl Arguments {
             json: self.json.clone().map(Target::from),
             parquet: self.parquet.clone().map(Target::from),
         };
-        forms.check(&self.file)?;
         let loaded = load(&source)?;
+        forms.check()?;
         let mechanism = loaded.at_first_instant()?;
         self.solve(&*mechanism, source.name(), &forms, interrupted)
     }

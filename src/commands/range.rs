@@ -44,10 +44,10 @@ impl Arguments {
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let csv = self.csv.clone().map(Target::from);
-        if let Some(Target::File(csv)) = &csv {
-            refuse_input(csv, &self.file, "--csv")?;
-        }
         let loaded = load(&source)?;
+        if let Some(Target::File(csv)) = &csv {
+            refuse_input(csv, "--csv")?;
+        }
         self.ranges(&*loaded.within_reach()?, csv.as_ref(), interrupted)?;
         if interrupted.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted(format!(

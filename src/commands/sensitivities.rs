@@ -11,16 +11,14 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
-use crate::load::{Loaded, load};
-use crate::mechanism::Description;
+use crate::load::load;
 use crate::output::csv_file::CsvFile;
 use crate::output::files::{announce, print, refuse_input};
 use crate::output::heading::Heading;
 use crate::output::progress::Progress;
 use crate::output::target::Target;
-use crate::sensitivities::{Change, Sensitivities, coordinates, length, sensitivities};
+use crate::sensitivities::{Sensitivities, sensitivities};
 use crate::tolerances::{Tolerance, first_order, sampled};
-use crate::tune::Move;
 use report::{Report, Scatter};
 
 /// What `suspension sensitivities` is given.
@@ -55,12 +53,12 @@ impl Arguments {
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let csv = self.csv.clone().map(Target::from);
-        if let Some(Target::File(path)) = &csv {
-            refuse_input(path, &self.file, "--csv")?;
-        }
         let loaded = load(&source)?;
+        if let Some(Target::File(path)) = &csv {
+            refuse_input(path, "--csv")?;
+        }
         let mechanism = &*loaded.at_design()?;
-        let changes = changes(&loaded, mechanism)?;
+        let changes = loaded.changes(mechanism)?;
         let tolerances = loaded.tolerances(mechanism)?;
         let stopped = || {
             let message = format!("{}: interrupted; nothing was written", source.name());
@@ -92,9 +90,7 @@ impl Arguments {
         }
         Ok(())
     }
-}
 
-impl Arguments {
     /// How quantities scatter, where the file has tolerances.
     fn scatter(
         &self,
@@ -116,22 +112,6 @@ impl Arguments {
             drawn,
         })
     }
-}
-
-/// The coordinates of all points, the lengths of links, and the moves of the file.
-fn changes(loaded: &Loaded<'_>, mechanism: &Description) -> Result<Vec<Change>, Failure> {
-    let names = &mechanism.names;
-    let points = 0..names.points.len();
-    let followers = loaded.followers(mechanism);
-    let coordinates = points.flat_map(|point| coordinates(mechanism, point, &followers));
-    let statements = loaded.listing().statements().into_iter();
-    let links = statements.filter(|statement| statement.kind == "link");
-    let links = links
-        .filter_map(|link| names.lengths.iter().position(|length| length == link.name))
-        .map(|link| length(mechanism, link));
-    let moves = loaded.moves(mechanism)?.into_iter();
-    let moves = moves.map(|Move { name, per_unit, .. }| Change { name, per_unit });
-    Ok(coordinates.chain(links).chain(moves).collect())
 }
 
 fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<(), Failure> {
@@ -181,13 +161,14 @@ const NOTES: &str = "\
 Of each quantity at the design position, and of its derivative with respect to each drive (bump steer is that of toe),
 the hardpoint coordinates and link lengths that change it most, per mm (per inch in a file in inches).
 
-A hardpoint is moved alone, with it a marker that the file states off it; the suspension is built of its points and read at its own design position, as a drawing is
-changed. A link's length is changed with the chassis points and the drives held, as a turnbuckle does. Each
-number is a difference of sixth order over thousandths of the suspension's size, good to about nine digits.
+A hardpoint is moved alone, with it a marker that the file states off it; the suspension is built of its points and read at
+its own design position, as a drawing is changed. A link's length is changed with the chassis points and the drives held,
+as a turnbuckle does. Each number is a difference of sixth order over thousandths of the suspension's size, good to about
+nine digits.
 
-A file that states tolerances, standard deviations of points (of each coordinate) and of links, independent of each other and in
-its unit, has of each quantity the standard deviation that they make: to first order, and of so many suspensions built with normally
-distributed changes.
+With [tolerances] in the file the standard deviation of each quantity is printed too: to first order, and of --samples
+suspensions built with normally distributed changes. A tolerance is the standard deviation of each coordinate of a point, or of
+a link's length, in the unit of the file; all are independent of each other.
 
   [tolerances]
   tie_ball = 0.0005
@@ -196,8 +177,8 @@ distributed changes.
 The moves of [tune], a turnbuckle, a shim or a rack's height say, are changes under their own names.
 
 The CSV file has a row for each coordinate and length, then for each move, and with tolerances standard_deviation and
-standard_deviation_of_samples; and a column for each number, per unit of length of the file, in that
-unit and that of its angles: camber_rad, camber_rad_per_bump.
+standard_deviation_of_samples; and a column for each number, per unit of length of the file, in that unit and that of its
+angles: camber_rad, camber_rad_per_bump.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the design does not assemble, 130 interrupted.
 

@@ -45,9 +45,9 @@ impl Arguments {
         let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
         let beside = || Path::new("out").join(format!("{stem}_sheet.html"));
         let out = self.out.clone().unwrap_or_else(beside);
-        refuse_input(&out, &self.file, "--out")?;
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
+        refuse_input(&out, "--out")?;
         let mechanism = loaded.at_design()?;
         let (page, missing) = self.page(&*mechanism, &loaded, source.name(), interrupted)?;
         write_file(&out, &page)?;

@@ -75,8 +75,8 @@ impl Arguments {
             json,
             parquet,
         };
-        forms.check(&self.file)?;
         let loaded = load(&source)?;
+        forms.check()?;
         self.sweep(&*loaded.at_design()?, source.name(), &forms, interrupted)
     }
 

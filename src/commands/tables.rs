@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use clap::{Args, ValueEnum};
+use suspension_listing::did_you_mean::unknown;
 
 use crate::characteristics::{Span, ways};
 use crate::failure::Failure;
@@ -62,11 +63,11 @@ impl Arguments {
         };
         let beside = || Path::new("out").join(name);
         let target = Target::from(self.out.clone().unwrap_or_else(beside));
-        if let Target::File(path) = &target {
-            refuse_input(path, &self.file, "--out")?;
-        }
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
+        if let Target::File(path) = &target {
+            refuse_input(path, "--out")?;
+        }
         let mechanism = loaded.at_design()?;
         let (text, missing) = self.tables(&*mechanism, source.name(), interrupted)?;
         match target {
@@ -128,7 +129,7 @@ impl Arguments {
                 Failure::Input(match known.as_slice() {
                     [""] => "--wheel: the listing has one wheel, without a name; leave it out"
                         .to_owned(),
-                    known => format!("unknown wheel `{name}`; known are {}", known.join(", ")),
+                    known => unknown("wheel", name, known),
                 })
             })
     }

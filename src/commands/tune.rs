@@ -11,7 +11,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source};
 use crate::load::load;
-use crate::output::files::{announce, print, refuse_input, write_file};
+use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
 use crate::output::progress::Progress;
 use crate::tune::{MOST_STEPS, Tuned, tune};
 use report::Report;
@@ -39,11 +39,13 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let out = self.out.clone();
         let out = out.unwrap_or_else(|| beside(&self.file));
-        refuse_input(&out, &self.file, "--out")?;
-        self.refuse_existing(&out)?;
+        if self.out.is_none() {
+            refuse_existing(&out, &out)?;
+        }
         let stated = MotionFile::parse(&source)?;
         refuse_rough_points(&source, &stated)?;
         let loaded = load(&source)?;
+        refuse_input(&out, "--out")?;
         load(&Source::new(out.display().to_string(), source.text())).map_err(|failure| {
             Failure::Input(format!(
                 "--out {}: the file would not be read there: {failure}",
@@ -78,18 +80,6 @@ impl Arguments {
         report.unmet().map_or(Ok(()), |unmet| {
             Err(Failure::Solver(format!("{}: {unmet}", source.name())))
         })
-    }
-}
-
-impl Arguments {
-    /// What has no name of the user's choice replaces nothing.
-    fn refuse_existing(&self, out: &Path) -> Result<(), Failure> {
-        if self.out.is_some() || !out.exists() {
-            return Ok(());
-        }
-        let out = out.display();
-        let message = format!("{out}: exists already; --out {out} replaces it");
-        Err(Failure::Input(message))
     }
 }
 

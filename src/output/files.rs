@@ -30,11 +30,7 @@ impl Pending {
     ///
     /// [`Failure::Input`] where the file was read, [`Failure::Output`] where the place cannot be written to.
     pub fn create(path: &Path) -> Result<Self, Failure> {
-        if inputs::has(path) {
-            let path = path.display();
-            let message = format!("{path}: this is a file that is read; write to another one");
-            return Err(Failure::Input(message));
-        }
+        refuse_input(path, "the result")?;
         let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
         match open(&target) {
             Ok((file, temporary)) => Ok(Self {
@@ -171,20 +167,32 @@ fn resolved(path: &Path) -> PathBuf {
     found
 }
 
-/// Refuses to write a result over the file that it is the result of. `option` is the one that
-/// names the result.
+/// Refuses to write a result over a file that was read: the motion file, its listing, or what that includes. `option` is
+/// the one that names the result.
 ///
 /// # Errors
 ///
 /// [`Failure::Input`].
-pub fn refuse_input(result: &Path, input: &Path, option: &str) -> Result<(), Failure> {
-    match (result.canonicalize(), input.canonicalize()) {
-        (Ok(result_found), Ok(input_found)) if result_found == input_found => {
-            Err(Failure::Input(format!(
-                "{}: this is the file that is read, which {option} would overwrite",
-                result.display()
-            )))
-        }
-        _ => Ok(()),
+pub fn refuse_input(result: &Path, option: &str) -> Result<(), Failure> {
+    if !inputs::has(result) {
+        return Ok(());
     }
+    let result = result.display();
+    let message =
+        format!("{result}: this is the file that is read, which {option} would overwrite");
+    Err(Failure::Input(message))
+}
+
+/// Refuses to write over a file that is there already, where the user has not named the result; `--out` with `out` does.
+///
+/// # Errors
+///
+/// [`Failure::Input`].
+pub fn refuse_existing(result: &Path, out: &Path) -> Result<(), Failure> {
+    if !result.exists() {
+        return Ok(());
+    }
+    let (result, out) = (result.display(), out.display());
+    let message = format!("{result}: exists already; --out {out} replaces it");
+    Err(Failure::Input(message))
 }

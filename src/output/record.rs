@@ -113,16 +113,7 @@ impl Outcome {
     /// where a table was written.
     pub fn failure(&self, source: &str, forms: &Forms) -> Option<Failure> {
         let done = self.done_in_words(!forms.is_empty());
-        match &self.end {
-            End::Complete => None,
-            End::Cut => Some(Failure::Interrupted(format!(
-                "{source}: interrupted; {done}"
-            ))),
-            End::Stopped(stop) => Some(Failure::Solver(format!(
-                "{source}: {}; {done}",
-                stop.in_words(source)
-            ))),
-        }
+        self.end.failure(source, &done)
     }
 
     fn done_in_words(&self, kept: bool) -> String {

@@ -1,6 +1,6 @@
 //! Rows of numbers, written in one form or in several.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use crate::failure::Failure;
 use crate::output::csv_file::CsvFile;
@@ -32,9 +32,9 @@ impl Forms {
     /// # Errors
     ///
     /// [`Failure::Input`].
-    pub fn check(&self, input: &Path) -> Result<(), Failure> {
+    pub fn check(&self) -> Result<(), Failure> {
         for (path, option) in self.files() {
-            refuse_input(path, input, option)?;
+            refuse_input(path, option)?;
         }
         if self.parquet.is_some() {
             parquet_file::available()?;

@@ -67,22 +67,9 @@ impl<T: Real> RigidBody<T> {
             .all(|force| force.iter().all(|part| part.is_finite()));
         is_finite.then_some(forces)
     }
-
-    /// Its kinetic energy; `None` as of [`forces`](Self::forces).
-    pub fn kinetic_energy(&self, at: &[Vector3<T>; 3], velocities: &[Vector3<T>; 3]) -> Option<T> {
-        let omega = angular_velocity(at, velocities)?;
-        let moved = pose(&self.points, at)?;
-        let turned = moved.rotation.to_rotation_matrix();
-        let centre = moved * nalgebra::Point3::from(self.centre);
-        let ([first, ..], [of_first, ..]) = (at, velocities);
-        let velocity = of_first + omega.cross(&(centre.coords - first));
-        let own = turned.transpose() * omega;
-        let twice = self.mass * velocity.norm_squared() + own.dot(&(self.inertia * own));
-        Some(twice * T::constant(0.5))
-    }
 }
 
-/// The same at the ends of a uniform thin rod: `m ((g - a1) / 3 + (g - a2) / 6)` at the first.
+/// Weight and inertia of a uniform thin rod as forces at its ends: `m ((g - a1) / 3 + (g - a2) / 6)` at the first.
 pub fn rod<T: Real>(
     mass: T,
     accelerations: [Vector3<T>; 2],

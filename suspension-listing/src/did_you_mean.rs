@@ -9,6 +9,13 @@ pub fn did_you_mean<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) 
     nearest.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
 }
 
+/// The sentence about a name that is none of the known ones.
+pub fn unknown(what: &str, wanted: &str, known: &[&str]) -> String {
+    let hint = did_you_mean(wanted, known.iter().copied());
+    let known = known.join(", ");
+    format!("unknown {what} `{wanted}`; known are {known}{hint}")
+}
+
 /// The known name that is nearest, or else the only one that has a word in common.
 pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // A name that is known may stand where another kind is wanted.

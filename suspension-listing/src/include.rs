@@ -6,7 +6,7 @@ use proc_macro2::{Span, TokenStream};
 use syn::{Error, Ident, LitStr};
 
 use crate::include_source::Wanted;
-use crate::lexed::Mistake;
+use crate::included::Included;
 use crate::vector::Vector;
 
 /// Another listing, and the name that its own get before them.
@@ -64,51 +64,6 @@ impl Include {
 
     /// The text that it includes, as `tokens`.
     pub(crate) fn included(&self, text: String, tokens: Option<&TokenStream>) -> Included {
-        let first = tokens.and_then(|tokens| tokens.clone().into_iter().next());
-        Included {
-            name: self.source.name(),
-            place: self.source.span(),
-            file: first.map(|token| token.span().file()),
-            text,
-        }
-    }
-}
-
-/// A text that was included, for the places of what is wrong in it.
-#[derive(Clone)]
-pub(crate) struct Included {
-    name: String,
-    /// Where it is named.
-    place: Span,
-    /// What the lexer calls it.
-    file: Option<String>,
-    pub(crate) text: String,
-}
-
-impl Included {
-    /// Whether a place is in it.
-    pub(crate) fn has(&self, place: Span) -> bool {
-        self.file == Some(place.file())
-    }
-
-    /// What is wrong in it, where it is named.
-    pub(crate) fn wrong(&self, mistakes: Vec<Mistake>) -> Error {
-        let name = &self.name;
-        let refused = |message| Error::new(self.place, message);
-        let mut errors = mistakes.into_iter().map(|mistake| {
-            let Mistake {
-                line,
-                column,
-                message,
-                ..
-            } = mistake;
-            refused(format!("{name}:{line}:{column}: {message}"))
-        });
-        let first = errors.next();
-        let first = first.unwrap_or_else(|| refused(format!("`{name}` cannot be read")));
-        errors.fold(first, |mut all, error| {
-            all.combine(error);
-            all
-        })
+        Included::new(self.source.name(), self.source.span(), text, tokens)
     }
 }

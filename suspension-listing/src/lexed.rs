@@ -1,29 +1,18 @@
-//! A text as tokens, and the places in it of what is wrong.
+//! A text as tokens, within the limits of what is read.
 
 use proc_macro2::{Group, LexError, Literal, Span, TokenStream, TokenTree, fallback};
 use syn::Error;
 
-use crate::errors;
-use crate::include::Included;
+use crate::mistake::Mistake;
+
+/// The longest text, in bytes.
+pub const MOST_BYTES: usize = 65_536;
 
 /// The most brackets within each other; statements need one.
 pub const DEEPEST: usize = 8;
 
 /// The longest number, in characters.
 pub const LONGEST_NUMBER: usize = 100;
-
-/// What is wrong at one place of a text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mistake {
-    /// What is wrong, and what to write instead.
-    pub message: String,
-    /// Counted from 1.
-    pub line: usize,
-    /// In characters, counted from 1.
-    pub column: usize,
-    /// How many characters of the line it is about; zero where something is missing.
-    pub length: usize,
-}
 
 /// Whether the lexer tells places in a text, as the compiler's own does not.
 fn has_places() -> bool {
@@ -47,7 +36,7 @@ pub(crate) fn with_places<T>(work: impl FnOnce() -> T) -> T {
 pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
     let tokens: TokenStream = text.parse().map_err(|e| vec![unreadable(text, &e)])?;
     match exceeded(&tokens) {
-        Some(error) => Err(mistakes(text, &[], error)),
+        Some(error) => Err(vec![Mistake::of(text, &error)]),
         None => Ok(tokens),
     }
 }
@@ -123,47 +112,5 @@ fn unreadable(text: &str, error: &LexError) -> Mistake {
         line: start.line.max(1),
         column: start.column + 1,
         length: usize::from(!rest.is_empty()),
-    }
-}
-
-/// All that is wrong, each at its place; what is wrong in an included text also where that is included.
-pub(crate) fn mistakes(text: &str, included: &[Included], error: Error) -> Vec<Mistake> {
-    let mistake_of = |error: Error| {
-        let inner = included.iter().find(|inner| inner.has(error.span()));
-        let mistake = mistake(inner.map_or(text, |inner| &inner.text), &error);
-        match inner {
-            Some(inner) => mistakes(text, included, inner.wrong(vec![mistake])),
-            None => vec![mistake],
-        }
-    };
-    error.into_iter().flat_map(mistake_of).collect()
-}
-
-fn mistake(text: &str, error: &Error) -> Mistake {
-    let message = error.to_string();
-    let (start, end) = (error.span().start(), error.span().end());
-    // The parser has no place for what is missing at the end.
-    if errors::is_of_the_parser(&message) && error.span().byte_range() == (0..0) {
-        let lines = text.lines().count().max(1);
-        let last = text.lines().last().map_or(0, |line| line.chars().count());
-        return Mistake {
-            message,
-            line: lines,
-            column: last + 1,
-            length: 0,
-        };
-    }
-    let line = text.lines().nth(start.line.saturating_sub(1));
-    let width = line.map_or(0, |line| line.chars().count());
-    let to = if end.line == start.line {
-        end.column
-    } else {
-        width
-    };
-    Mistake {
-        message,
-        line: start.line.max(1),
-        column: start.column + 1,
-        length: to.saturating_sub(start.column),
     }
 }

@@ -11,15 +11,16 @@ use syn::{Attribute, Ident, Token};
 
 use crate::did_you_mean::did_you_mean;
 use crate::errors::{self, Errors};
-use crate::include::{Include, Included};
+use crate::include::Include;
 use crate::include_source::IncludeSource;
-use crate::lexed::{self, Mistake};
+use crate::included::{Included, mistakes};
+use crate::lexed::{self, MOST_BYTES};
 use crate::listing::Listing;
+use crate::mistake::Mistake;
 use crate::statement::STATEMENTS;
 use crate::statement::mirror::{MIRROR, Mirror};
 use crate::statement::operands::{docs, lines};
 use crate::statement::word::{Head, Word};
-use crate::text::MOST_BYTES;
 
 /// How deep listings may be included in listings.
 const DEEPEST_INCLUDED: usize = 4;
@@ -170,7 +171,7 @@ impl Reading<'_> {
     fn flat(&self, include: &Include, text: String, file: PathBuf) -> syn::Result<Flat> {
         let tokens = lexed::tokens(&text);
         let inner = include.included(text, tokens.as_ref().ok());
-        let read = tokens.and_then(|tokens| self.read(&inner.text, tokens, file));
+        let read = tokens.and_then(|tokens| self.read(inner.text(), tokens, file));
         let mut flat = read.map_err(|mistakes| inner.wrong(mistakes))?;
         flat.included.push(inner);
         Ok(flat)
@@ -190,7 +191,7 @@ impl Reading<'_> {
         let read = read.parse2(tokens);
         let read = read.and_then(|()| mem::take(&mut reading.errors).into_result());
         let included = mem::take(&mut reading.listing.included);
-        read.map_err(|error| lexed::mistakes(text, &included, error))?;
+        read.map_err(|error| mistakes(text, &included, error))?;
         let names = reading.listing.declared();
         Ok(Flat {
             names: names.map(|(name, _)| name.to_string()).collect(),

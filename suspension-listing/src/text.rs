@@ -12,14 +12,16 @@ use proc_macro2::Span;
 use syn::parse::{ParseStream, Parser};
 
 use crate::include_source::IncludeSource;
+use crate::included::mistakes;
 use crate::kind::Kind;
-use crate::lexed::{mistakes, tokens, with_places};
+use crate::lexed::{tokens, with_places};
 use crate::name::Name;
 use crate::system::System;
 use crate::{checked, parse};
 
-pub use crate::lexed::{DEEPEST, LONGEST_NUMBER, Mistake};
-pub use limits::{MOST_BYTES, MOST_POINTS, MOST_STATEMENTS, MOST_UNKNOWNS};
+pub use crate::lexed::{DEEPEST, LONGEST_NUMBER, MOST_BYTES};
+pub use crate::mistake::Mistake;
+pub use limits::{MOST_POINTS, MOST_STATEMENTS, MOST_UNKNOWNS};
 
 /// All that is wrong with a text, one line each.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -22,5 +22,5 @@ pub use motion_file::{Coefficients, MotionFile, Offset, Position, Time, VehicleT
 pub use per_wheel::PerWheel;
 pub use source::Source;
 pub use spring::SpringTable;
-pub use table::Table;
+pub use table::{Table, in_order};
 pub use tune::{AxisName, Direction, MoveTable, TargetTable, TuneTable, Wanted};

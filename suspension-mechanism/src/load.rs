@@ -4,6 +4,7 @@ mod cases;
 mod design;
 mod included;
 mod led;
+mod links;
 mod listing;
 mod loaded;
 mod masses;

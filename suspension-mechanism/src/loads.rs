@@ -88,13 +88,13 @@ impl<'l> Structure<'l> {
         }
     }
 
-    /// What a case does at a state; `None` where the mechanism locks, or where what is to bear the load of a drive does not
-    /// move with it.
+    /// What a case does at a state; `None` where the mechanism locks, where what is to bear the load of a drive does not
+    /// move with it, and where points that hold a body with a mass are in line.
     pub fn under(&self, mechanism: &dyn Kinematics, case: &Case, state: &State) -> Option<Outcome> {
         let here = Here::new(mechanism, &self.carriers, state);
         let mut forces = here.at_sites(&case.at);
         forces.extend(here.in_measures(&case.along));
-        forces.extend(here.of_masses(&self.masses, &case.field));
+        forces.extend(here.of_masses(&self.masses, &case.field)?);
         let in_measures = bearing(&here, &case.borne_by, &forces)?;
         forces.extend(here.in_measures(&in_measures));
         let Borne {

@@ -2,7 +2,7 @@
 //! coordinate and each link's length.
 //!
 //! A hardpoint is moved, the suspension built anew of its points and read at its new design position; a length is changed
-//! with the drives held. Six such suspensions on either side give the derivative by the central difference of sixth order:
+//! with the drives held. Three such suspensions on either side give the derivative by the central difference of sixth order:
 //! `(45 (f1 - f_1) - 9 (f2 - f_2) + f3 - f_3) / (60 h)`, `h` a thousandth of the suspension's size.
 
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -38,6 +38,7 @@
     )
 )]
 
+mod bound_to_axes;
 mod build;
 pub mod catalogue;
 mod catalogue_and_files;
@@ -46,7 +47,6 @@ mod factors;
 mod fit;
 mod fitted;
 mod form;
-mod half_turn;
 mod hardpoints;
 mod lengths;
 mod linkage;

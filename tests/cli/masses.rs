@@ -159,7 +159,7 @@ fn what_is_no_mass_is_refused_with_its_place() {
         (
             "uprigth = 3.0",
             "",
-            "`uprigth` is no part that moves; masses are of ",
+            "unknown moving part `uprigth`; known are ",
         ),
         ("upright = 3.0", "", "`upright` is a body: write { mass"),
         (
@@ -172,7 +172,7 @@ fn what_is_no_mass_is_refused_with_its_place() {
             "",
             "`tie_rod` is no body",
         ),
-        ("rack = 1.0", "", "`rack` is no part that moves"),
+        ("rack = 1.0", "", "unknown moving part `rack`; known are "),
         (
             "upright = { mass = 1.0, centre = \"hub\" }",
             "",

@@ -131,7 +131,7 @@ fn what_is_no_spring_is_refused_with_its_place() {
     for (springs, expected) in [
         (
             "[springs.a]\nalong = \"dampr\"\nrate = 1.0\n",
-            "`dampr` is no measure, along which spring `a` is; the measures are damper, bar_arm",
+            "unknown measure `dampr`; known are damper, bar_arm",
         ),
         (
             "[springs.a]\nalong = \"damper\"\nrate = -1.0\n",

@@ -129,7 +129,7 @@ fn the_text_tells_both_and_wrong_tolerances_are_refused() {
         "{report}"
     );
     for (stated, expected) in [
-        ("axel = 0.001", "`axel` is no point and no link; known are "),
+        ("axel = 0.001", "unknown point or link `axel`; known are "),
         (
             "axle = -0.001",
             "a tolerance is a standard deviation in the unit of lengths, from zero on",

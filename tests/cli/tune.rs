@@ -1,6 +1,7 @@
 //! Hardpoints moved until curves are met.
 
 mod units;
+mod written;
 
 use std::path::Path;
 use std::process::Output;
@@ -40,6 +41,21 @@ fn tuned(folder: &Path, file: &str) -> Output {
     run(folder, &["tune", "a.toml"])
 }
 
+/// The same where all targets must be met.
+fn met(folder: &Path, file: &str) -> Output {
+    let output = tuned(folder, file);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    output
+}
+
+/// A target at the design position.
+fn target(of: &str, value: f64, within: f64) -> String {
+    format!("[tune.targets.{of}]\nof = \"{of}\"\nvalue = {value:?}\nwithin = {within:?}\n")
+}
+
+/// The drives of corners of the catalogue at their design positions.
+const DRIVES: &str = "bump = 0.3\nsteer = 0.34";
+
 /// What the program reads of the file that it wrote, over bump.
 fn swept(folder: &Path) -> Rows {
     let sweep = [
@@ -63,8 +79,7 @@ fn bump_steer_of_three_layouts_is_flat_by_two_heights() {
         ("five_link_rack", "bump = 0.32\nsteer = 0.35"),
     ] {
         let folder = folder();
-        let output = tuned(folder.path(), &file(layout, drives, FLAT));
-        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        met(folder.path(), &file(layout, drives, FLAT));
         let rows = swept(folder.path());
         let design = rows[24]["toe_deg"];
         let worst = rows.iter().map(|row| (row["toe_deg"] - design).abs());
@@ -108,9 +123,8 @@ fn what_is_not_met_is_told_with_the_box_that_stops_it() {
 #[test]
 fn a_known_design_is_found_by_its_curves() {
     let folder = folder();
-    let drives = "bump = 0.3\nsteer = 0.34";
     let known = "[points]\nupper_front = [0.15, 0.42, 0.432]\nupper_rear = [-0.15, 0.42, 0.432]\n";
-    let known = file("double_wishbone", drives, known);
+    let known = file("double_wishbone", DRIVES, known);
     std::fs::write(folder.path().join("a_tuned.toml"), known).expect("written");
     let rows = swept(folder.path());
     let design = &rows[24];
@@ -139,7 +153,7 @@ within = 0.1
         "[points]\nupper_front = [0.15, 0.42, 0.42]\nupper_rear = [-0.15, 0.42, 0.42] # both\n";
     let output = tuned(
         folder.path(),
-        &file("double_wishbone", drives, &format!("{points}{tune}")),
+        &file("double_wishbone", DRIVES, &format!("{points}{tune}")),
     );
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     assert!(
@@ -163,19 +177,15 @@ within = 0.1
 fn mirrored_points_keep_an_axle_symmetric() {
     let folder = folder();
     let tune = "\
-[tune.moves.rack]
+[tune.moves.axle]
 points = [\"left_axle\"]
 mirrored = [\"right_axle\"]
 along = [1.0, 1.0, 0.0]
 by = [-0.02, 0.02]
-[tune.targets.toe]
-of = \"left_toe\"
-value = 0.1
-within = 1e-5
 ";
+    let tune = tune.to_owned() + &target("left_toe", 0.1, 1e-5);
     let drives = "bump_left = 0.3\nbump_right = 0.3\nsteer = 0.0";
-    let output = tuned(folder.path(), &file("steered_axle", drives, tune));
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    met(folder.path(), &file("steered_axle", drives, &tune));
     let output = run(
         folder.path(),
         &[
@@ -199,167 +209,11 @@ within = 1e-5
 #[test]
 fn a_length_is_a_move_too() {
     let folder = folder();
-    let tune = "\
-[tune.moves.turnbuckle]
-length = \"tie_rod\"
-by = [-0.005, 0.005]
-[tune.targets.toe]
-of = \"toe\"
-value = -0.25
-within = 1e-5
-";
-    let drives = "bump = 0.3\nsteer = 0.34";
-    let output = tuned(folder.path(), &file("double_wishbone", drives, tune));
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let tune = "[tune.moves.turnbuckle]\nlength = \"tie_rod\"\nby = [-0.005, 0.005]\n".to_owned();
+    let tune = tune + &target("toe", -0.25, 1e-5);
+    met(folder.path(), &file("double_wishbone", DRIVES, &tune));
     let row = &swept(folder.path())[24];
     assert!((row["toe_deg"] + 0.25).abs() < 1e-5, "{row:?}");
     let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
-    assert!(written.contains(&format!("{drives}\n")) && !written.contains("\nrack ="));
-}
-
-/// Where a point of a drive is moved along it, the motion begins there.
-#[test]
-fn drives_begin_where_the_design_has_them() {
-    let folder = folder();
-    let drives = "bump = [0.3, 0.01]\nsteer = [0.348, 0.001, 0.2]";
-    let known = file(
-        "double_wishbone",
-        drives,
-        "[points]\nrack = [0.11, 0.348, 0.2]\n",
-    );
-    std::fs::write(folder.path().join("a_tuned.toml"), known).expect("written");
-    let bump_steer = swept(folder.path())[24]["toe_deg_per_bump"];
-    let tune = format!(
-        "\
-[tune.moves.rack]
-points = [\"rack\"]
-along = \"y\"
-by = [-0.01, 0.01]
-[tune.targets.bump_steer]
-of = \"toe\"
-per = \"bump\"
-value = {bump_steer:?}
-within = 1e-5
-"
-    );
-    let drives = "bump = [0.3, 0.01]\nsteer = [0.34, 0.001, 0.2] # m";
-    let output = tuned(folder.path(), &file("double_wishbone", drives, &tune));
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
-    assert!(
-        written.contains("\nsteer = [0.348, 0.001, 0.2] # m\n"),
-        "{written}"
-    );
-    assert!(
-        written.contains("\nrack = [0.11, 0.348, 0.2]\n"),
-        "{written}"
-    );
-}
-
-/// Springs have their load at the design that is found, as the file that is written says.
-#[test]
-fn what_springs_do_is_met_by_the_file_that_is_written() {
-    let folder = folder();
-    let tune = "\
-[springs.spring]
-along = \"damper\"
-rate = 28000.0
-load = 3800.0
-[tune.moves.lower]
-points = [\"damper_inner\"]
-along = \"z\"
-by = [-0.05, 0.05]
-[tune.targets.rate]
-of = \"wheel_rate\"
-value = 10000.0
-within = 1.0
-";
-    let drives = "bump = 0.3\nsteer = 0.34";
-    let output = tuned(
-        folder.path(),
-        &file("double_wishbone_pushrod", drives, tune),
-    );
-    let found = swept(folder.path())[24]["wheel_rate_N_m"];
-    let is_met = output.status.code() == Some(0);
-    assert_eq!(
-        is_met,
-        (found - 10000.0).abs() < 1.001,
-        "{found} {output:?}"
-    );
-    assert!(is_met, "{output:?}");
-}
-
-/// A marker that the file states off a point goes with it.
-#[test]
-fn a_marker_follows_the_point_that_it_is_stated_off() {
-    let folder = folder();
-    let marker = "[points]\nwheel_centre = [0.0, 0.75, 0.3]\naxle = { from = \"wheel_centre\", offset = [0.0, -0.1, 0.001] }\n";
-    let tune = "\
-[tune.moves.out]
-points = [\"wheel_centre\"]
-along = \"y\"
-by = [-0.05, 0.05]
-[tune.targets.scrub]
-of = \"scrub_radius\"
-value = 0.03
-within = 1e-6
-";
-    let drives = "bump = 0.3\nsteer = 0.34";
-    let text = file("double_wishbone", drives, &format!("{marker}{tune}"));
-    let output = tuned(folder.path(), &text);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let design = &swept(folder.path())[24];
-    assert!((design["scrub_radius_m"] - 0.03).abs() < 1e-6, "{design:?}");
-    assert!((design["wheel_centre_y"] - design["axle_y"] - 0.1).abs() < 1e-9);
-}
-
-/// Neither the listing that is read nor a file that was there is lost.
-#[test]
-fn what_is_there_is_not_replaced_unasked() {
-    let folder = folder();
-    let path = |name: &str| folder.path().join(name);
-    let drives = "bump = 0.31\nsteer = 0.33";
-    let own = file("macpherson", drives, FLAT)
-        .replace("linkage = \"macpherson\"", "listing = \"corner.linkage\"");
-    let listing = include_str!("../../suspension-core/src/linkages/macpherson.linkage");
-    std::fs::write(path("corner.linkage"), listing).expect("written");
-    std::fs::write(path("a.toml"), own).expect("written");
-    std::fs::write(path("a_tuned.toml"), "mine").expect("written");
-    for (arguments, told) in [
-        (
-            &["tune", "a.toml"][..],
-            "a_tuned.toml: exists already; --out a_tuned.toml replaces it",
-        ),
-        (
-            &["tune", "a.toml", "--out", "corner.linkage"],
-            "corner.linkage: this is a file that is read",
-        ),
-        (
-            &["motion", "a.toml", "--csv", "corner.linkage"],
-            "corner.linkage: this is a file that is read",
-        ),
-        (
-            &["sheet", "a.toml", "--out", "corner.linkage"],
-            "corner.linkage: this is a file that is read",
-        ),
-        (
-            &["tune", "a.toml", "--out", "sub/b.toml"],
-            "--out sub/b.toml: the file would not be read there",
-        ),
-    ] {
-        let output = run(folder.path(), arguments);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
-        assert!(
-            super::program::text(&output.stderr).contains(told),
-            "{told}: {output:?}"
-        );
-    }
-    assert_eq!(
-        std::fs::read_to_string(path("corner.linkage")).expect("there"),
-        listing
-    );
-    assert_eq!(
-        std::fs::read_to_string(path("a_tuned.toml")).expect("there"),
-        "mine"
-    );
+    assert!(written.contains(&format!("{DRIVES}\n")) && !written.contains("\nrack ="));
 }

@@ -75,11 +75,9 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
         .map_or_else(|| Ok(published()), Source::read)?;
     let csv = wanted.csv.clone();
     let csv = csv.unwrap_or_else(|| wanted.folder.join("chart.csv"));
-    if let Some(file) = &wanted.file {
-        refuse_input(&csv, file, "--csv")?;
-    }
     let rivals = rows::from_csv(&wanted.folder.join("rivals.csv"))?;
     let loaded = load(&source)?;
+    refuse_input(&csv, "--csv")?;
     let [first, last] = loaded.instants().ends();
     let last = wanted.file.as_ref().map_or(LAST_OF_PUBLISHED, |_| last);
     let steps = (last - first).abs() / wanted.effort.steps[0];

@@ -62,8 +62,8 @@ const TABLE: &str = "failures.csv";
 /// See [`Failure`]. Where the user interrupts, what was counted is written.
 pub fn failures(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = Source::read(&wanted.file)?;
-    refuse_input(&wanted.folder.join(TABLE), &wanted.file, "--out")?;
     let loaded = load(&source)?;
+    refuse_input(&wanted.folder.join(TABLE), "--out")?;
     let [first, last] = loaded.instants().ends();
     if first == last {
         let name = source.name();

@@ -80,8 +80,8 @@ const FILE: &str = r#"The file:
   [points]                           # chassis points, free points and markers, each by name
   p1 = [-1.396, -0.025, -0.082]
   p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, off another point
-  [lengths]                          # optional: all lengths; free points are then but a guess
-  d6_1 = 0.445872                    # that may miss a slide or a plane; else a misfit is told, or refused
+  [lengths]                          # optional: all lengths; free points are then a guess for the assembly, and
+  d6_1 = 0.445872                    # need not satisfy the statements; without it, points that do not are noted or refused
   [design]                           # optional: the drives' values at which the mechanism is
   theta = 1.5707963267948966         # assembled and markers with an offset are attached; else as the
                                      # points are, as markers with coordinates always are

@@ -4,7 +4,6 @@ use std::fmt::Write;
 
 use crate::mechanism::{Description, Length};
 use crate::number::{rounded, without_rounding};
-use crate::quantities::Kind;
 use crate::sensitivities::Sensitivities;
 use crate::tolerances::{Deviations, Sampled};
 
@@ -87,34 +86,18 @@ impl Report<'_> {
 
     fn number(&self, at: usize, number: usize) -> Number {
         let (column, unit) = (&self.found.columns[at], self.mechanism.unit);
-        let (scale, symbol) = column.kind.for_people(unit);
-        let csv_name = column.csv_name(unit);
-        let value = Number {
+        let drive = number.checked_sub(1);
+        let drive = drive.and_then(|drive| self.mechanism.names.drives.get(drive));
+        let per = drive.map(|drive| format!("_per_{}", drive.name));
+        let (scale, symbol) = column.for_people_per(drive, unit);
+        Number {
             column: at,
             number,
-            csv_name,
-            in_file: column.kind.in_file(unit),
-            title: column.title(),
+            csv_name: column.csv_name(unit) + &per.unwrap_or_default(),
+            in_file: column.in_file_per(drive, unit),
+            title: column.title_per(drive),
             scale,
             symbol,
-        };
-        let drive = number
-            .checked_sub(1)
-            .and_then(|drive| self.mechanism.names.drives.get(drive));
-        match drive {
-            None => value,
-            Some(drive) => {
-                let kind = Kind::from(drive.kind);
-                let per = kind.in_file(unit);
-                Number {
-                    csv_name: format!("{}_per_{}", value.csv_name, drive.name),
-                    in_file: value.in_file / per,
-                    title: format!("{} per {}", value.title, drive.name),
-                    scale: value.scale / per,
-                    symbol: format!("{}/{}", value.symbol, kind.symbol(unit)),
-                    ..value
-                }
-            }
         }
     }
 

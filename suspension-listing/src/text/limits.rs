@@ -3,11 +3,9 @@
 
 use syn::Error;
 
-use crate::lexed::Mistake;
+use crate::lexed::MOST_BYTES;
 use crate::listing::Listing;
-
-/// The longest text, in bytes.
-pub const MOST_BYTES: usize = 65_536;
+use crate::mistake::Mistake;
 
 /// The most statements beside those that declare points.
 pub const MOST_STATEMENTS: usize = 256;

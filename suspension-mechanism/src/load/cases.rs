@@ -8,7 +8,7 @@ use suspension_runtime::Listing;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{Load, MotionFile, Source, Wrench};
+use crate::file::{Load, MotionFile, Source, Wrench, in_order};
 use crate::loads::{Case, Site};
 use crate::mechanism::{Description, Wheel};
 
@@ -40,9 +40,7 @@ pub(super) fn cases(
         mechanism,
         has_masses: file.masses.is_some(),
     };
-    let mut stated: Vec<_> = table.get_ref().iter().collect();
-    stated.sort_by_key(|(name, _)| name.span().start);
-    let cases = stated.into_iter();
+    let cases = in_order(table);
     cases
         .map(|(name, loads)| reader.case(name, loads.get_ref()))
         .collect()

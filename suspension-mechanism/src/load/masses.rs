@@ -2,13 +2,13 @@
 
 use nalgebra::{Matrix3, Vector3};
 use suspension_core::inertia::RigidBody;
-use suspension_listing::did_you_mean::did_you_mean;
+use suspension_listing::did_you_mean::unknown;
 use suspension_runtime::{Listing, Statement};
 use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{BodyMass, Centre, MassTable, MotionFile, Source};
-use crate::loads::{Mass, Site};
+use crate::loads::Mass;
 use crate::mechanism::Description;
 
 /// The masses of a file; `design` are its points at the design position, in the file's coordinates.
@@ -78,23 +78,18 @@ impl Reader<'_> {
                 refuse(format!("`{part}` is no body: write its mass alone, in kg"))
             }
             (Some(_), _) => Err(self.unknown(name)),
-            (None, MassTable::Alone(mass)) => Ok(Mass::At(self.site(name)?, *mass)),
+            (None, MassTable::Alone(mass)) => Ok(Mass::At(self.point(name)?, *mass)),
             (None, MassTable::OfBody(_)) => Err(self.unknown(name)),
         }
     }
 
-    /// A free point, or a marker of a body.
-    fn site(&self, name: &Spanned<String>) -> Result<Site, Failure> {
+    /// A free point, or a marker.
+    fn point(&self, name: &Spanned<String>) -> Result<usize, Failure> {
         let names = &self.mechanism.names;
-        let point = names
-            .points
-            .iter()
-            .position(|point| point == name.get_ref());
+        let mut points = names.points.iter();
+        let point = points.position(|point| point == name.get_ref());
         let point = point.filter(|point| *point >= names.chassis);
-        let point = point.ok_or_else(|| self.unknown(name))?;
-        let mut carriers = self.listing.carriers().into_iter();
-        let carrier = carriers.find(|(marker, _)| *marker == point);
-        Ok(carrier.map_or(Site::Point(point), |(_, body)| Site::Body(point, body)))
+        point.ok_or_else(|| self.unknown(name))
     }
 
     fn unknown(&self, name: &Spanned<String>) -> Failure {
@@ -105,10 +100,7 @@ impl Reader<'_> {
             .map(|part| part.name)
             .chain(names.points[names.chassis..].iter().map(String::as_str))
             .collect();
-        let wanted = name.get_ref();
-        let hint = did_you_mean(wanted, known.iter().copied());
-        let known = known.join(", ");
-        let message = format!("`{wanted}` is no part that moves; masses are of {known}{hint}");
+        let message = unknown("moving part", name.get_ref(), &known);
         self.source.refuse(&name.span(), message)
     }
 

@@ -1,7 +1,7 @@
 //! The springs of a motion file, by the numbers of their measures.
 
 use suspension_core::{Signal, Values};
-use suspension_listing::did_you_mean::did_you_mean;
+use suspension_listing::did_you_mean::unknown;
 
 use crate::failure::Failure;
 use crate::load::task::Task;
@@ -38,9 +38,7 @@ pub(super) fn springs<L: Suspension<N>, const N: usize>(
         let along = stated.along.get_ref().as_str();
         let measure = known.iter().position(|measure| *measure == along);
         let measure = measure.ok_or_else(|| {
-            let hint = did_you_mean(along, known.iter().copied());
-            let known = known.join(", ");
-            let message = format!("`{along}` is no measure, along which spring `{name}` is; the measures are {known}{hint}");
+            let message = unknown("measure", along, &known);
             task.source.refuse(&stated.along.span(), message)
         })?;
         let rate = *stated.rate.get_ref();

@@ -2,12 +2,14 @@
 
 use crate::failure::Failure;
 use crate::load::cases::cases;
+use crate::load::links::Links;
 use crate::load::loaded::Loaded;
 use crate::load::masses::masses;
 use crate::load::tolerances::tolerances;
 use crate::load::tuning::tuning;
 use crate::loads::{Case, Mass};
 use crate::mechanism::Description;
+use crate::sensitivities::{Change, coordinates, length};
 use crate::tolerances::Tolerance;
 use crate::tune::{Move, Target};
 
@@ -27,6 +29,9 @@ impl Loaded<'_> {
     ///
     /// [`Failure::Input`] with the place of what is no mass, or of no part, and where there is no design position.
     pub fn masses(&self) -> Result<Vec<Mass>, Failure> {
+        if self.file.masses.is_none() {
+            return Ok(Vec::new());
+        }
         let mechanism = &*self.at_design_without_notes()?;
         let design = mechanism.points();
         masses(
@@ -46,21 +51,26 @@ impl Loaded<'_> {
         tolerances(self.source, &self.file, self.listing(), mechanism)
     }
 
-    /// Markers that the file states off another point, each with that one, by number.
-    pub fn followers(&self, mechanism: &Description) -> Vec<[usize; 2]> {
-        self.file.followers(&mechanism.names.points)
-    }
-
-    /// The named changes of the file, the moves of `[tune]`; none where it has none.
+    /// What `suspension sensitivities` changes: the coordinates of all points, the lengths of links, and the moves of
+    /// `[tune]`.
     ///
     /// # Errors
     ///
     /// As [`tuning`](Self::tuning).
-    pub fn moves(&self, mechanism: &Description) -> Result<Vec<Move>, Failure> {
-        match self.file.tune {
-            Some(_) => Ok(self.tuning(mechanism)?.0),
-            None => Ok(Vec::new()),
+    pub fn changes(&self, mechanism: &Description) -> Result<Vec<Change>, Failure> {
+        let names = &mechanism.names;
+        let followers = self.file.followers(&names.points);
+        let points = 0..names.points.len();
+        let coordinates = points.flat_map(|point| coordinates(mechanism, point, &followers));
+        let Links(links) = Links::of(self.listing(), names);
+        let lengths = links.iter().map(|(_, number)| length(mechanism, *number));
+        let mut changes: Vec<Change> = coordinates.chain(lengths).collect();
+        if self.file.tune.is_some() {
+            let (moves, _) = self.tuning(mechanism)?;
+            let named = moves.into_iter();
+            changes.extend(named.map(|Move { name, per_unit, .. }| Change { name, per_unit }));
         }
+        Ok(changes)
     }
 
     /// What the file has for `suspension tune`: what may be moved, and the targets, in its order.

@@ -1,10 +1,11 @@
 //! The tolerances of a motion file, by what they are of.
 
-use suspension_listing::did_you_mean::did_you_mean;
+use suspension_listing::did_you_mean::unknown;
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source};
+use crate::load::links::Links;
 use crate::mechanism::Description;
 use crate::sensitivities::{Change, coordinates, length};
 use crate::tolerances::Tolerance;
@@ -25,28 +26,19 @@ pub(super) fn tolerances(
     };
     let names = &mechanism.names;
     let followers = file.followers(&names.points);
-    let statements = listing.statements().into_iter();
-    let links = statements.filter(|statement| statement.kind == "link");
-    let links: Vec<&str> = links.map(|link| link.name).collect();
+    let links = Links::of(listing, names);
     let changes = |name: &str| -> Option<Vec<Change>> {
-        if let Some(point) = names.points.iter().position(|point| point == name) {
-            return Some(coordinates(mechanism, point, &followers).collect());
+        match names.points.iter().position(|point| point == name) {
+            Some(point) => Some(coordinates(mechanism, point, &followers).collect()),
+            None => Some(vec![length(mechanism, links.length(name)?)]),
         }
-        let link = links.iter().find(|link| **link == name)?;
-        let number = names.lengths.iter().position(|length| length == link)?;
-        Some(vec![length(mechanism, number)])
     };
     let mut found = Vec::new();
     for (name, deviation) in table.get_ref() {
         let changes = changes(name.get_ref()).ok_or_else(|| {
             let known = names.points.iter().map(String::as_str);
-            let known: Vec<&str> = known.chain(links.iter().copied()).collect();
-            let hint = did_you_mean(name.get_ref(), known.iter().copied());
-            let known = known.join(", ");
-            let message = format!(
-                "`{}` is no point and no link; known are {known}{hint}",
-                name.get_ref()
-            );
+            let known: Vec<&str> = known.chain(links.names()).collect();
+            let message = unknown("point or link", name.get_ref(), &known);
             source.refuse(&name.span(), message)
         })?;
         let value = *deviation.get_ref();

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use suspension_listing::did_you_mean::did_you_mean;
+use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -79,17 +79,13 @@ fn of_each<T: Clone>(
     };
     let names: Vec<&str> = wheels.iter().map(|wheel| wheel.name.as_str()).collect();
     let mut keys = of_some.keys();
-    if let Some(unknown) = keys.find(|key| !names.iter().any(|name| is_within(key, name))) {
+    if let Some(wanted) = keys.find(|key| !names.iter().any(|name| is_within(key, name))) {
         let message = if names == [""] {
             format!(
-                "unknown wheel `{unknown}`; the listing names no wheels: write what stands behind `=` alone"
+                "unknown wheel `{wanted}`; the listing names no wheels: write what stands behind `=` alone"
             )
         } else {
-            let hint = did_you_mean(unknown, names.iter().copied());
-            format!(
-                "unknown wheel `{unknown}`; known are {}{hint}",
-                names.join(", ")
-            )
+            unknown("wheel", wanted, &names)
         };
         return Err(task.source.refuse(&stated.span(), message));
     }
@@ -122,9 +118,7 @@ fn drives(
             continue;
         };
         let Some(drive) = known.iter().position(|drive| *drive == wanted) else {
-            let hint = did_you_mean(&wanted, known.iter().copied());
-            let known = known.join(", ");
-            let message = format!("unknown drive `{wanted}`; known are {known}{hint}");
+            let message = unknown("drive", &wanted, &known);
             return Err(task.source.refuse(&place, message));
         };
         *of(wheel) = Some(drive);

@@ -28,6 +28,17 @@ impl Force {
     }
 }
 
+/// Forces at the points of a part that act on it.
+fn on<const K: usize>(points: &[usize; K], forces: [Vector3<f64>; K]) -> Vec<Force> {
+    let each = points.iter().zip(forces);
+    each.map(|(point, force)| Force {
+        point: *point,
+        force,
+        part: points.to_vec(),
+    })
+    .collect()
+}
+
 /// The forces at each point together.
 pub(super) fn summed(forces: &[Force], points: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     let mut sums = vec![Vector3::zeros(); points.len()];
@@ -121,34 +132,26 @@ impl<'a> Here<'a> {
         self.at_sites(&each.collect::<Vec<_>>())
     }
 
-    /// The forces of weight and inertia, in a field of gravity and acceleration, m/s^2.
-    pub(super) fn of_masses(&self, masses: &[Mass], field: &Vector3<f64>) -> Vec<Force> {
+    /// The forces of weight and inertia, in a field of gravity and acceleration, m/s^2; `None` where three points that hold a
+    /// body are in line.
+    pub(super) fn of_masses(&self, masses: &[Mass], field: &Vector3<f64>) -> Option<Vec<Force>> {
         let motion = InMetres {
             state: self.state,
             metre: self.mechanism.unit.metre(),
         };
-        let on = |points: &[usize], forces: &[Vector3<f64>]| -> Vec<Force> {
-            let each = points.iter().zip(forces);
-            each.map(|(point, force)| Force {
-                point: *point,
-                force: *force,
-                part: points.to_vec(),
-            })
-            .collect()
-        };
-        let each = masses.iter().map(|mass| match mass {
-            Mass::At(site, mass) => {
-                let [force] = match *site {
-                    Site::Point(point) | Site::Body(point, _) => motion.of([point]).second_rate,
-                    Site::Contact(_) => [Vector3::zeros()],
+        let mut all = Vec::new();
+        for mass in masses {
+            all.extend(match mass {
+                Mass::At(point, mass) => {
+                    let [acceleration] = motion.of([*point]).second_rate;
+                    let force = (field - acceleration) * *mass;
+                    self.at_sites(&[(self.site_of(*point), [force, Vector3::zeros()])])
                 }
-                .map(|acceleration| (field - acceleration) * *mass);
-                self.at_sites(&[(*site, [force, Vector3::zeros()])])
-            }
-            Mass::Rod(ends, mass) => on(ends, &motion.of_rod(*ends, *mass, field)),
-            Mass::Body(points, body) => on(points, &motion.of_body(*points, body, field)),
-        });
-        each.flatten().collect()
+                Mass::Rod(ends, mass) => on(ends, motion.of_rod(*ends, *mass, field)),
+                Mass::Body(points, body) => on(points, motion.of_body(*points, body, field)?),
+            });
+        }
+        Some(all)
     }
 
     fn site_of(&self, point: usize) -> Site {
@@ -165,14 +168,8 @@ impl<'a> Here<'a> {
         moment: Vector3<f64>,
     ) -> Vec<Force> {
         let points = body.map(|point| self.points()[point]);
-        let parts = spread(points, force, place, moment * self.mechanism.unit.metre());
-        let each = body.into_iter().zip(parts);
-        each.map(|(point, force)| Force {
-            point,
-            force,
-            part: body.to_vec(),
-        })
-        .collect()
+        let moment = moment * self.mechanism.unit.metre();
+        on(&body, spread(points, force, place, moment))
     }
 
     /// Where a wheel touches the ground.

@@ -4,14 +4,13 @@ use nalgebra::Vector3;
 use suspension_core::Signal;
 use suspension_core::inertia::{RigidBody, rod};
 
-use crate::loads::site::Site;
 use crate::mechanism::{Points, State};
 
 /// A part that has a mass.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mass {
-    /// At a place, kg.
-    At(Site, f64),
+    /// At a free point or a marker, kg.
+    At(usize, f64),
     /// Of a uniform rod between two points, kg.
     Rod([usize; 2], f64),
     /// Of a body that is held by three points, in metres.
@@ -32,14 +31,14 @@ impl InMetres<'_> {
         self.state.points.map(of)
     }
 
-    /// The forces at three points of a body; none where these are in line.
+    /// The forces at three points of a body; `None` where these are in line.
     pub(super) fn of_body(
         &self,
         points: [usize; 3],
         body: &RigidBody<f64>,
         field: &Vector3<f64>,
-    ) -> [Vector3<f64>; 3] {
-        body.forces(&self.of(points), field).unwrap_or_default()
+    ) -> Option<[Vector3<f64>; 3]> {
+        body.forces(&self.of(points), field)
     }
 
     /// The forces at the ends of a rod.

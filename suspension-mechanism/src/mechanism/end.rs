@@ -1,5 +1,6 @@
 //! How a motion ends.
 
+use crate::failure::Failure;
 use crate::mechanism::words::advice;
 use crate::number::number;
 
@@ -12,6 +13,20 @@ pub enum End {
     Cut,
     /// Where the solver found no further configuration.
     Stopped(Stop),
+}
+
+impl End {
+    /// What remains to be said of the motion of `file` where it did not reach its last instant, and of what was `done`.
+    pub fn failure(&self, file: &str, done: &str) -> Option<Failure> {
+        match self {
+            Self::Complete => None,
+            Self::Cut => Some(Failure::Interrupted(format!("{file}: interrupted; {done}"))),
+            Self::Stopped(stop) => {
+                let why = stop.in_words(file);
+                Some(Failure::Solver(format!("{file}: {why}; {done}")))
+            }
+        }
+    }
 }
 
 /// Where and why the solver stopped.

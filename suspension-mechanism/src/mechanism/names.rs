@@ -2,7 +2,7 @@
 
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 use suspension_core::{Build, Linkage, Listing};
-use suspension_listing::did_you_mean::did_you_mean;
+use suspension_listing::did_you_mean::unknown;
 
 use crate::mechanism::spring::Spring;
 use crate::mechanism::vehicle::{Vehicle, Wheel};
@@ -151,10 +151,7 @@ impl Names {
                 let found = names.iter().position(|name| *name == wanted);
                 found.ok_or_else(|| match self.of_measures().contains(&wanted) {
                     true => format!("`{wanted}` is a measure, no drive; the drives are {all}"),
-                    false => {
-                        let hint = did_you_mean(wanted, names.iter().copied());
-                        format!("unknown drive `{wanted}`; known are {all}{hint}")
-                    }
+                    false => unknown("drive", wanted, &names),
                 })
             }
         }

@@ -5,7 +5,7 @@ use std::fmt;
 use nalgebra::Vector3;
 use suspension_core::Signal;
 
-use crate::mechanism::{Names, State, Unit};
+use crate::mechanism::{Drive, Names, State, Unit};
 use crate::quantities::kind::Kind;
 use crate::quantities::reader::Reader;
 use crate::quantities::wheel::Number;
@@ -124,6 +124,30 @@ impl Column {
     pub fn title(&self) -> String {
         let axis = self.axis.map(|axis| format!("_{axis}"));
         format!("{}{}", self.name, axis.unwrap_or_default())
+    }
+
+    /// The same of its derivative with respect to a drive, where there is one: `camber per bump`.
+    pub fn title_per(&self, drive: Option<&Drive>) -> String {
+        let per = drive.map(|drive| format!(" per {}", drive.name));
+        self.title() + &per.unwrap_or_default()
+    }
+
+    /// What a number inside, or its derivative with respect to a drive, is multiplied with for that in the file.
+    pub fn in_file_per(&self, drive: Option<&Drive>, unit: Unit) -> f64 {
+        let per = drive.map_or(1.0, |drive| unit.per_drive(drive.kind));
+        self.kind.in_file(unit) / per
+    }
+
+    /// The same for what people read, and the unit's symbol.
+    pub fn for_people_per(&self, drive: Option<&Drive>, unit: Unit) -> (f64, String) {
+        let (scale, symbol) = self.kind.for_people(unit);
+        match drive.map(|drive| drive.kind) {
+            Some(kind) => {
+                let symbol = format!("{symbol}/{}", unit.of_drive(kind));
+                (scale / unit.per_drive(kind), symbol)
+            }
+            None => (scale, symbol),
+        }
     }
 
     /// Its name in a CSV file: `p6_x`, `p6_vx`, `omega_x`, `camber_rad`.

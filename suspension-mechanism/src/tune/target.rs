@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Axis, Description, Drive, From, Grid, Order, Place, Visited};
-use crate::quantities::{Column, Kind, Reader};
+use crate::quantities::{Column, Reader};
 
 /// A quantity, where it is read, and what it is to be there.
 pub struct Target {
@@ -15,7 +15,7 @@ pub struct Target {
     pub reading: Reading,
     /// The drives that are moved, with how far from the design position; none to read it there.
     pub over: Vec<Axis>,
-    /// What it is to be at each place, in the order of the grid, of the file's lengths and of radians.
+    /// What it is to be, of the file's lengths and of radians.
     pub wanted: Wanted,
     /// How far it may be off.
     pub within: f64,
@@ -29,7 +29,7 @@ pub struct Reading {
     pub per: Option<usize>,
 }
 
-/// What is wanted at each place.
+/// What is wanted: one number for all places, or one for each in the order of the grid.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wanted {
     /// These.
@@ -44,31 +44,19 @@ pub type Deviations = Vec<f64>;
 impl Reading {
     /// What it is called: `toe`, `toe per bump`.
     pub fn title(&self, mechanism: &Description) -> String {
-        let title = self.column.title();
-        match self.drive(mechanism) {
-            Some(drive) => format!("{title} per {}", drive.name),
-            None => title,
-        }
+        self.column.title_per(self.drive(mechanism))
     }
 
     /// What a number inside is multiplied with for that in the file.
     pub fn in_file(&self, mechanism: &Description) -> f64 {
-        let per = self
-            .drive(mechanism)
-            .map_or(1.0, |drive| Kind::from(drive.kind).in_file(mechanism.unit));
-        self.column.kind.in_file(mechanism.unit) / per
+        let drive = self.drive(mechanism);
+        self.column.in_file_per(drive, mechanism.unit)
     }
 
-    /// The same for what people read, and the unit.
+    /// The same for what people read, and the unit's symbol.
     pub fn for_people(&self, mechanism: &Description) -> (f64, String) {
-        let (scale, symbol) = self.column.kind.for_people(mechanism.unit);
-        match self.drive(mechanism).map(|drive| Kind::from(drive.kind)) {
-            Some(per) => {
-                let symbol = format!("{symbol}/{}", per.symbol(mechanism.unit));
-                (scale / per.in_file(mechanism.unit), symbol)
-            }
-            None => (scale, symbol),
-        }
+        let drive = self.drive(mechanism);
+        self.column.for_people_per(drive, mechanism.unit)
     }
 
     fn drive<'a>(&self, mechanism: &'a Description) -> Option<&'a Drive> {
@@ -106,7 +94,7 @@ impl Target {
                 ((*design.first()?)?, wanted)
             }
         };
-        let off = values.iter().zip(wanted);
+        let off = values.iter().zip(wanted.iter().cycle());
         let off: Vec<f64> = off.map(|(value, wanted)| value - from - wanted).collect();
         off.iter().all(|off| off.is_finite()).then_some(off)
     }

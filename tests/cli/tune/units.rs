@@ -182,3 +182,24 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
         assert!(!folder.path().join("a_tuned.toml").exists());
     }
 }
+
+/// Thirteen places along each of eight drives are more than a computer holds.
+#[test]
+fn too_many_places_are_refused() {
+    let names = ["ax", "ay", "az", "bx", "by", "bz", "cx", "cy"];
+    let each = |of: &dyn Fn(&str) -> String| names.map(of).concat();
+    let drives = each(&|name| format!("drive {name}: {}.{};\n", &name[..1], &name[1..]));
+    let file = format!(
+        "unit = \"m\"\ntime = {{ instants = [0.0] }}\nstatements = \"\"\"\nfixed: o at [0.0, 0.0, 0.0];\n\
+         free: a at [0.1, 0.2, 0.3], b at [0.4, 0.2, 0.1], c at [0.5, 0.5, 0.5];\n{drives}link rod: o -> c;\nmeasure apart: length(a -> b);\n\"\"\"\n\
+         [drives]\n{}[tune.moves.a]\npoints = [\"a\"]\nalong = \"x\"\nby = [-0.01, 0.01]\n\
+         [tune.targets.apart]\nof = \"apart\"\nvalue = 0.3\nwithin = 0.1\n[tune.targets.apart.over]\n{}",
+        each(&|name| format!("{name} = 0.2\n")),
+        each(&|name| format!("{name} = [-0.01, 0.01]\n")),
+    );
+    let folder = folder();
+    let output = tuned(folder.path(), &file);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let told = "a grid may have 1000000 places at most";
+    assert!(text(&output.stderr).contains(told), "{output:?}");
+}

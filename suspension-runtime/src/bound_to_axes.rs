@@ -1,4 +1,4 @@
-//! What of a listing means something else in other axes.
+//! Statements of a listing that are of another mechanism in other axes.
 
 use suspension_listing::form::Form;
 use suspension_listing::system::Quantity;

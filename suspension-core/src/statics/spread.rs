@@ -1,0 +1,37 @@
+//! A force and a moment at any place of a rigid body, as forces at three of its points.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::scalar::Real;
+
+/// Three forces at three points of a rigid body that are together as one force at a place of it with a moment:
+/// `f_i = F / 3 + (I^-1 M) x r_i`, `r_i` from the middle of the points, `M` the moment about that, and `I` the inertia of
+/// unit masses at the points. Not finite where the points are in line.
+pub fn spread<T: Real>(
+    points: [Vector3<T>; 3],
+    force: Vector3<T>,
+    place: Vector3<T>,
+    moment: Vector3<T>,
+) -> [Vector3<T>; 3] {
+    let third = T::one() / T::constant(3.0);
+    let [a, b, c] = points;
+    let middle = (a + b + c) * third;
+    let from_middle = points.map(|point| point - middle);
+    let inertia = from_middle.iter().fold(Matrix3::zeros(), |sum, r| {
+        sum + Matrix3::from_diagonal_element(r.dot(r)) - r * r.transpose()
+    });
+    let moment = moment + (place - middle).cross(&force);
+    let turning = inverse_times(&inertia, &moment);
+    from_middle.map(|r| force * third + turning.cross(&r))
+}
+
+/// `A^-1 b` by Cramer's rule.
+fn inverse_times<T: Real>(matrix: &Matrix3<T>, right: &Vector3<T>) -> Vector3<T> {
+    let [a, b, c] = [0, 1, 2].map(|column| Vector3::from(matrix.column(column)));
+    let determinant = a.dot(&b.cross(&c));
+    Vector3::new(
+        right.dot(&b.cross(&c)),
+        a.dot(&right.cross(&c)),
+        a.dot(&b.cross(right)),
+    ) / determinant
+}

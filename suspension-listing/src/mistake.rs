@@ -1,0 +1,50 @@
+//! What is wrong with a text, and where.
+
+use syn::Error;
+
+use crate::errors;
+
+/// What is wrong at one place of a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mistake {
+    /// What is wrong, and what to write instead.
+    pub message: String,
+    /// Counted from 1.
+    pub line: usize,
+    /// In characters, counted from 1.
+    pub column: usize,
+    /// How many characters of the line it is about; zero where something is missing.
+    pub length: usize,
+}
+
+impl Mistake {
+    /// What an error says, at its place in a text.
+    pub(crate) fn of(text: &str, error: &Error) -> Self {
+        let message = error.to_string();
+        let (start, end) = (error.span().start(), error.span().end());
+        // The parser has no place for what is missing at the end.
+        if errors::is_of_the_parser(&message) && error.span().byte_range() == (0..0) {
+            let lines = text.lines().count().max(1);
+            let last = text.lines().last().map_or(0, |line| line.chars().count());
+            return Self {
+                message,
+                line: lines,
+                column: last + 1,
+                length: 0,
+            };
+        }
+        let line = text.lines().nth(start.line.saturating_sub(1));
+        let width = line.map_or(0, |line| line.chars().count());
+        let to = if end.line == start.line {
+            end.column
+        } else {
+            width
+        };
+        Self {
+            message,
+            line: start.line.max(1),
+            column: start.column + 1,
+            length: to.saturating_sub(start.column),
+        }
+    }
+}

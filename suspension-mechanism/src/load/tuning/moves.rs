@@ -1,0 +1,129 @@
+//! What a motion file lets `suspension tune` move.
+
+use nalgebra::Vector3;
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::{AxisName, Direction, MoveTable};
+use crate::kinematics::Changes;
+use crate::load::links::Links;
+use crate::load::tuning::naming::Naming;
+use crate::quantities::Axis;
+use crate::tune::Move;
+
+/// What moves name.
+pub(super) struct Moves<'a> {
+    pub(super) naming: Naming<'a>,
+    pub(super) links: Links<'a>,
+    /// Markers that are stated off another point, each with that one.
+    pub(super) followers: Vec<[usize; 2]>,
+}
+
+impl Moves<'_> {
+    /// A move by its table.
+    pub(super) fn of_move(
+        &self,
+        name: &Spanned<String>,
+        stated: &Spanned<MoveTable>,
+    ) -> Result<Move, Failure> {
+        let table = stated.get_ref();
+        let by = *table.by.get_ref();
+        if !(by[0] < by[1] && by.iter().all(|end| end.is_finite())) {
+            let message =
+                "`by` is [least, greatest], how far it may be moved, as [-0.010, 0.010] in metres";
+            return Err(self.naming.source.refuse(&table.by.span(), message));
+        }
+        let of_points = !table.points.is_empty() || !table.mirrored.is_empty();
+        if let (Some(length), Some(along)) = (&table.length, &table.along) {
+            let message = format!(
+                "`along` is of points; link `{}` becomes longer along itself",
+                length.get_ref()
+            );
+            return Err(self.naming.source.refuse(&along.span(), message));
+        }
+        let per_unit = match (&table.length, of_points) {
+            (Some(length), false) => Changes {
+                lengths: vec![(self.length(length)?, 1.0)],
+                ..Changes::default()
+            },
+            (None, true) => self.of_points(name, table)?,
+            _ => {
+                let message = "a move has `points` with `along`, or `length`, the name of a link";
+                return Err(self.naming.source.refuse(&name.span(), message));
+            }
+        };
+        Ok(Move {
+            name: name.get_ref().clone(),
+            per_unit,
+            by,
+        })
+    }
+
+    fn of_points(&self, name: &Spanned<String>, table: &MoveTable) -> Result<Changes, Failure> {
+        let Some(along) = &table.along else {
+            let message = "`along` is missing: write \"x\", \"y\", \"z\" or a direction [x, y, z]";
+            return Err(self.naming.source.refuse(&name.span(), message));
+        };
+        let along = self.direction(along)?;
+        let mirrored = Vector3::new(along.x, -along.y, along.z);
+        let ways = [(&table.points, along), (&table.mirrored, mirrored)];
+        let each = ways
+            .into_iter()
+            .flat_map(|(points, along)| points.iter().map(move |point| (point, along)));
+        let mut points: Vec<(usize, Vector3<f64>)> = Vec::new();
+        for (name, along) in each {
+            let point = self.naming.point(name)?;
+            if points.iter().any(|(other, _)| *other == point) {
+                let message = format!(
+                    "`{}` is moved twice by one move; remove one",
+                    name.get_ref()
+                );
+                return Err(self.naming.source.refuse(&name.span(), message));
+            }
+            points.push((point, along));
+        }
+        Ok(Changes {
+            points: with_markers(points, &self.followers),
+            ..Changes::default()
+        })
+    }
+
+    fn direction(&self, stated: &Spanned<Direction>) -> Result<Vector3<f64>, Failure> {
+        let vector = match stated.get_ref() {
+            Direction::Axis(AxisName::X) => Axis::X.vector(),
+            Direction::Axis(AxisName::Y) => Axis::Y.vector(),
+            Direction::Axis(AxisName::Z) => Axis::Z.vector(),
+            Direction::Vector(vector) => Vector3::from(*vector),
+        };
+        let unit = vector.try_normalize(f64::MIN_POSITIVE);
+        let unit = unit.filter(|unit| unit.iter().all(|part| part.is_finite()));
+        unit.ok_or_else(|| {
+            let message = "a direction is finite and not zero";
+            self.naming.source.refuse(&stated.span(), message)
+        })
+    }
+
+    /// Lengths of links: those of bodies are between points, which move.
+    fn length(&self, name: &Spanned<String>) -> Result<usize, Failure> {
+        let known: Vec<&str> = self.links.names().collect();
+        let link = self.naming.named("link", name, &known)?;
+        Ok(self.links.0[link].1)
+    }
+}
+
+/// The points with the markers that follow them.
+fn with_markers(
+    mut points: Vec<(usize, Vector3<f64>)>,
+    followers: &[[usize; 2]],
+) -> Vec<(usize, Vector3<f64>)> {
+    for [marker, from] in followers {
+        let along = points
+            .iter()
+            .find(|(point, _)| point == from)
+            .map(|(_, along)| *along);
+        if !points.iter().any(|(point, _)| point == marker) {
+            points.extend(along.map(|along| (*marker, along)));
+        }
+    }
+    points
+}

@@ -1,0 +1,42 @@
+//! What a motion file names of a mechanism, by number.
+
+use suspension_listing::did_you_mean::unknown;
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::mechanism::Description;
+
+/// A mechanism, and the file that names parts of it.
+#[derive(Clone, Copy)]
+pub(super) struct Naming<'a> {
+    pub(super) source: &'a Source,
+    pub(super) mechanism: &'a Description,
+}
+
+impl Naming<'_> {
+    pub(super) fn point(&self, name: &Spanned<String>) -> Result<usize, Failure> {
+        let points = self.mechanism.names.points.iter();
+        let known: Vec<&str> = points.map(String::as_str).collect();
+        self.named("point", name, &known)
+    }
+
+    pub(super) fn drive(&self, name: &Spanned<String>) -> Result<usize, Failure> {
+        self.named("drive", name, &self.mechanism.names.of_drives())
+    }
+
+    /// The place of a name among those that are known.
+    pub(super) fn named(
+        &self,
+        what: &str,
+        name: &Spanned<String>,
+        known: &[&str],
+    ) -> Result<usize, Failure> {
+        let wanted = name.get_ref().as_str();
+        let found = known.iter().position(|each| *each == wanted);
+        found.ok_or_else(|| {
+            let message = unknown(what, wanted, known);
+            self.source.refuse(&name.span(), message)
+        })
+    }
+}

@@ -1,0 +1,145 @@
+//! What a motion file wants `suspension tune` to reach.
+
+use toml::Spanned;
+
+use crate::characteristics::columns;
+use crate::failure::Failure;
+use crate::file::{TargetTable, Wanted, in_order};
+use crate::load::tuning::naming::Naming;
+use crate::mechanism::{Axis, From, Grid, evenly_spaced};
+use crate::quantities::{Column, catalogue};
+use crate::tune::{self, Reading, Target};
+
+/// Places along a drive where the file states one number for all.
+const PLACES: usize = 13;
+
+/// What targets name.
+pub(super) struct Targets<'a>(pub(super) Naming<'a>);
+
+impl Targets<'_> {
+    /// A target by its table.
+    pub(super) fn of_target(
+        &self,
+        name: &Spanned<String>,
+        stated: &Spanned<TargetTable>,
+    ) -> Result<Target, Failure> {
+        let table = stated.get_ref();
+        let column = self.column(&table.of)?;
+        let per = table
+            .per
+            .as_ref()
+            .map(|per| self.0.drive(per))
+            .transpose()?;
+        if per.is_some() && !column.has_derivatives {
+            let message = format!("`{}` has no derivatives", table.of.get_ref());
+            return Err(self.0.source.refuse(&table.of.span(), message));
+        }
+        let reading = Reading { column, per };
+        let scale = reading.in_file(self.0.mechanism);
+        let within = *table.within.get_ref() / scale;
+        if !(within.is_finite() && within > 0.0) {
+            let message = "`within` is how far the target may be off: a positive number";
+            return Err(self.0.source.refuse(&table.within.span(), message));
+        }
+        let (over, wanted) = self.wanted(name, table, scale)?;
+        Ok(Target {
+            name: name.get_ref().clone(),
+            reading,
+            over,
+            wanted,
+            within,
+        })
+    }
+
+    fn column(&self, of: &Spanned<String>) -> Result<Column, Failure> {
+        let mut columns = columns(self.0.mechanism);
+        let names: Vec<String> = columns.iter().map(Column::title).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let wanted = of.get_ref();
+        if catalogue().any(|quantity| quantity.name == wanted) && !names.contains(&&**wanted) {
+            let message = format!(
+                "there is no `{wanted}` of this mechanism: suspension motion --help says what it needs, the wheel's name before it, \
+                 an axis behind it, or a line under [vehicle]"
+            );
+            return Err(self.0.source.refuse(&of.span(), message));
+        }
+        if let Some(name) = names
+            .iter()
+            .find(|name| wanted.starts_with(&format!("{name}_")))
+        {
+            let message =
+                format!("unknown quantity `{wanted}`; did you mean `{name}`, without a unit?");
+            return Err(self.0.source.refuse(&of.span(), message));
+        }
+        let found = self.0.named("quantity", of, &names)?;
+        Ok(columns.swap_remove(found))
+    }
+
+    /// The axes over which a target is stated, and what is wanted along them.
+    fn wanted(
+        &self,
+        name: &Spanned<String>,
+        table: &TargetTable,
+        scale: f64,
+    ) -> Result<(Vec<Axis>, tune::Wanted), Failure> {
+        let refuse = |message: &str| Err(self.0.source.refuse(&name.span(), message));
+        let (stated, of): (_, fn(Vec<f64>) -> tune::Wanted) = match (&table.value, &table.change) {
+            (Some(value), None) => (value, tune::Wanted::Values),
+            (None, Some(_)) if table.over.is_none() => {
+                return refuse(
+                    "`change` is from the design position: say `over` which drives, as over = { bump = [-0.060, 0.060] }",
+                );
+            }
+            (None, Some(change)) => (change, tune::Wanted::Changes),
+            _ => {
+                return refuse(
+                    "a target has `value`, or `change`, which is from the design position",
+                );
+            }
+        };
+        let drives = table.over.iter().flat_map(in_order);
+        let drives: Vec<_> = drives.collect();
+        let (places, wanted) = match stated.get_ref() {
+            Wanted::Everywhere(wanted) => (PLACES, vec![*wanted]),
+            Wanted::Each(each) if drives.len() == 1 && each.len() > 1 => (each.len(), each.clone()),
+            Wanted::Each(_) => {
+                return refuse(
+                    "a number for each place needs one drive under `over`, and two places",
+                );
+            }
+        };
+        if !wanted.iter().all(|wanted| wanted.is_finite()) {
+            let message = "what is wanted is not finite";
+            return Err(self.0.source.refuse(&stated.span(), message));
+        }
+        let axes = drives.into_iter().map(|along| self.axis(along, places));
+        let axes = axes.collect::<Result<Vec<_>, _>>()?;
+        if let Err(too_many) = Grid::new(self.0.mechanism, axes.clone(), From::Start) {
+            return refuse(&too_many);
+        }
+        let wanted = wanted.iter().map(|wanted| wanted / scale);
+        Ok((axes, of(wanted.collect())))
+    }
+
+    /// A drive, evenly from place to place.
+    fn axis(
+        &self,
+        (drive, ends): (&Spanned<String>, &Spanned<[f64; 2]>),
+        places: usize,
+    ) -> Result<Axis, Failure> {
+        let number = self.0.drive(drive)?;
+        let kind = self.0.mechanism.names.drives[number].kind;
+        let per = self.0.mechanism.unit.per_drive(kind);
+        let ends = self.ends(ends)?.map(|end| end / per);
+        Ok(Axis::of(number, evenly_spaced(ends, places)))
+    }
+
+    fn ends(&self, stated: &Spanned<[f64; 2]>) -> Result<[f64; 2], Failure> {
+        let ends = *stated.get_ref();
+        let is_range = ends[0] < ends[1] && ends.iter().all(|end| end.is_finite());
+        is_range.then_some(ends).ok_or_else(|| {
+            let message = "a drive goes [from, to], from the design position, as [-0.060, 0.060]";
+            self.0.source.refuse(&stated.span(), message)
+        })
+    }
+}

@@ -1,0 +1,129 @@
+//! The file that tuning writes, and what it must not write over.
+
+use super::super::program::{folder, run, text};
+use super::{DRIVES, FLAT, file, met, swept, target};
+
+/// Where a point of a drive is moved along it, the motion begins there.
+#[test]
+fn drives_begin_where_the_design_has_them() {
+    let folder = folder();
+    let drives = "bump = [0.3, 0.01]\nsteer = [0.348, 0.001, 0.2]";
+    let known = file(
+        "double_wishbone",
+        drives,
+        "[points]\nrack = [0.11, 0.348, 0.2]\n",
+    );
+    std::fs::write(folder.path().join("a_tuned.toml"), known).expect("written");
+    let bump_steer = swept(folder.path())[24]["toe_deg_per_bump"];
+    let tune = format!(
+        "\
+[tune.moves.rack]
+points = [\"rack\"]
+along = \"y\"
+by = [-0.01, 0.01]
+[tune.targets.bump_steer]
+of = \"toe\"
+per = \"bump\"
+value = {bump_steer:?}
+within = 1e-5
+"
+    );
+    let drives = "bump = [0.3, 0.01]\nsteer = [0.34, 0.001, 0.2] # m";
+    met(folder.path(), &file("double_wishbone", drives, &tune));
+    let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
+    assert!(
+        written.contains("\nsteer = [0.348, 0.001, 0.2] # m\n"),
+        "{written}"
+    );
+    assert!(
+        written.contains("\nrack = [0.11, 0.348, 0.2]\n"),
+        "{written}"
+    );
+}
+
+/// Springs have their load at the design that is found, as the file that is written says.
+#[test]
+fn what_springs_do_is_met_by_the_file_that_is_written() {
+    let folder = folder();
+    let tune = "\
+[springs.spring]
+along = \"damper\"
+rate = 28000.0
+load = 3800.0
+[tune.moves.lower]
+points = [\"damper_inner\"]
+along = \"z\"
+by = [-0.05, 0.05]
+";
+    let tune = tune.to_owned() + &target("wheel_rate", 10_000.0, 1.0);
+    let text = file("double_wishbone_pushrod", DRIVES, &tune);
+    met(folder.path(), &text);
+    let found = swept(folder.path())[24]["wheel_rate_N_m"];
+    assert!((found - 10_000.0).abs() < 1.001, "{found}");
+}
+
+/// A marker that the file states off a point goes with it.
+#[test]
+fn a_marker_follows_the_point_that_it_is_stated_off() {
+    let folder = folder();
+    let marker = "[points]\nwheel_centre = [0.0, 0.75, 0.3]\naxle = { from = \"wheel_centre\", offset = [0.0, -0.1, 0.001] }\n";
+    let tune = "\
+[tune.moves.out]
+points = [\"wheel_centre\"]
+along = \"y\"
+by = [-0.05, 0.05]
+";
+    let tune = format!("{marker}{tune}{}", target("scrub_radius", 0.03, 1e-6));
+    met(folder.path(), &file("double_wishbone", DRIVES, &tune));
+    let design = &swept(folder.path())[24];
+    assert!((design["scrub_radius_m"] - 0.03).abs() < 1e-6, "{design:?}");
+    assert!((design["wheel_centre_y"] - design["axle_y"] - 0.1).abs() < 1e-9);
+}
+
+/// Neither the listing that is read nor a file that was there is lost.
+#[test]
+fn what_is_there_is_not_replaced_unasked() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    let drives = "bump = 0.31\nsteer = 0.33";
+    let own = file("macpherson", drives, FLAT)
+        .replace("linkage = \"macpherson\"", "listing = \"corner.linkage\"");
+    let listing = include_str!("../../../suspension-core/src/linkages/macpherson.linkage");
+    std::fs::write(path("corner.linkage"), listing).expect("written");
+    std::fs::write(path("a.toml"), own).expect("written");
+    std::fs::write(path("a_tuned.toml"), "mine").expect("written");
+    for (arguments, told) in [
+        (
+            &["tune", "a.toml"][..],
+            "a_tuned.toml: exists already; --out a_tuned.toml replaces it",
+        ),
+        (
+            &["tune", "a.toml", "--out", "corner.linkage"],
+            "corner.linkage: this is the file that is read",
+        ),
+        (
+            &["motion", "a.toml", "--csv", "corner.linkage"],
+            "corner.linkage: this is the file that is read",
+        ),
+        (
+            &["sheet", "a.toml", "--out", "corner.linkage"],
+            "corner.linkage: this is the file that is read",
+        ),
+        (
+            &["tune", "a.toml", "--out", "sub/b.toml"],
+            "--out sub/b.toml: the file would not be read there",
+        ),
+    ] {
+        let output = run(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
+        assert!(text(&output.stderr).contains(told), "{told}: {output:?}");
+    }
+    assert_eq!(
+        std::fs::read_to_string(path("corner.linkage")).expect("there"),
+        listing
+    );
+    assert_eq!(
+        std::fs::read_to_string(path("a_tuned.toml")).expect("there"),
+        "mine"
+    );
+}
