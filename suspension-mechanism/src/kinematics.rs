@@ -2,7 +2,9 @@
 
 mod assembled;
 mod changed;
+mod changing;
 mod equations;
+mod varied;
 
 use std::ops::{Deref, Range};
 use std::sync::atomic::AtomicBool;
@@ -24,6 +26,7 @@ use assembled::Enumerated;
 
 pub use assembled::{Assembled, Assembly};
 pub use changed::Changes;
+pub use changing::Changing;
 pub use equations::Equations;
 
 /// A mechanism of any linkage at the first instant of its motion. It can be read as its [`Description`].
@@ -98,6 +101,10 @@ pub trait Kinematics: Deref<Target = Description> {
     /// The mechanism with other hardpoints, at its own design position, then with other lengths; `None` where there is
     /// none.
     fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>>;
+
+    /// The derivatives along a change, where the mechanism starts; `None` where no such suspensions can be built, or it
+    /// locks there.
+    fn changing(&self, changes: &Changes) -> Option<Changing>;
 
     /// What the motion takes in steps of `dt`, without the first, and how many they are; `None` where it has none, or stops.
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
@@ -198,6 +205,10 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
 
     fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>> {
         Some(Box::new(changed::changed(self, changes)?))
+    }
+
+    fn changing(&self, changes: &Changes) -> Option<Changing> {
+        changing::changing(self, changes)
     }
 
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)> {

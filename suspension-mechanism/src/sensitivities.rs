@@ -2,8 +2,11 @@
 //! coordinate and each link's length.
 //!
 //! A hardpoint is moved, the suspension built anew of its points and read at its new design position; a length is changed
-//! with the drives held. Three such suspensions on either side give the derivative by the central difference of sixth order:
-//! `(45 (f1 - f_1) - 9 (f2 - f_2) + f3 - f_3) / (60 h)`, `h` a thousandth of the suspension's size.
+//! with the drives held. The derivatives are [exact](mod@exact); those of what springs do are
+//! [differences](mod@difference).
+
+mod difference;
+mod exact;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -11,6 +14,7 @@ use crate::characteristics::columns;
 use crate::kinematics::{Changes, Kinematics};
 use crate::mechanism::{Description, From, Grid, Order, Place};
 use crate::quantities::{Axis, Column, Reader};
+use exact::Exact;
 
 /// What is changed.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,9 +44,6 @@ pub struct Sensitivities {
     /// What each change does; those that no suspension can be built with are left out.
     pub each: Vec<Sensitivity>,
 }
-
-/// How far neighbours are from each other, as a part of the suspension's size.
-const STEP: f64 = 1e-3;
 
 /// The coordinates of a point, with which other points move that follow it: pairs of these and of what they follow.
 pub fn coordinates(
@@ -84,39 +85,29 @@ pub fn sensitivities(
     mut on_change: impl FnMut(),
 ) -> Option<Sensitivities> {
     let columns = columns(mechanism);
-    let step = STEP * size(mechanism);
+    let held = mechanism.changing(&Changes::default())?;
     let mut each = Vec::new();
     for change in changes {
         if interrupted.load(Ordering::Relaxed) {
             return None;
         }
         on_change();
-        let at = |steps: i32| -> Option<Vec<Vec<f64>>> {
-            let changes = change.per_unit.times(f64::from(steps) * step);
-            read(&*mechanism.changed(&changes)?, &columns)
+        let Some(changing) = mechanism.changing(&change.per_unit) else {
+            continue;
         };
-        let neighbours = [-3, -2, -1, 1, 2, 3].map(at);
-        let neighbours: Option<Vec<_>> = neighbours.into_iter().collect();
-        each.extend(neighbours.map(|neighbours| Sensitivity {
+        let exact = Exact::of(&changing, &held);
+        let mut of: Vec<Vec<f64>> = columns.iter().map(|column| exact.read(column)).collect();
+        difference::fill(mechanism, change, &columns, &mut of);
+        each.push(Sensitivity {
             change: change.clone(),
-            of: difference(&neighbours, step),
-        }));
+            of,
+        });
     }
     Some(Sensitivities {
         values: read(mechanism, &columns)?,
         columns,
         each,
     })
-}
-
-/// The largest extent of the points along an axis.
-fn size(mechanism: &dyn Kinematics) -> f64 {
-    let points = mechanism.points();
-    let extent = |axis: usize| {
-        let along = points.iter().map(|point| point[axis]);
-        along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
-    };
-    (0..3).map(extent).fold(0.0, f64::max)
 }
 
 /// Value and derivatives of each column where a mechanism starts.
@@ -146,27 +137,4 @@ pub(crate) fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec
     let never = AtomicBool::new(false);
     let visited = mechanism.visit(&grid, Order::First, &never, &mut of_place);
     visited.places.into_iter().flatten().next()
-}
-
-/// The derivative of numbers from those three steps before to those three steps behind.
-fn difference(neighbours: &[Vec<Vec<f64>>], step: f64) -> Vec<Vec<f64>> {
-    const WEIGHTS: [f64; 6] = [-1.0, 9.0, -45.0, 45.0, -9.0, 1.0];
-    let Some(first) = neighbours.first() else {
-        return Vec::new();
-    };
-    let of = |column: usize, number: usize| {
-        let weighted = neighbours.iter().zip(WEIGHTS);
-        let sum: f64 = weighted
-            .map(|(numbers, weight)| weight * numbers[column][number])
-            .sum();
-        sum / (60.0 * step)
-    };
-    let columns = first.iter().enumerate();
-    columns
-        .map(|(column, numbers)| {
-            (0..numbers.len())
-                .map(|number| of(column, number))
-                .collect()
-        })
-        .collect()
 }

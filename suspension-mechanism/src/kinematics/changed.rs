@@ -38,28 +38,51 @@ impl Changes {
     }
 }
 
-/// Built anew of the points where the mechanism starts, with the drives as those have them; then lengths change, and the
-/// drives are held.
-pub(super) fn changed<L: Suspension<N>, const N: usize>(
+/// A model with changes, the points where the mechanism starts with those of points, and the drives.
+pub(super) struct Built<L: Suspension<N>, const N: usize> {
+    pub(super) model: L,
+    points: L::Points,
+    pub(super) drives: L::Drives,
+}
+
+/// A model of the points where the mechanism starts, with the drives as those have them; then lengths change, and the drives
+/// are held.
+pub(super) fn build<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     changes: &Changes,
-) -> Option<Mechanism<L, N>> {
+) -> Option<Built<L, N>> {
     let mut points = points(mechanism);
     for (point, by) in &changes.points {
         let moved = points.values().nth(*point)? + by;
         points = points.with(*point, moved);
     }
-    let model = L::of(mechanism.model.listing(), &points).ok()?;
+    let mut model = L::of(mechanism.model.listing(), &points).ok()?;
     let drives = model.drives_at(&points);
-    if changes.lengths.is_empty() {
-        return at_rest(mechanism, model, &points, drives);
+    if !changes.lengths.is_empty() {
+        let mut lengths = model.lengths();
+        for (length, by) in &changes.lengths {
+            let changed = lengths.values().nth(*length)? + by;
+            lengths = lengths.with(*length, changed);
+        }
+        model = model.with_lengths(&lengths).ok()?;
     }
-    let mut lengths = model.lengths();
-    for (length, by) in &changes.lengths {
-        let changed = lengths.values().nth(*length)? + by;
-        lengths = lengths.with(*length, changed);
-    }
-    let model = model.with_lengths(&lengths).ok()?;
+    Some(Built {
+        model,
+        points,
+        drives,
+    })
+}
+
+/// The mechanism with changes, at rest in the configuration nearest to where it starts.
+pub(super) fn changed<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    changes: &Changes,
+) -> Option<Mechanism<L, N>> {
+    let Built {
+        model,
+        points,
+        drives,
+    } = build(mechanism, changes)?;
     at_rest(mechanism, model, &points, drives)
 }
 

@@ -61,11 +61,21 @@ where
             row[&format!("{}_{unit}", rounded.name(Part::Drive(place)))]
         };
         let points = Values::from_values(design.values().enumerate().map(at));
+        let drives = (0..rounded.count(Kind::Drive)).map(drive).collect();
+        Self::near(rounded, rounded.unknowns(&points), drives)
+    }
+
+    /// The configuration with these drives that is near another.
+    pub(super) fn near(
+        rounded: &'m Model<'m, f64, N>,
+        start: SVector<f64, N>,
+        drives: Vec<f64>,
+    ) -> Self {
         Self {
             rounded,
             exact: Fitted::converted(rounded, |x: f64| DoubleDouble::from(x)),
-            drives: (0..rounded.count(Kind::Drive)).map(drive).collect(),
-            start: rounded.unknowns(&points),
+            drives,
+            start,
             solved: RefCell::default(),
         }
     }
@@ -149,7 +159,7 @@ where
 }
 
 /// The first derivative at the middle of seven numbers a step apart, of sixth order.
-fn first_difference([a, b, c, _, e, f, g]: &[DoubleDouble; 7]) -> DoubleDouble {
+pub(super) fn first_difference([a, b, c, _, e, f, g]: &[DoubleDouble; 7]) -> DoubleDouble {
     let number = DoubleDouble::from;
     let sum = (*g - *a) - number(9.0) * (*f - *b) + number(45.0) * (*e - *c);
     sum / (number(60.0) * number(STEP))

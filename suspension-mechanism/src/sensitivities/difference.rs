@@ -1,0 +1,57 @@
+//! Quantities that have no derivatives of their own, as what springs do, by the difference of sixth order
+//! `(45 (f1 - f_1) - 9 (f2 - f_2) + f3 - f_3) / (60 h)` over suspensions built anew, `h` a thousandth of their size.
+
+use super::{Change, read};
+use crate::kinematics::Kinematics;
+use crate::quantities::Column;
+
+/// How far neighbours are from each other, as a part of the suspension's size.
+const STEP: f64 = 1e-3;
+
+/// The steps of neighbours, and their weights.
+const WEIGHTS: [(f64, f64); 6] = [
+    (-3.0, -1.0),
+    (-2.0, 9.0),
+    (-1.0, -45.0),
+    (1.0, 45.0),
+    (2.0, -9.0),
+    (3.0, 1.0),
+];
+
+/// Puts the derivatives of values along a change where columns have none.
+pub(super) fn fill(
+    mechanism: &dyn Kinematics,
+    change: &Change,
+    columns: &[Column],
+    of: &mut [Vec<f64>],
+) {
+    if columns.iter().all(|column| column.has_derivatives) {
+        return;
+    }
+    let step = STEP * size(mechanism);
+    let neighbour = |(steps, weight): (f64, f64)| {
+        let changed = mechanism.changed(&change.per_unit.times(steps * step))?;
+        Some((read(&*changed, columns)?, weight))
+    };
+    let neighbours: Option<Vec<_>> = WEIGHTS.into_iter().map(neighbour).collect();
+    let Some(neighbours) = neighbours else {
+        return;
+    };
+    for (place, column) in columns.iter().enumerate() {
+        if !column.has_derivatives {
+            let terms = neighbours.iter();
+            let sum: f64 = terms.map(|(read, weight)| weight * read[place][0]).sum();
+            of[place][0] = sum / (60.0 * step);
+        }
+    }
+}
+
+/// The largest extent of the points along an axis.
+fn size(mechanism: &dyn Kinematics) -> f64 {
+    let points = mechanism.points();
+    let extent = |axis: usize| {
+        let along = points.iter().map(|point| point[axis]);
+        along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
+    };
+    (0..3).map(extent).fold(0.0, f64::max)
+}
