@@ -19,8 +19,10 @@ TITLES = {
     "fsolve": "SciPy fsolve",
     "pymycar": "pymycar",
     "explorer": "Suspension Explorer",
+    "pinocchio": "Pinocchio",
 }
 MARK = "<!-- Written by run --readme: -->"
+ENGINES = "<!-- Engines, written by run --readme: -->"
 MODULES = {"casadi": "casadi_c", "pymycar": "pymycar_multilink"}
 
 
@@ -57,15 +59,17 @@ def main():
     print(f"\n{heading}")
     table.print()
     if readme and code == 0:
-        put(table.markdown(heading), Path(readme))
+        put(MARK, table.markdown(heading), Path(readme))
+        put(ENGINES, table.engines(heading), Path(readme))
     print(f"\n{table.path}")
     return code
 
 
-def put(text, readme):
-    """Replaces what follows the mark in the README."""
-    kept, mark, _ = readme.read_text().partition(MARK)
-    readme.write_text(f"{kept}{mark}\n\n{text}")
+def put(mark, text, readme):
+    """Replaces what follows a mark in the README, up to the next heading."""
+    before, _, after = readme.read_text().partition(mark)
+    _, heading, after = after.partition("\n## ")
+    readme.write_text(f"{before}{mark}\n\n{text}{heading}{after}")
 
 
 if __name__ == "__main__":

@@ -41,10 +41,22 @@ LINKS = [
 
 DRIVEN_LENGTH = _PAPER["lengths"]["d6_1"]
 
+DRIVE = _PAPER["drive"]["theta_coefficients"]
+"""Of the driving angle in powers of time, rad and s."""
+
+LOAD = np.array([0.0, 0.0, 3000.0])
+"""The force at the wheel centre under which reactions are compared, N."""
+
+LOADED = range(100, STEPS + 1, 100)
+"""The steps after which it is put on the mechanism at rest."""
+
+RODS = 4
+"""Links 7-2, 8-3, 9-4 and 10-5, whose forces are compared."""
+
 
 def theta(t):
     """Driving angle (rad), its rate and second rate."""
-    c0, c1, c2 = _PAPER["drive"]["theta_coefficients"]
+    c0, c1, c2 = DRIVE
     return c0 + c1 * t + c2 * t * t, c1 + 2 * c2 * t, 2 * c2
 
 
@@ -139,3 +151,30 @@ def errors(motions):
     found = [abs(motions - starts()[1:, 3:])]
     found += [abs(motions[k - 1] - exact)[None] for k, exact in _reference() if 0 < k <= STEPS]
     return np.concatenate(found).reshape(-1, 3, 15).max(axis=(0, 2))
+
+
+@functools.cache
+def _wheel_weights():
+    """Of points 6 to 9, whose sum is the wheel centre: 0.1 m outboard of point 8 with link 6-1 level."""
+    level = starts()[np.argmin(abs(starts()[:, 0] - np.pi / 2)), 3:18]
+    for _ in range(3):
+        level = level - solve(jacobian(level), residual(level, np.pi / 2))
+    known = np.vstack([level[:12].reshape(4, 3).T, np.ones(4)])
+    return np.linalg.solve(known, [*(level[unknown("p8")] + [0.0, 0.1, 0.0]), 1.0])
+
+
+def wheel_centre():
+    """From point 6 at t = 0, m."""
+    q = starts()[0, 3:18]
+    return _wheel_weights() @ q[:12].reshape(4, 3) - q[:3]
+
+
+def rod_forces():
+    """Forces of the rods under `LOAD` at the instants `LOADED`, N, tension positive: virtual work."""
+    forces = []
+    on_unknowns = np.append(np.outer(_wheel_weights(), LOAD).ravel(), np.zeros(3))
+    lengths = np.array([length for *_, length in LINKS[1 : 1 + RODS]])
+    for q in starts()[LOADED, 3:18]:
+        multipliers = np.linalg.solve(jacobian(q).T, on_unknowns)
+        forces.append(multipliers[1 : 1 + RODS] * lengths)
+    return np.array(forces)

@@ -20,6 +20,35 @@ def starts_file(scratch):
     return path
 
 
+def geometry_file(scratch):
+    """The listing as constants: links between chassis and knuckle, and within the knuckle; points as
+    their place in `q`."""
+    outer, inner = [], []
+    for first, second, length in mechanism.LINKS:
+        at = mechanism.unknown(second).start
+        if first in mechanism.CHASSIS:
+            outer.append(f"{{{_braced(mechanism.CHASSIS[first])}, {at}, {length!r}}}")
+        else:
+            inner.append(f"{{{mechanism.unknown(first).start}, {at}, {length!r}}}")
+    (scratch / "geometry.h").write_text(
+        "struct Outer { double chassis[3]; int point; double length; };\n"
+        f"constexpr Outer OUTER[] = {{{', '.join(outer)}}};\n"
+        "struct Inner { int first, second; double length; };\n"
+        f"constexpr Inner INNER[] = {{{', '.join(inner)}}};\n"
+        f"constexpr double DRIVEN_LENGTH = {mechanism.DRIVEN_LENGTH!r};\n"
+        f"constexpr double DRIVEN_FROM = {float(mechanism.CHASSIS['p1'][2])!r};\n"
+        "/* Of the driving angle: its value and rate at t = 0, half its second rate. */\n"
+        f"constexpr double THETA[3] = {_braced(mechanism.DRIVE)};\n"
+        "/* The wheel centre from point 6, in the axes of t = 0. */\n"
+        f"constexpr double WHEEL_CENTRE[3] = {_braced(mechanism.wheel_centre())};\n"
+        f"constexpr double LOAD[3] = {_braced(mechanism.LOAD)};\n"
+    )
+
+
+def _braced(numbers):
+    return f"{{{', '.join(repr(float(number)) for number in numbers)}}}"
+
+
 def compiler(name):
     """`gcc 12.2.0`, or `Missing`."""
     if not shutil.which(name):
@@ -28,19 +57,23 @@ def compiler(name):
     return f"{name} {version.stdout.strip()}"
 
 
-def build(name, source, flags, defines, program):
+def build(name, source, flags, defines, program, libraries=()):
     """Compiles one source of ours; the flags are as the table has them."""
     options = [f"-D{key}" if value is None else f"-D{key}={value}" for key, value in defines.items()]
-    command = [name, *flags.split(), *options, f"-I{SOURCES}", SOURCES / source, "-o", program, "-lm"]
-    _run(command)
+    sources = [f"-I{SOURCES}", SOURCES / source]
+    _run([name, *flags.split(), *options, *sources, "-o", program, *libraries, "-lm"])
 
 
 def run(program, scratch):
     """`quantity, (median, spread), errors` of each quantity that the program times."""
-    output = _run([program, starts_file(scratch), scratch])
-    for line in output.splitlines():
-        quantity, *time = line.split(",")
+    for quantity, *time in lines(program, scratch):
         yield quantity, tuple(map(float, time)), errors_of(scratch / f"{quantity}.bin", quantity)
+
+
+def lines(program, scratch):
+    """What a program prints, `name,value...` a line."""
+    output = _run([program, starts_file(scratch), scratch])
+    return [line.split(",") for line in output.splitlines()]
 
 
 def errors_of(path, quantity):

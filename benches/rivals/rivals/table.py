@@ -10,6 +10,7 @@ QUANTITIES = {
     "position": "1 ms step: position",
     "step": "1 ms step: position, velocity, acceleration",
 }
+ENGINE_COLUMNS = ["", "us", "x ours", "m", "m/s", "m/s^2", "rods, N", "past the lock", "how; flags"]
 ACCURACY = (1e-14, 1e-11, 1e-8)
 """What a right result may be off by: m, m/s, m/s^2."""
 
@@ -33,11 +34,16 @@ class Row:
     error_position_m: float | str = ""
     error_velocity_m_s: float | str = ""
     error_acceleration_m_s2: float | str = ""
+    error_rods_n: float | str = ""
+    past_lock: str = ""
     note: str = ""
 
+    def all_errors(self):
+        motion = (self.error_position_m, self.error_velocity_m_s, self.error_acceleration_m_s2)
+        return (*motion, self.error_rods_n)
+
     def errors(self):
-        found = (self.error_position_m, self.error_velocity_m_s, self.error_acceleration_m_s2)
-        return [error for error in found if error != ""]
+        return [error for error in self.all_errors()[:3] if error != ""]
 
     def is_right(self):
         return all(error <= bound for error, bound in zip(self.errors(), ACCURACY))
@@ -101,7 +107,7 @@ class Table:
             best = {}
             rows = self.of(quantity)
             for row in rows:
-                if row.is_right():
+                if row.is_right() and not row.past_lock:
                     best.setdefault(row.family(), row)
             for row in best.values():
                 errors = ", ".join(f"{error:.0e}" for error in row.errors())
@@ -109,6 +115,20 @@ class Table:
                 lines.append(f"| `{quantity}` | {row.method} {row.version} | {figures} | {row.flags} |")
         lines += ["", *(f"Not measured: {row.note}." for row in self.missing())]
         return "\n".join(lines).rstrip() + "\n"
+
+
+    def engines(self, heading):
+        """General multibody engines, and ours in the same run."""
+        lines = [f"{heading}", ""]
+        lines += [f"| {' | '.join(ENGINE_COLUMNS)} |", "| --- " * len(ENGINE_COLUMNS) + "|"]
+        rows = self.of("step")
+        for row in rows:
+            if row.past_lock:
+                errors = " | ".join(f"{error:.0e}" if error != "" else "" for error in row.all_errors())
+                name = f"{row.method} {row.version}"
+                time = f"{row.nanoseconds / 1000:.2f} | {_ratio(row, rows)}"
+                lines.append(f"| {name} | {time} | {errors} | {row.past_lock} | {row.note}; {row.flags} |")
+        return "\n".join(lines) + "\n"
 
 
 def _ratio(row, rows):
@@ -120,7 +140,7 @@ def measured(method, version, flags, quantity, time, errors, note):
     """A row; `time` is median and spread in ns, `errors` what was computed of position and rates."""
     known = [*(float(error) for error in errors), "", "", ""][:3]
     step = 0.001
-    return Row(method, version, flags, quantity, step, *time, *known, note)
+    return Row(method, version, flags, quantity, step, *time, *known, note=note)
 
 
 def median_and_spread(batches):
