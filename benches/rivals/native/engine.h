@@ -75,7 +75,7 @@ template <class Engine> static void past_lock()
             engine.motion(at);
             off = stretch(at);
         }
-        printf("lock,silent; at t = %.1f s a rod is %.1g mm off\n", PAST_LOCK * DT, off * 1e3);
+        printf("lock,silent; at t = %.1f s a rod is %.0f mm off\n", PAST_LOCK * DT, off * 1e3);
     } catch (const std::exception &error) {
         printf("lock,exception at t = %.3f s\n", k * DT);
     }

@@ -20,10 +20,19 @@ TITLES = {
     "pymycar": "pymycar",
     "explorer": "Suspension Explorer",
     "pinocchio": "Pinocchio",
+    "mujoco": "MuJoCo",
+    "simbody": "Simbody",
+    "exudyn": "Exudyn",
+    "rapier": "Rapier",
 }
 MARK = "<!-- Written by run --readme: -->"
 ENGINES = "<!-- Engines, written by run --readme: -->"
-MODULES = {"casadi": "casadi_c", "pymycar": "pymycar_multilink"}
+MODULES = {
+    "casadi": "casadi_c",
+    "pymycar": "pymycar_multilink",
+    "mujoco": "mujoco_c",
+    "exudyn": "exudyn_solver",
+}
 
 
 def measure(name, scratch, table):
