@@ -7,15 +7,15 @@ import numpy as np
 from . import mechanism, native
 from .table import measured
 
-FLAGS = "-O3 -march=native -DNDEBUG -std=c++17"
+FLAGS = "-O3 -march=native -std=c++17 -DNDEBUG"
 
 
-def compiled(scratch, source, libraries, defines):
+def compiled(scratch, source, libraries, defines, flags=FLAGS):
     """Builds an engine's program; gives it and what it was compiled with."""
-    label = f"{native.compiler('g++')} {FLAGS}"
+    label = f"{native.compiler('g++')} {flags}"
     native.geometry_file(scratch)
     program = scratch / source.removesuffix(".cpp")
-    native.build("g++", source, f"{FLAGS} -I{scratch}", defines, program, libraries)
+    native.build("g++", source, f"{flags} -I{scratch}", defines, program, libraries)
     return program, label
 
 

@@ -163,9 +163,8 @@ def _wheel_weights():
     return np.linalg.solve(known, [*(level[unknown("p8")] + [0.0, 0.1, 0.0]), 1.0])
 
 
-def wheel_centre():
-    """From point 6 at t = 0, m."""
-    q = starts()[0, 3:18]
+def wheel_centre(q):
+    """From point 6, m."""
     return _wheel_weights() @ q[:12].reshape(4, 3) - q[:3]
 
 

@@ -40,7 +40,7 @@ def geometry_file(scratch):
         "/* Of the driving angle: its value and rate at t = 0, half its second rate. */\n"
         f"constexpr double THETA[3] = {_braced(mechanism.DRIVE)};\n"
         "/* The wheel centre from point 6, in the axes of t = 0. */\n"
-        f"constexpr double WHEEL_CENTRE[3] = {_braced(mechanism.wheel_centre())};\n"
+        f"constexpr double WHEEL_CENTRE[3] = {_braced(mechanism.wheel_centre(mechanism.starts()[0, 3:18]))};\n"
         f"constexpr double LOAD[3] = {_braced(mechanism.LOAD)};\n"
     )
 
