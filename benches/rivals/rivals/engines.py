@@ -8,6 +8,7 @@ from . import mechanism, native
 from .table import measured
 
 FLAGS = "-O3 -march=native -std=c++17 -DNDEBUG"
+RODS = "rods.bin"
 
 
 def compiled(scratch, source, libraries, defines, flags=FLAGS):
@@ -19,25 +20,23 @@ def compiled(scratch, source, libraries, defines, flags=FLAGS):
     return program, label
 
 
-def row(scratch, program, method, version, flags, note):
-    """Runs an engine's program."""
-    told = dict((name, values) for name, *values in native.lines(program, scratch))
+def row(scratch, command, method, version, flags, note, known=3):
+    """Runs an engine's program; `known`: 3 with accelerations, 2 without."""
+    (scratch / RODS).unlink(missing_ok=True)
+    told = {name: values for name, *values in native.lines(command, scratch)}
     time = tuple(map(float, told["step"]))
-    errors = native.errors_of(scratch / "step.bin", "step")
-    return of_engine(scratch, method, version, flags, time, errors, ",".join(told["lock"]), note)
-
-
-def of_engine(scratch, method, version, flags, time, errors, past_lock, note):
+    errors = native.errors_of(scratch / "step.bin", "step")[:known]
     made = measured(method, version, flags, "step", time, errors, note)
-    made.error_rods_n = rods_error(scratch / "rods.bin")
-    made.past_lock = past_lock
-    return made
+    return asked(made, scratch / RODS, ",".join(told["lock"]))
 
 
-def rods_error(path):
-    """Largest difference of a rod's force under the load, N."""
-    found = np.fromfile(path).reshape(-1, mechanism.RODS)
-    return float(abs(found - mechanism.rod_forces()).max())
+def asked(row, rods, past_lock):
+    """Adds what engines alone are asked: forces of rods, N, from a file that may not be there."""
+    row.past_lock = past_lock
+    if rods.exists():
+        found = np.fromfile(rods).reshape(-1, mechanism.RODS)
+        row.error_rods_n = float(abs(found - mechanism.rod_forces()).max())
+    return row
 
 
 def all_at_once(row):

@@ -11,7 +11,7 @@ import numpy as np
 
 from . import engines, mechanism
 from .mechanism import STEP, STEPS
-from .table import Missing, median_and_spread
+from .table import Missing, measured, median_and_spread
 
 try:
     import exudyn
@@ -100,11 +100,11 @@ def measure(scratch):
     start = mechanism.starts()[0]
     time_a_step = median_and_spread([_clock(start) for _ in range(RUNS)])
     errors = mechanism.errors(_motions(start))
-    np.array([_rods(row) for row in mechanism.starts()[mechanism.LOADED]]).tofile(scratch / "rods.bin")
+    np.array([_rods(row) for row in mechanism.starts()[mechanism.LOADED]]).tofile(scratch / engines.RODS)
     flags = f"wheel, Python {platform.python_version()}"
     found = version("exudyn")
-    row = engines.of_engine(scratch, "Exudyn", found, flags, time_a_step, errors, _past_lock(start), NOTE)
-    yield from engines.all_at_once(row)
+    row = measured("Exudyn", found, flags, "step", time_a_step, errors, NOTE)
+    yield from engines.all_at_once(engines.asked(row, scratch / engines.RODS, _past_lock(start)))
 
 
 def _clock(start):

@@ -25,5 +25,5 @@ def measure(scratch):
     options = ["-isystem", FOLDER / "include", library, f"-Wl,-rpath,{FOLDER}"]
     for name, (defines, note) in VARIANTS.items():
         program, flags = engines.compiled(scratch, "mujoco.cpp", options, defines)
-        row = engines.row(scratch, program, name, found, flags, note)
+        row = engines.row(scratch, [program], name, found, flags, note)
         yield from engines.all_at_once(row)

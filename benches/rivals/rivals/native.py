@@ -66,13 +66,14 @@ def build(name, source, flags, defines, program, libraries=()):
 
 def run(program, scratch):
     """`quantity, (median, spread), errors` of each quantity that the program times."""
-    for quantity, *time in lines(program, scratch):
+    for quantity, *time in lines([program], scratch):
         yield quantity, tuple(map(float, time)), errors_of(scratch / f"{quantity}.bin", quantity)
 
 
-def lines(program, scratch):
-    """What a program prints, `name,value...` a line."""
-    output = _run([program, starts_file(scratch), scratch])
+def lines(command, scratch):
+    """What a program prints, `name,value...` a line; it is called with starts and folder first."""
+    program, *more = command
+    output = _run([program, starts_file(scratch), scratch, *more])
     return [line.split(",") for line in output.splitlines()]
 
 

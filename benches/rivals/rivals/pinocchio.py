@@ -27,4 +27,4 @@ def measure(scratch):
     headers = ["-isystem", HEADERS, "-isystem", INCLUDE]
     program, flags = engines.compiled(scratch, "pinocchio.cpp", headers, LIMITS)
     note = "driven link and knuckle a tree of joints; four rods closed by our Newton on its Jacobians"
-    yield engines.row(scratch, program, "Pinocchio", found, flags, note)
+    yield engines.row(scratch, [program], "Pinocchio", found, flags, note)

@@ -13,14 +13,11 @@ BUILDS = {"default": "", "native": "-C target-cpu=native"}
 
 
 def measure(scratch):
-    if not shutil.which("cargo"):
-        raise Missing("cargo is not installed")
-    rustc = subprocess.run(["rustc", "--version"], capture_output=True, text=True, check=True)
-    compiler = " ".join(rustc.stdout.split()[:2])
-    for build, flags in BUILDS.items():
-        target = scratch / f"cargo-{build}"
-        print(f"   building {build}", flush=True)
-        _build(target, flags)
+    version_of_rustc = compiler()
+    for name, flags in BUILDS.items():
+        target = scratch / f"cargo-{name}"
+        print(f"   building {name}", flush=True)
+        build(MANIFEST, target, flags)
         folder = scratch / "rust"
         folder.mkdir(exist_ok=True)
         program = subprocess.run(
@@ -28,15 +25,24 @@ def measure(scratch):
         )
         if program.returncode:
             raise RuntimeError(program.stderr.strip())
-        label = f"{compiler}, release, {flags or 'default target'}"
+        label = f"{version_of_rustc}, release, {flags or 'default target'}"
         for method, version, quantity, *time, note in csv.reader(program.stdout.splitlines()):
             errors = native.errors_of(folder / f"{method}.{quantity}.bin", quantity)
             time = tuple(map(float, time))
             yield measured(method, version, label, quantity, time, errors, note)
 
 
-def _build(target, flags):
-    command = ["cargo", "build", "--release", "--locked", "--manifest-path", MANIFEST]
+def compiler():
+    """`rustc 1.95.0`, or `Missing`."""
+    if not shutil.which("cargo"):
+        raise Missing("cargo is not installed")
+    rustc = subprocess.run(["rustc", "--version"], capture_output=True, text=True, check=True)
+    return " ".join(rustc.stdout.split()[:2])
+
+
+def build(manifest, target, flags):
+    """Builds a Cargo package as it is locked."""
+    command = ["cargo", "build", "--release", "--locked", "--manifest-path", manifest]
     done = subprocess.run(
         [*command, "--target-dir", target],
         env={**os.environ, "RUSTFLAGS": flags},

@@ -19,4 +19,4 @@ def measure(scratch):
     options = ["-isystem", HEADERS, *LIBRARIES]
     program, flags = engines.compiled(scratch, "simbody.cpp", options, {}, FLAGS)
     version = library.name.split(".so.")[1]
-    yield engines.row(scratch, program, "Simbody", version, flags, NOTE)
+    yield engines.row(scratch, [program], "Simbody", version, flags, NOTE)

@@ -1,0 +1,125 @@
+//! The published mechanism as Rapier's bodies and joints.
+
+use rapier3d_f64::prelude::*;
+
+use crate::files::Start;
+
+pub const STEP: f64 = 1e-3;
+const POINTS: usize = 5;
+const KNUCKLE: (f64, f64) = (20.0, 0.3);
+/// Rods have to have mass. Those of a fortieth of the knuckle's move no figure by a tenth.
+const ROD: (f64, f64) = (0.5, 0.01);
+const GRAVITY: f64 = -9.81;
+
+/// Chassis points, lengths of the links to them, the drive.
+pub struct Listing {
+    pub chassis: [Vector; POINTS],
+    pub lengths: [f64; POINTS],
+    pub theta: [f64; 3],
+}
+
+impl Listing {
+    fn height(&self, t: f64) -> f64 {
+        let [c0, c1, c2] = self.theta;
+        self.chassis[0].z + self.lengths[0] * (c0 + (c1 + c2 * t) * t).cos()
+    }
+}
+
+/// The mechanism from one of its motions.
+pub struct Engine<'a> {
+    listing: &'a Listing,
+    world: PhysicsWorld,
+    knuckle: RigidBodyHandle,
+    lift: RigidBodyHandle,
+    local: [Vector; POINTS],
+}
+
+fn solid((mass, inertia): (f64, f64)) -> MassProperties {
+    MassProperties::new(Vector::ZERO, mass, Vector::splat(inertia))
+}
+
+impl<'a> Engine<'a> {
+    pub fn new(listing: &'a Listing, start: &Start, iterations: usize) -> Self {
+        let mut world = PhysicsWorld::new();
+        world.gravity = Vector::new(0.0, 0.0, GRAVITY);
+        world.integration_parameters.dt = STEP;
+        world.integration_parameters.num_solver_iterations = iterations;
+        let (q, v) = (start.points(), start.speeds());
+        let knuckle = RigidBodyBuilder::dynamic()
+            .translation(q[0])
+            .linvel(v[0])
+            .angvel(start.spin())
+            .additional_mass_properties(solid(KNUCKLE))
+            .can_sleep(false);
+        let knuckle = world.insert_body(knuckle);
+        let on_height = Vector::new(0.0, 0.0, q[0].z);
+        let lift = RigidBodyBuilder::kinematic_position_based().translation(on_height);
+        let lift = world.insert_body(lift);
+        let drive = GenericJointBuilder::new(JointAxesMask::LIN_Z);
+        world.insert_impulse_joint(lift, knuckle, drive);
+        let mut engine = Self {
+            listing,
+            world,
+            knuckle,
+            lift,
+            local: q.map(|point| point - q[0]),
+        };
+        let ground = engine.world.insert_body(RigidBodyBuilder::fixed());
+        for link in 0..POINTS {
+            engine.add_rod(ground, link, q[link], v[link]);
+        }
+        engine
+    }
+
+    fn add_rod(&mut self, ground: RigidBodyHandle, link: usize, outer: Vector, speed: Vector) {
+        let inner = self.listing.chassis[link];
+        let along = outer - inner;
+        let rod = RigidBodyBuilder::dynamic()
+            .translation((inner + outer) / 2.0)
+            .linvel(speed / 2.0)
+            .angvel(along.cross(speed) / along.length_squared())
+            .additional_mass_properties(solid(ROD))
+            .can_sleep(false);
+        let rod = self.world.insert_body(rod);
+        // Drawn to its length, of which the point is off by rounding.
+        let half = along.normalize() * (self.listing.lengths[link] / 2.0);
+        let ball = |first, second| {
+            SphericalJointBuilder::new()
+                .local_anchor1(first)
+                .local_anchor2(second)
+        };
+        let world = &mut self.world;
+        world.insert_impulse_joint(ground, rod, ball(inner, -half));
+        world.insert_impulse_joint(rod, self.knuckle, ball(half, self.local[link]));
+    }
+
+    /// To the instant `t`, s.
+    pub fn step(&mut self, t: f64) {
+        let height = Vector::new(0.0, 0.0, self.listing.height(t));
+        self.world.bodies[self.lift].set_next_kinematic_translation(height);
+        self.world.step();
+    }
+
+    /// Positions and velocities of the points; accelerations are not told.
+    pub fn motion(&self) -> [f64; 45] {
+        let knuckle = &self.world.bodies[self.knuckle];
+        let mut motion = [0.0; 45];
+        for (index, local) in self.local.iter().enumerate() {
+            let place = *knuckle.position() * *local;
+            let speed = knuckle.velocity_at_point(place);
+            motion[3 * index..][..3].copy_from_slice(&place.to_array());
+            motion[15 + 3 * index..][..3].copy_from_slice(&speed.to_array());
+        }
+        motion
+    }
+
+    /// How far a link is from its length at most, m.
+    pub fn stretch(&self) -> f64 {
+        let knuckle = self.world.bodies[self.knuckle].position();
+        let off = (0..POINTS).map(|link| {
+            let outer = *knuckle * self.local[link];
+            ((outer - self.listing.chassis[link]).length() - self.listing.lengths[link]).abs()
+        });
+        off.fold(0.0, f64::max)
+    }
+}
