@@ -91,7 +91,7 @@ template <class Engine> static void loaded(const char *folder)
         exit(1);
     }
     Engine engine(starts[0]);
-    for (int k = 1; k <= STEPS; k++) {
+    for (int k = 1; k < STEPS; k++) {
         engine.step(starts[k]);
         if (k % LOADED == 0) {
             double tension[RODS];

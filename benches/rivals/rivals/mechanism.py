@@ -47,7 +47,7 @@ DRIVE = _PAPER["drive"]["theta_coefficients"]
 LOAD = np.array([0.0, 0.0, 3000.0])
 """The force at the wheel centre under which reactions are compared, N."""
 
-LOADED = range(100, STEPS + 1, 100)
+LOADED = range(100, STEPS, 100)
 """The steps after which it is put on the mechanism at rest."""
 
 RODS = 4
@@ -166,6 +166,11 @@ def _wheel_weights():
 def wheel_centre(q):
     """From point 6, m."""
     return _wheel_weights() @ q[:12].reshape(4, 3) - q[:3]
+
+
+def wheel_centres():
+    """The same at the instants `LOADED`, a row each."""
+    return np.array([wheel_centre(q) for q in starts()[LOADED, 3:18]])
 
 
 def rod_forces():

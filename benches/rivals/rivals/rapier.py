@@ -6,7 +6,7 @@ from . import engines, mechanism, rust
 
 MANIFEST = mechanism.ROOT / "benches/rivals/rapier/Cargo.toml"
 FLAGS = "-C target-cpu=native"
-NOTE = "rods as bodies with ball joints, height of point 6 by a kinematic body"
+NOTE = "rods as bodies as heavy as the knuckle, ball joints, height of point 6 by a kinematic body"
 VARIANTS = {"Rapier": (4, "default"), "Rapier, 50 iterations": (50, "50 solver iterations")}
 
 

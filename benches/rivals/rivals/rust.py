@@ -5,7 +5,7 @@ import os
 import shutil
 import subprocess
 
-from . import mechanism, native
+from . import engines, mechanism, native
 from .table import Missing, measured
 
 MANIFEST = mechanism.ROOT / "benches/rivals/Cargo.toml"
@@ -20,6 +20,7 @@ def measure(scratch):
         build(MANIFEST, target, flags)
         folder = scratch / "rust"
         folder.mkdir(exist_ok=True)
+        mechanism.wheel_centres().tofile(folder / "centres.bin")
         program = subprocess.run(
             [target / "release/rivals", folder], capture_output=True, text=True, check=False
         )
@@ -29,7 +30,11 @@ def measure(scratch):
         for method, version, quantity, *time, note in csv.reader(program.stdout.splitlines()):
             errors = native.errors_of(folder / f"{method}.{quantity}.bin", quantity)
             time = tuple(map(float, time))
-            yield measured(method, version, label, quantity, time, errors, note)
+            row = measured(method, version, label, quantity, time, errors, note)
+            lock = folder / f"{method}.lock.txt"
+            if quantity == "step" and lock.exists():
+                row = engines.asked(row, folder / engines.RODS, lock.read_text())
+            yield row
 
 
 def compiler():

@@ -1,10 +1,12 @@
 //! Rust rivals and our generated solver, each on the same steps of the published motion.
 
+mod asked;
 mod dense;
 mod mechanism;
 mod ours;
 mod rootfinders;
 
+pub use asked::{past_lock, rods};
 pub use mechanism::{Inputs, Mechanism, Motion, STEP, Start, Vector};
 
 /// Who is timed.

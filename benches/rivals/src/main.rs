@@ -4,13 +4,17 @@
 //! `rivals FOLDER` prints for each method and quantity
 //! `method,version,quantity,nanoseconds,spread,note` (median of the batches and interquartile
 //! range, a call each) and writes to `FOLDER/method.quantity.bin` what was computed at each step:
-//! position, velocity, acceleration, 45 numbers.
+//! position, velocity, acceleration, 45 numbers. With the wheel centres of `FOLDER/centres.bin` it
+//! writes the forces of rods to `FOLDER/rods.bin`, and what ours say past the lock to
+//! `FOLDER/method.lock.txt`.
 
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use rivals::{Inputs, Mechanism, Method, Motion, Start, Stopwatch, Vector, time_all};
+use rivals::{
+    Inputs, Mechanism, Method, Motion, Start, Stopwatch, Vector, past_lock, rods, time_all,
+};
 
 /// Parts are timed in batches of one call from each thirtieth start, 64 of them.
 const STRIDE: usize = 30;
@@ -66,17 +70,34 @@ impl Stopwatch for Batches<'_> {
 
 impl Batches<'_> {
     fn write(&self, method: &Method, quantity: &str, motions: Vec<Motion>) {
-        let path = self.folder.join(format!("{}.{quantity}.bin", method.name));
         let parts = motions
             .iter()
             .flat_map(|m| [m.position, m.velocity, m.acceleration]);
-        let bytes: Vec<u8> = parts
-            .flat_map(|part| part.data.0[0])
-            .flat_map(f64::to_le_bytes)
-            .collect();
-        std::fs::write(&path, bytes)
+        let numbers = bytes(parts.flat_map(|part| part.data.0[0]));
+        self.keep(&format!("{}.{quantity}.bin", method.name), &numbers);
+    }
+
+    fn keep(&self, name: &str, content: &[u8]) {
+        let path = self.folder.join(name);
+        std::fs::write(&path, content)
             .unwrap_or_else(|error| stop(&format!("{}: {error}", path.display())));
     }
+
+    /// From point 6, at the steps that are loaded.
+    fn wheel_centres(&self) -> Vec<[f64; 3]> {
+        let path = self.folder.join("centres.bin");
+        let bytes = std::fs::read(&path)
+            .unwrap_or_else(|error| stop(&format!("{}: {error}", path.display())));
+        let number = |at: &[u8]| f64::from_le_bytes(at.try_into().expect("eight bytes"));
+        bytes
+            .chunks_exact(24)
+            .map(|row| [0, 8, 16].map(|at| number(&row[at..at + 8])))
+            .collect()
+    }
+}
+
+fn bytes(numbers: impl Iterator<Item = f64>) -> Vec<u8> {
+    numbers.flat_map(f64::to_le_bytes).collect()
 }
 
 /// Nanoseconds a call.
@@ -113,4 +134,9 @@ fn main() {
         folder: Path::new(&folder).to_owned(),
     };
     time_all(&mechanism, &mut batches);
+    let centres = batches.wheel_centres();
+    batches.keep("rods.bin", &bytes(rods(&mechanism, &centres)));
+    for (method, said) in past_lock(&mechanism) {
+        batches.keep(&format!("{method}.lock.txt"), said.as_bytes());
+    }
 }

@@ -99,7 +99,7 @@ fn follow(model: &Model<f64>, design: &Points<f64>) -> Vec<Start> {
 }
 
 /// The paper's drive at time `t`.
-fn inputs(t: f64) -> Inputs {
+pub(crate) fn inputs(t: f64) -> Inputs {
     Inputs::still(Signal {
         value: Drives {
             theta: 0.7 + 0.5 * t + 0.125 * t * t,
