@@ -64,6 +64,14 @@ impl Rolling {
         })
     }
 
+    /// Whether the body that carries it carries no other wheel.
+    pub(super) fn is_alone(&self, names: &Names) -> bool {
+        let carrier = self.points.carrier;
+        let others = names.wheels.iter().enumerate();
+        let mut others = others.filter(|(number, _)| *number != self.number);
+        !others.any(|(_, other)| other.points.carrier == carrier)
+    }
+
     /// The drive that moves it, where the file names one.
     pub(super) fn drive(&self, along: Along) -> Option<usize> {
         match along {
