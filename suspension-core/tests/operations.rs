@@ -134,13 +134,13 @@ macro_rules! blank {
 #[test]
 fn attia2003() {
     let model = blank!(attia2003::Model<Counting>);
-    let header = include_str!("../src/snapshots/attia2003.rs");
+    let header = include_str!("../../suspension-macros/src/snapshots/attia2003.rs");
     assert_eq!(counts(&model), claimed(header));
 }
 
 #[test]
 fn five_link() {
     let model = blank!(five_link::Model<Counting>);
-    let header = include_str!("../src/snapshots/five_link.rs");
+    let header = include_str!("../../suspension-macros/src/snapshots/five_link.rs");
     assert_eq!(counts(&model), claimed(header));
 }
