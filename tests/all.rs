@@ -22,6 +22,7 @@ mod lanes;
 mod mechanisms;
 mod messages;
 mod no_alloc;
+mod operations;
 mod own_motion_file;
 mod path;
 mod properties;
