@@ -20,19 +20,19 @@ check_reach() {
 }
 
 cd "$root"
-by_rust=$(cargo run --quiet --locked --package suspension-c --example motion -- f32)
-cargo build --quiet --locked --package suspension-c --example catalogue
+by_rust=$(cargo run --quiet --locked --release --package suspension-c --example motion -- f32)
+cargo build --quiet --locked --release --package suspension-c --example catalogue
 mkdir -p target/c
 cc -std=c11 -O2 -ffp-contract=off -I suspension-c/include examples/c/motion.c \
-    target/debug/examples/libcatalogue.a -o target/c/motion_here
+    target/release/examples/libcatalogue.a -o target/c/motion_here
 if ! diff <(echo "$by_rust") <(target/c/motion_here); then
     echo "Rust (<) and C (>) on this machine differ"
     exit 1
 fi
 
-by_rust_compiled=$(cargo run --quiet --locked --package suspension-c --example listing)
+by_rust_compiled=$(cargo run --quiet --locked --release --package suspension-c --example listing)
 cc -std=c11 -O2 -ffp-contract=off -I suspension-c/include examples/c/listing.c \
-    target/debug/examples/libcatalogue.a -o target/c/listing_here
+    target/release/examples/libcatalogue.a -o target/c/listing_here
 listing=suspension-core/src/linkages/double_wishbone_pushrod.linkage
 if ! diff <(echo "$by_rust_compiled") <(target/c/listing_here "$listing"); then
     echo "a listing compiled for Rust (<) and read by C (>) differ"
@@ -40,7 +40,7 @@ if ! diff <(echo "$by_rust_compiled") <(target/c/listing_here "$listing"); then
 fi
 
 cc -std=c11 -O2 -ffp-contract=off -I suspension-c/include examples/c/axle.c \
-    target/debug/examples/libcatalogue.a -o target/c/axle_here
+    target/release/examples/libcatalogue.a -o target/c/axle_here
 wheels=$(target/c/axle_here suspension-core/src/linkages/steered_axle.linkage)
 (($(wc --lines <<<"$wheels") == 3))
 
@@ -54,8 +54,6 @@ rows=$(wc --lines <<<"$by_c")
 ((rows == 22))
 echo "C on a Cortex-M4F computes the same bits as Rust here, over 1,901 steps"
 
-cargo rustc --quiet --locked --release --package suspension-c --lib --crate-type staticlib \
-    --no-default-features --features listings
 cd target
 library=thumbv7em-none-eabihf/release/libsuspension_c.a
 functions=$(arm-none-eabi-nm --defined-only "$library" 2>/dev/null | awk '$2 == "T" && $3 ~ /^susp_/ { print $3 }')
@@ -74,7 +72,7 @@ echo "all functions: no writable memory, no panic, no formatting, no allocation"
 # look: their entries are made visible to it. The tables of unwinding, which name what handles a panic, go.
 objcopy --wildcard --globalize-symbol='*Counted*Moving*' --remove-section=.eh_frame --remove-section=.rela.eh_frame \
     --remove-section='.gcc_except_table*' --remove-section='.rela.gcc_except_table*' \
-    release/libsuspension_c.a c/entries.a
+    release/examples/libcatalogue.a c/entries.a
 entries=$(nm --defined-only c/entries.a 2>/dev/null | awk '$2 == "T" && /Counted/ && /Moving/ { print "--undefined=" $3 }')
 (($(wc --lines <<<"$entries") == 33)) # eleven in each of three sizes
 # shellcheck disable=SC2086 # one argument a line

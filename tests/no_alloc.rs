@@ -1,11 +1,7 @@
 //! No solving call allocates, whether it succeeds or fails.
 
-mod counting;
-mod support;
-
 use std::hint::black_box;
 
-use counting::{Counting, allocations};
 use nalgebra::{Isometry3, SVector, Vector3};
 use suspension_core::bounded::Outputs;
 use suspension_core::certificate::Certifier;
@@ -19,6 +15,9 @@ use suspension_core::{
     Tracker, assemble,
 };
 use suspension_lanes::{Instructions, Lane, Lanes};
+
+use crate::counting::{Counting, allocations};
+use crate::support;
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;

@@ -95,7 +95,7 @@ static ASSEMBLED: AtomicUsize = AtomicUsize::new(0);
 fn a_root_or_an_error() {
     use suspension_core::linkages::{attia2003::Model as Listed, five_link::Model as Rigid};
     let config = ProptestConfig {
-        cases: 2000,
+        cases: 500,
         failure_persistence: None,
         ..Default::default()
     };

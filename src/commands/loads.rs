@@ -83,7 +83,7 @@ impl Arguments {
             let message = "no load case; write [loads.braking] with a line for each load, as contact = [-3000.0, 0.0, 4000.0]";
             return Err(source.refuse(&(0..0), message));
         }
-        let structure = Structure::of(loaded.listing(), loaded.masses()?);
+        let structure = Structure::of(loaded.listing());
         let work = Work {
             source: source.name(),
             mechanism,
@@ -254,7 +254,8 @@ kg m^2, in the file's axes: xx, yy, zz, and where they are not zero xy, yz, zx o
 
 Their weight then acts in each case, downwards with 9.80665 m/s^2; a case may say gravity = [0.0, 0.0, 0.0], and
 acceleration = [-8.0, 0.0, 0.0] of the chassis, m/s^2. With --motion their inertia acts too, from the velocities and
-accelerations of the file's motion. Friction is left out.
+accelerations of the file's motion. Friction is left out. Tables of motion, sweep and sheet have effective_mass then: what
+the masses are at the wheel in travel.
 
 What a drive bears is the work of the loads per unit of the drive: what holds the drive must bear it. With
 bump = \"damper\" the drive bears nothing, and the force in the measure damper that takes its load is printed: negative

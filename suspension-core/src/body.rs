@@ -109,10 +109,10 @@ fn rotation_fit<T: Real>(at: &Triple<T>) -> Option<impl Fn(&Triple<T>) -> Option
     let [a, b, c] = at;
     Frame::new(*a, *b, *c).normal()?;
     let centroid = mean(at);
-    let from_centroid = at.map(|point| point - centroid);
-    let inertia =
-        from_centroid.map(|r| Matrix3::from_diagonal_element(r.norm_squared()) - r * r.transpose());
-    let inertia: Matrix3<T> = inertia.iter().sum();
+    let from_centroid = [a - centroid, b - centroid, c - centroid];
+    let of_one =
+        |r: &Vector3<T>| Matrix3::from_diagonal_element(r.norm_squared()) - r * r.transpose();
+    let inertia: Matrix3<T> = from_centroid.iter().map(of_one).sum();
     // Of the size of 1, so that the determinant neither overflows nor vanishes.
     let size = inertia.trace();
     let inverse = (inertia / size).try_inverse()?;

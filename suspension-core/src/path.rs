@@ -83,6 +83,8 @@ pub struct Path<'a, L: Linkage<N>, const N: usize> {
     settings: Continuation<L::Scalar>,
     start: Place<L::Scalar, N>,
     here: Place<L::Scalar, N>,
+    /// The equations linearised here, by the parameter up to here.
+    linear: Linear<L, N>,
     /// The last step of the parameter.
     last_step: L::Scalar,
     steps: usize,
@@ -106,13 +108,14 @@ impl<T: Real> Continuation<T> {
     where
         L: Linkage<N, Scalar = T>,
     {
-        let start = self.start(&curve, q, increasing)?;
+        let (start, linear) = self.start(&curve, q, increasing)?;
         let last_step = self.longest * curve.linkage.size();
         Ok(Path {
             curve,
             settings: *self,
             start,
             here: start,
+            linear,
             last_step,
             steps: 0,
             ended: false,
@@ -124,7 +127,7 @@ impl<T: Real> Continuation<T> {
         curve: &Curve<'_, L, N>,
         q: &SVector<T, N>,
         increasing: bool,
-    ) -> Result<Place<T, N>, SolveError<T>>
+    ) -> Result<(Place<T, N>, Linear<L, N>), SolveError<T>>
     where
         L: Linkage<N, Scalar = T>,
     {
@@ -141,7 +144,8 @@ impl<T: Real> Continuation<T> {
             ..Configuration::zero()
         };
         let tangent = linear.unit_tangent(&forwards);
-        Ok(curve.place(configuration, &linear, tangent, report.residual()))
+        let place = curve.place(configuration, &linear, tangent, report.residual());
+        Ok((place, linear))
     }
 }
 
@@ -182,7 +186,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
     fn place(
         &self,
         configuration: Configuration<T, N>,
-        linear: &Linear<T, N>,
+        linear: &Linear<L, N>,
         tangent: Configuration<T, N>,
         residual: T,
     ) -> Place<T, N> {

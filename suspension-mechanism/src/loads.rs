@@ -2,7 +2,6 @@
 //! bodies exert at their joints.
 
 mod forces;
-mod mass;
 mod site;
 
 use std::ops::Range;
@@ -15,7 +14,6 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{Borne, Description, State};
 use forces::{Force, Here, summed};
 
-pub use mass::Mass;
 pub use site::Site;
 
 /// A load case: what acts where.
@@ -70,20 +68,18 @@ pub struct Structure<'l> {
     groups: Vec<Vec<Range<usize>>>,
     /// Markers with three points of the body that carries each.
     carriers: Vec<(usize, [usize; 3])>,
-    masses: Vec<Mass>,
 }
 
 impl<'l> Structure<'l> {
-    /// That of a listing, of parts that have masses. Drives of free points are no part of it: [`Outcome::on_drives`] has what
+    /// That of a listing. Drives of free points are no part of it: [`Outcome::on_drives`] has what
     /// they bear.
-    pub fn of(listing: &'l Listing, masses: Vec<Mass>) -> Self {
+    pub fn of(listing: &'l Listing) -> Self {
         let statements = listing.statements().into_iter();
         let statements: Vec<_> = statements.filter(|each| each.kind != "drive").collect();
         let groups = statements.iter().map(|each| each.equations.clone());
         Self {
             groups: groups.collect(),
             carriers: listing.carriers(),
-            masses,
             statements,
         }
     }
@@ -94,7 +90,7 @@ impl<'l> Structure<'l> {
         let here = Here::new(mechanism, &self.carriers, state);
         let mut forces = here.at_sites(&case.at);
         forces.extend(here.in_measures(&case.along));
-        forces.extend(here.of_masses(&self.masses, &case.field)?);
+        forces.extend(here.of_masses(&case.field)?);
         let in_measures = bearing(&here, &case.borne_by, &forces)?;
         forces.extend(here.in_measures(&in_measures));
         let Borne {

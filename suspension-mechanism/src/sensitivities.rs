@@ -1,9 +1,8 @@
-//! How quantities at the design position, and their derivatives with respect to the drives, change with each hardpoint
-//! coordinate and each link's length.
+//! How quantities at the design position, and their derivatives with respect to the drives, change with each
+//! hardpoint coordinate and each link's length.
 //!
-//! A hardpoint is moved, the suspension built anew of its points and read at its new design position; a length is changed
-//! with the drives held. The derivatives are [exact](mod@exact); those of what springs do are
-//! [differences](mod@difference).
+//! A hardpoint is moved, the suspension built anew of its points and read at its new design position; a length is
+//! changed with the drives held. The derivatives are exact; those of what springs do are differences.
 
 mod difference;
 mod exact;

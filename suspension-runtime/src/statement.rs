@@ -44,6 +44,13 @@ impl Listing {
         statements
     }
 
+    /// The chassis points that drives move, by their place among all points.
+    pub fn driven_points(&self) -> Vec<usize> {
+        let moved = self.system().drives.iter();
+        let moved = moved.filter_map(|drive| drive.moves.as_ref());
+        moved.map(|site| self.place_of(site)).collect()
+    }
+
     /// Each marker, by its place among all points, with three points of the body that carries it.
     pub fn carriers(&self) -> Vec<(usize, [usize; 3])> {
         let system = self.system();

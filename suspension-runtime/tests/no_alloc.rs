@@ -1,14 +1,12 @@
 //! No solving call on a model that was read at run time allocates, whether it succeeds or fails.
 
-#[path = "../../tests/counting/mod.rs"]
-mod counting;
-
 use std::hint::black_box;
 
-use counting::{Counting, allocations};
 use suspension_core::linkages::LISTINGS;
 use suspension_core::{Bounded, Build, Inputs, Motion, Signal, Still, Tracker, Values};
 use suspension_runtime::{Fitted, Listing, Room, Size, Work};
+
+use crate::counting::{Counting, allocations};
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;

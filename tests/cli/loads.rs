@@ -197,6 +197,23 @@ fn a_report_has_a_table_of_each_kind_for_each_case() {
     assert!(folder.path().join("out/a_loads.csv").exists());
 }
 
+/// A driver at the rack: its drive bears the force along the way of the rack, and no link more.
+#[test]
+fn a_force_at_a_driven_point_is_borne_by_its_drive() {
+    let case = |rack: &str| {
+        let case = format!("[loads.a]\ncontact = [0.0, 500.0, 4000.0]\n{rack}");
+        table(&loaded(&case), &[])[0].clone()
+    };
+    let [bare, pushed] = [case(""), case("rack = [300.0, 700.0, -200.0]\n")];
+    let by = |name: &str| pushed[name] - bare[name];
+    assert!(
+        (by("a_steer_N") - 700.0).abs() < 1e-9,
+        "{}",
+        by("a_steer_N")
+    );
+    assert!(by("a_tie_rod_N").abs() < 1e-9, "{}", by("a_tie_rod_N"));
+}
+
 #[test]
 fn what_is_no_load_is_refused_with_its_place() {
     for (case, expected) in [
@@ -219,7 +236,11 @@ fn what_is_no_load_is_refused_with_its_place() {
             "`damper` is a measure: write one number",
         ),
         (
-            "[loads.a]\nrack = [0.0, 0.0, 1.0]\n",
+            "[loads.a]\nlower_front = [0.0, 0.0, 1.0]\n",
+            "`lower_front` is a chassis point",
+        ),
+        (
+            "[loads.a]\nrack = { moment = [1.0, 0.0, 0.0] }\n",
             "`rack` is a chassis point",
         ),
         ("[loads.a]\nbump = \"dampr\"\n", "`dampr` is no measure"),

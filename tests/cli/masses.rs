@@ -235,3 +235,48 @@ fn a_picture_shows_what_links_bear() {
         );
     }
 }
+
+/// The kinetic energy of particles, of the same as one body, and of a rod, at the height of the wheel centre.
+#[test]
+fn effective_mass_has_the_kinetic_energy() {
+    let around = ["--drive", "bump=-0.03:0.03:3", "--drive", "steer=0.01"];
+    let rod = format!("{}\ntie_rod = 1.7", particles());
+    let [of_particles, of_body, with_rod] =
+        [particles(), as_body(design), rod].map(|masses| grid(&corner(&masses, ""), &around));
+    for (place, row) in of_particles.iter().enumerate() {
+        let along = |point: &str| {
+            Vector3::from(["x", "y", "z"].map(|axis| row[&format!("{point}_{axis}_per_bump")]))
+        };
+        let rise = along("wheel_centre").z;
+        let energies = PARTICLES.map(|(point, mass)| mass * along(point).norm_squared());
+        let expected = energies.iter().sum::<f64>() / (rise * rise);
+        // The rack stands.
+        let of_rod = 1.7 / 3.0 * along("tie_ball").norm_squared() / (rise * rise);
+        let found =
+            [&of_particles, &of_body, &with_rod].map(|rows| rows[place]["effective_mass_kg"]);
+        for (found, expected) in found
+            .into_iter()
+            .zip([expected, expected, expected + of_rod])
+        {
+            assert!(
+                (found - expected).abs() < 1e-9 * expected,
+                "{found} {expected}"
+            );
+        }
+        assert!(
+            (20.0..40.0).contains(&expected) && of_rod > 0.1,
+            "{expected} {of_rod}"
+        );
+    }
+    let bare = grid(&corner("", ""), &around);
+    assert!(!bare[0].contains_key("effective_mass_kg"));
+}
+
+fn grid(file: &str, drives: &[&str]) -> Rows {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let arguments = [&["sweep", "a.toml", "--csv", "-"], drives].concat();
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}

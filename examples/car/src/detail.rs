@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use crate::kinematics::{Baked, Constant, Kinematics, bounded, exact};
+use crate::kinematics::{Baked, Constant, Grid, Kinematics, Table, bounded, exact};
 use crate::linkages::{front, rear};
 use crate::tables;
 
@@ -15,13 +15,21 @@ pub enum Detail {
     Bounded,
     /// Baked surfaces and curves.
     Baked,
+    /// Places of these, and linear between them: the usual table of K&C data.
+    Table,
     /// The ratios of the design.
     Constant,
 }
 
 impl Detail {
     /// All, the finest first.
-    pub const ALL: [Self; 4] = [Self::Exact, Self::Bounded, Self::Baked, Self::Constant];
+    pub const ALL: [Self; 5] = [
+        Self::Exact,
+        Self::Bounded,
+        Self::Baked,
+        Self::Table,
+        Self::Constant,
+    ];
 
     /// Its name in tables.
     pub fn name(self) -> &'static str {
@@ -29,6 +37,7 @@ impl Detail {
             Self::Exact => "exact",
             Self::Bounded => "bounded f32",
             Self::Baked => "baked",
+            Self::Table => "linear table",
             Self::Constant => "constant ratios",
         }
     }
@@ -45,23 +54,10 @@ impl Detail {
             Self::Exact => Box::new(exact::<rear::Model<f64>, _>()?),
             Self::Bounded if is_front => Box::new(bounded::<front::Listing, _>()?),
             Self::Bounded => Box::new(bounded::<rear::Listing, _>()?),
-            Self::Baked if is_front => {
-                let corner = front::Corner::<f64>::design()?;
-                let front::Drives { bump, steer } = corner.drives();
-                Box::new(Baked {
-                    table: tables::FRONT,
-                    design: [bump, steer],
-                    strut_upper: corner.points().value.strut_upper,
-                })
-            }
-            Self::Baked => {
-                let corner = rear::Corner::<f64>::design()?;
-                Box::new(Baked {
-                    table: tables::REAR,
-                    design: [corner.drives().bump, 0.0],
-                    strut_upper: corner.points().value.strut_upper,
-                })
-            }
+            Self::Baked if is_front => Box::new(baked_front()?),
+            Self::Baked => Box::new(baked_rear()?),
+            Self::Table if is_front => Box::new(in_a_grid(baked_front()?)?),
+            Self::Table => Box::new(in_a_grid(baked_rear()?)?),
             Self::Constant => Box::new(Constant::of(&mut *Self::Exact.corner(axle)?)?),
         })
     }
@@ -75,4 +71,32 @@ impl Detail {
         let corner = |axle| self.corner(axle);
         Ok([corner(0)?, corner(0)?, corner(1)?, corner(1)?])
     }
+}
+
+fn baked_front() -> Result<Baked<impl Table>, Box<dyn Error>> {
+    let corner = front::Corner::<f64>::design()?;
+    let front::Drives { bump, steer } = corner.drives();
+    Ok(Baked {
+        table: tables::FRONT,
+        design: [bump, steer],
+        strut_upper: corner.points().value.strut_upper,
+    })
+}
+
+fn baked_rear() -> Result<Baked<impl Table>, Box<dyn Error>> {
+    let corner = rear::Corner::<f64>::design()?;
+    Ok(Baked {
+        table: tables::REAR,
+        design: [corner.drives().bump, 0.0],
+        strut_upper: corner.points().value.strut_upper,
+    })
+}
+
+fn in_a_grid(baked: Baked<impl Table>) -> Result<Baked<Grid>, Box<dyn Error>> {
+    let grid = Grid::of(&baked.table, baked.design);
+    Ok(Baked {
+        table: grid.map_err(|outside| format!("no table at {}", outside.drive))?,
+        design: baked.design,
+        strut_upper: baked.strut_upper,
+    })
 }

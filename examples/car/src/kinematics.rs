@@ -2,6 +2,7 @@
 
 mod baked;
 mod constant;
+mod grid;
 mod hub;
 mod solved;
 
@@ -12,6 +13,7 @@ use suspension_core::error::Cause;
 
 pub use baked::{Baked, COORDINATES, Table};
 pub use constant::Constant;
+pub use grid::Grid;
 pub use hub::{Hub, Marks, PerTravel};
 pub use solved::{Solved, bounded, exact};
 

@@ -35,11 +35,12 @@ const LEGEND: f64 = 0.22;
 pub const FINE: u32 = 8;
 
 /// One colour a curve.
-pub const COLOURS: [RGBColor; 4] = [
+pub const COLOURS: [RGBColor; 5] = [
     RGBColor(31, 90, 160),
     RGBColor(200, 80, 20),
     RGBColor(40, 130, 60),
     RGBColor(130, 60, 140),
+    RGBColor(110, 110, 110),
 ];
 
 /// What is drawn on.

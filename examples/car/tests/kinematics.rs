@@ -187,6 +187,9 @@ fn details_are_as_good_as_they_say() {
                 detail.name()
             );
         }
+        // Half a step from a place, in m, is off by an eighth of its square over the smallest radius of a path.
+        let linear = off(Detail::Table, axle, 1.0)[0];
+        assert!((1e-5..2e-4).contains(&linear), "{linear}");
         let [coarse, fine] = [1.0, 0.5].map(|size| off(Detail::Constant, axle, size));
         let ratio = coarse[0] / fine[0];
         assert!(

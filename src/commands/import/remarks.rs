@@ -37,7 +37,7 @@ impl Imported<'_> {
                 choice.linkage,
                 first_sentence(choice.text)
             ),
-            format!("lengths are in {}, {why_unit}", unit.symbol()),
+            format!("the unit of lengths is {}, {why_unit}", unit.symbol()),
             format!(
                 "axes are {} ({}), {why}; {}",
                 axes.name(),

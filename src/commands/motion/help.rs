@@ -3,7 +3,7 @@
 use suspension_core::linkages::attia2003;
 use suspension_core::listing::MeasureKind;
 
-use crate::mechanism::{Axle, Names, Spring, Unit, Vehicle, Wheel, WheelPoints};
+use crate::mechanism::{Axle, Mass, Names, Spring, Unit, Vehicle, Wheel, WheelPoints};
 use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
 
 /// The file, the results with the names that they have for the published linkage, the exit codes.
@@ -37,6 +37,7 @@ fn names_on(axle: Axle) -> Names {
                 design: 0.0,
             }]
             .into(),
+            masses: [Mass::At(0, 0.0)].into(),
         },
         ..Names::of(&attia2003::Listing)
     }

@@ -66,7 +66,7 @@ impl Columns {
                 let both = number.map_or([f64::NAN; 2], |number| {
                     [number.rate / scale, number.second_rate / (scale * scale)]
                 });
-                row.extend(both.iter().take(self.derivatives));
+                row.extend_from_slice(&both[..self.derivatives]);
             }
         }
         row

@@ -25,7 +25,7 @@ impl<T: Real, const N: usize, const K: usize> Arc<T, N, K> {
     pub(crate) fn new<L: Linkage<N, Scalar = T>>(
         curve: &Curve<'_, L, N>,
         at: &Configuration<T, N>,
-        linear: &Linear<T, N>,
+        linear: &Linear<L, N>,
         forwards: &Configuration<T, N>,
     ) -> Self {
         let parameter = linear.parameter;
@@ -44,7 +44,7 @@ impl<T: Real, const N: usize, const K: usize> Arc<T, N, K> {
             } else {
                 let known = unknowns.get(..index).unwrap_or_default();
                 let right = -half_curvature(curve.linkage, known, &fixed);
-                linear.along(&linear.lu.solve(&right))
+                linear.solve(&right)
             };
             let places = (
                 jet.terms.get_mut(index),
@@ -64,6 +64,17 @@ impl<T: Real, const N: usize, const K: usize> Arc<T, N, K> {
     pub(crate) fn at(&self, distance: T) -> Signal<Configuration<T, N>> {
         self.jet
             .evaluate(distance, Configuration::zero(), |a, b, s| a + b * s)
+    }
+
+    /// The derivative of the drive's coordinate at a distance.
+    pub(crate) fn drive_rate(&self, distance: T) -> T {
+        let mut order = T::constant(K as f64);
+        let mut rate = T::zero();
+        for term in self.jet.terms.iter().rev() {
+            rate = rate * distance + term.drive * order;
+            order -= T::one();
+        }
+        rate
     }
 
     /// The size of the last term at a distance of 1.

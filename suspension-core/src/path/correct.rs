@@ -3,16 +3,19 @@
 use nalgebra::SVector;
 
 use crate::error::SolveError;
-use crate::linkage::Factors as _;
 use crate::linkage::Linkage;
 use crate::listing::Part;
 use crate::magnitude::{index_of_largest, magnitude};
 use crate::newton::{Newton, rounding_at, within};
 use crate::path::configuration::Configuration;
 use crate::path::curve::Curve;
-use crate::path::linear::of_drive;
+use crate::path::linear::{Linear, of_drive};
 use crate::report::Report;
 use crate::scalar::Real;
+
+/// Corrections with the same factors after the first with them. Each takes the same share off as the
+/// first has left, at a fraction of the cost of new factors.
+const FURTHER: usize = 4;
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
     /// Newton's method with one entry held: the configuration near `start` that solves the
@@ -24,36 +27,30 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
         parameter: usize,
         first_bound: T,
     ) -> Result<(Configuration<T, N>, Report<T>), SolveError<T>> {
-        let mut at = start;
-        let mut residual = self.residual(&at);
+        let mut iterate = Iterate::new(self, start)?;
         let mut bound = Some(first_bound);
-        let mut worst = finite(&residual)?;
         let mut error = T::zero();
         for iterations in 1..=newton.max_iterations {
-            let linear = self.linear(&at, parameter)?;
-            let rounding = rounding_at(self.linkage, &at.unknowns);
-            let step = linear.lu.solve(&residual);
-            let size = within(&step, bound, rounding).map_err(of_drive(parameter, self.drive))?;
+            let linear = self.linear(&iterate.at, parameter)?;
+            let rounding = rounding_at(self.linkage, &iterate.at.unknowns);
+            let step = linear.solve(&iterate.residual);
+            // The drive's correction stands at the entry that is held.
+            let corrections = step.with_entry(parameter, step.drive).unknowns;
+            let size =
+                within(&corrections, bound, rounding).map_err(of_drive(parameter, self.drive))?;
             if iterations == 1 {
                 error = size;
             }
-            at = at - linear.along(&step);
-            // One more correction with the same factors takes off what the square of the first
-            // has left.
-            let better = at - linear.along(&linear.lu.solve(&self.residual(&at)));
-            let left = [self.residual(&at), self.residual(&better)];
-            let [here, there] = [finite(&left[0])?, finite(&left[1])?];
-            (worst, residual) = (here, left[0]);
-            if there < here {
-                (at, worst, residual) = (better, there, left[1]);
-            }
-            let tolerance = newton.tolerance_at(self.linkage, &at.unknowns);
+            iterate = Iterate::new(self, iterate.at - step)?;
+            let tolerance = newton.tolerance_at(self.linkage, &iterate.at.unknowns);
+            iterate = self.corrected_further(iterate, &linear, tolerance)?;
+            let Iterate { at, worst, .. } = iterate;
             if worst <= tolerance {
                 let report = Report {
                     tolerance,
                     residual_squared: worst * worst,
                     error_squared: error * error,
-                    growth_squared: linear.lu.growth_squared(),
+                    growth_squared: linear.growth_squared(),
                     steps: 1,
                     iterations,
                 };
@@ -62,10 +59,53 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
             bound = newton.contraction.map(|contraction| contraction * size);
         }
         Err(SolveError::NotConverged {
-            part: Part::Equation(index_of_largest(&residual)),
-            residual: worst,
-            tolerance: newton.tolerance_at(self.linkage, &at.unknowns),
+            part: Part::Equation(index_of_largest(&iterate.residual)),
+            residual: iterate.worst,
+            tolerance: newton.tolerance_at(self.linkage, &iterate.at.unknowns),
             iterations: newton.max_iterations,
+        })
+    }
+
+    /// Corrections with the same factors, as long as they bring the residual down: the last is one
+    /// from within the tolerance.
+    fn corrected_further(
+        &self,
+        mut iterate: Iterate<T, N>,
+        linear: &Linear<L, N>,
+        tolerance: T,
+    ) -> Result<Iterate<T, N>, SolveError<T>> {
+        for _ in 0..FURTHER {
+            let next = Iterate::new(self, iterate.at - linear.solve(&iterate.residual))?;
+            let is_last = iterate.worst <= tolerance || next.worst >= iterate.worst;
+            if next.worst < iterate.worst {
+                iterate = next;
+            }
+            if is_last {
+                break;
+            }
+        }
+        Ok(iterate)
+    }
+}
+
+/// A configuration on the way, with its residual and the largest entry of it.
+#[derive(Clone, Copy)]
+struct Iterate<T, const N: usize> {
+    at: Configuration<T, N>,
+    residual: SVector<T, N>,
+    worst: T,
+}
+
+impl<T: Real, const N: usize> Iterate<T, N> {
+    fn new<L: Linkage<N, Scalar = T>>(
+        curve: &Curve<'_, L, N>,
+        at: Configuration<T, N>,
+    ) -> Result<Self, SolveError<T>> {
+        let residual = curve.residual(&at);
+        Ok(Self {
+            at,
+            residual,
+            worst: finite(&residual)?,
         })
     }
 }

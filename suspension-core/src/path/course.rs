@@ -3,7 +3,6 @@
 use crate::error::SolveError;
 use crate::factored::smallest_pivot;
 use crate::handedness;
-use crate::linkage::Factors as _;
 use crate::linkage::Linkage;
 use crate::listing::Part;
 use crate::magnitude::{index_of_largest, magnitude};
@@ -139,7 +138,7 @@ where
                         tolerance,
                         residual_squared: residual * residual,
                         error_squared: error * error,
-                        growth_squared: linear.lu.growth_squared(),
+                        growth_squared: linear.growth_squared(),
                         steps: 1,
                         iterations,
                     };
@@ -165,9 +164,9 @@ where
     fn correction(
         &self,
         at: &Configuration<T, N>,
-        linear: &Linear<T, N>,
+        linear: &Linear<L, N>,
     ) -> Result<Configuration<T, N>, SolveError<T>> {
-        let error = linear.along(&linear.lu.solve(&self.curve.residual(at)));
+        let error = linear.solve(&self.curve.residual(at));
         let slope = self.slope(at, &linear.tangent)?;
         let excess = self.value(at)? - self.slope(at, &error)? - self.target.value;
         Ok(linear.tangent * (-excess / slope) - error)
@@ -177,7 +176,7 @@ where
     fn rates<C: ChassisMotion<L::Fixed>>(
         &self,
         position: &Configuration<T, N>,
-        linear: &Linear<T, N>,
+        linear: &Linear<L, N>,
         slope: T,
     ) -> Result<Signal<Configuration<T, N>>, SolveError<T>> {
         let curve = &self.curve;
@@ -196,7 +195,7 @@ where
             };
             (self.quantity)(&curve.points_with(&along, chassis))
         };
-        let held = linear.along(&linear.lu.solve(&terms(&chassis.rate, &drives.rate)));
+        let held = linear.solve(&terms(&chassis.rate, &drives.rate));
         let missing = self.target.rate - measured(held, Configuration::zero()).rate;
         let rate = held + linear.tangent * (missing / slope);
         let moving = curve.driven(chassis.rate, rate.drive);
@@ -204,7 +203,7 @@ where
             .linkage
             .curvature(&rate.unknowns, &moving, &rate.unknowns, &moving);
         let right = terms(&chassis.second_rate, &drives.second_rate) - curvature;
-        let held = linear.along(&linear.lu.solve(&right));
+        let held = linear.solve(&right);
         let missing = self.target.second_rate - measured(rate, held).second_rate;
         let second_rate = held + linear.tangent * (missing / slope);
         for rates in [&rate, &second_rate] {

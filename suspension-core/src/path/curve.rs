@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::error::SolveError;
-use crate::linkage::{Linkage, Values};
+use crate::linkage::{Factors as _, Linkage, Values};
 use crate::listing::{DriveKind, Kind};
 use crate::lu::Lu;
 use crate::motion::Prescribed;
@@ -13,6 +13,10 @@ use crate::path::linear::{Linear, of_drive};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::trigonometry::sine_cosine;
+
+/// What rounding may grow by where the factors of the Jacobian serve a curve: digits that its rates lose
+/// beside partial pivoting.
+const GROWTH: f64 = 50.0;
 
 /// The curve of a linkage's configurations while one drive is free, the other drives and the
 /// chassis points held where the inputs have them.
@@ -101,11 +105,15 @@ where
 
     /// The entry that moves fastest along the curve, at a configuration near it.
     pub(crate) fn steepest(&self, at: &Configuration<T, N>) -> Result<usize, SolveError<T>> {
-        // Any regular choice of the parameter gives the tangent: the healthiest is sure to be one.
+        // Any regular choice of the parameter gives the tangent.
+        if let Some((_, tangent)) = self.by_jacobian(at) {
+            return Ok(tangent.largest_entry());
+        }
+        // The healthiest is sure to be one.
         let mut best = self.linear(at, N);
         for parameter in 0..N {
             best = match (best, self.linear(at, parameter)) {
-                (Ok(best), Ok(next)) if best.growth() <= next.growth() => Ok(best),
+                (Ok(best), Ok(next)) if best.growth_squared() <= next.growth_squared() => Ok(best),
                 (_, Ok(next)) => Ok(next),
                 (best, Err(_)) => best,
             };
@@ -198,26 +206,48 @@ where
             .residual(&at.unknowns, &self.fixed(at), &self.drives(at))
     }
 
+    /// `-dF/dh`.
+    fn minus_of_drive(&self, at: &Configuration<T, N>) -> SVector<T, N> {
+        let unit = L::Drives::default().with(self.drive, T::one());
+        let share = self.drive_share(T::one());
+        self.linkage
+            .drive_rate(&at.unknowns, &self.fixed(at), &share, &unit)
+    }
+
+    /// The factors of the Jacobian in the macro's order and the tangent whose entry of the drive is 1;
+    /// `None` where rounding would grow by more than [`GROWTH`] with them.
+    fn by_jacobian(&self, at: &Configuration<T, N>) -> Option<(L::Factors, Configuration<T, N>)> {
+        let factors = self.linkage.factor(&at.unknowns, &self.fixed(at));
+        let is_accurate = factors.growth_squared() <= T::constant(GROWTH * GROWTH);
+        is_accurate.then(|| {
+            let tangent = Configuration {
+                unknowns: factors.solve_drives(&self.minus_of_drive(at)),
+                drive: T::one(),
+            };
+            (factors, tangent)
+        })
+    }
+
     /// The equations linearised at a configuration, entry `parameter` held.
     pub(crate) fn linear(
         &self,
         at: &Configuration<T, N>,
         parameter: usize,
-    ) -> Result<Linear<T, N>, SolveError<T>> {
-        let fixed = self.fixed(at);
-        let unit = L::Drives::default().with(self.drive, T::one());
-        let minus_of_drive =
-            self.linkage
-                .drive_rate(&at.unknowns, &fixed, &self.drive_share(T::one()), &unit);
-        let mut matrix = self.linkage.jacobian(&at.unknowns, &fixed);
-        let [minus_of_drive] = minus_of_drive.data.0;
+    ) -> Result<Linear<L, N>, SolveError<T>> {
+        if let Some((factors, tangent)) = self.by_jacobian(at)
+            && let Some(linear) = Linear::of_jacobian(factors, parameter, &tangent)
+        {
+            return Ok(linear);
+        }
+        let [minus_of_drive] = self.minus_of_drive(at).data.0;
+        let mut matrix = self.linkage.jacobian(&at.unknowns, &self.fixed(at));
         let mut minus_of_parameter = minus_of_drive;
         if let Some(column) = matrix.data.0.get_mut(parameter) {
             minus_of_parameter = column.map(|entry| -entry);
             *column = minus_of_drive.map(|entry| -entry);
         }
         Lu::factor(&matrix)
-            .and_then(|lu| Linear::new(lu, parameter, &SVector::from(minus_of_parameter)))
+            .and_then(|lu| Linear::of_matrix(lu, parameter, &SVector::from(minus_of_parameter)))
             .map_err(of_drive(parameter, self.drive))
     }
 }

@@ -5,6 +5,7 @@ use crate::linkage::Linkage;
 use crate::listing::Part;
 use crate::magnitude::index_of_largest;
 use crate::path::arc::Arc;
+use crate::path::linear::Linear;
 use crate::path::place::{End, Place, Stretch};
 use crate::path::{Continuation, ORDER, Path};
 use crate::scalar::Real;
@@ -22,13 +23,15 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         let Continuation {
             longest, precision, ..
         } = self.settings;
-        let linear = self
-            .curve
-            .linear(&self.here.configuration, self.here.parameter)?;
+        if self.linear.parameter != self.here.parameter {
+            self.linear = self
+                .curve
+                .linear(&self.here.configuration, self.here.parameter)?;
+        }
         let arc = Arc::new(
             &self.curve,
             &self.here.configuration,
-            &linear,
+            &self.linear,
             &self.here.tangent,
         );
         let size = self.curve.linkage.size();
@@ -47,19 +50,25 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
             }
             distance *= T::constant(0.5);
         }
-        let mut stretch = result?;
+        let (mut stretch, linear) = result?;
         self.steps += 1;
         if self.steps >= self.settings.max_steps && stretch.end.is_none() {
             stretch.end = Some(End::Steps);
         }
         self.last_step = distance;
         self.here = stretch.place;
+        self.linear = linear;
         Ok(stretch)
     }
 
-    /// The stretch to a distance, cut short where the path ends within it.
-    fn stretch(&self, arc: &Arc<T, N, ORDER>, distance: T) -> Result<Stretch<T, N>, SolveError<T>> {
-        let place = self.arrive(arc, distance)?;
+    /// The stretch to a distance, cut short where the path ends within it; and the equations
+    /// linearised where it does not.
+    fn stretch(
+        &self,
+        arc: &Arc<T, N, ORDER>,
+        distance: T,
+    ) -> Result<(Stretch<T, N>, Linear<L, N>), SolveError<T>> {
+        let (place, linear) = self.arrive_with(arc, distance)?;
         let bent = SolveError::CrossedSingularity {
             part: Part::Unknown(index_of_largest(
                 &(place.configuration - self.here.configuration).unknowns,
@@ -84,15 +93,12 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         } else {
             None
         };
-        self.within_range(
-            arc,
-            distance,
-            Stretch {
-                turning,
-                place,
-                end,
-            },
-        )
+        let stretch = Stretch {
+            turning,
+            place,
+            end,
+        };
+        Ok((self.within_range(arc, distance, stretch)?, linear))
     }
 
     /// The place at a distance of the parameter.
@@ -101,6 +107,16 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         arc: &Arc<T, N, ORDER>,
         distance: T,
     ) -> Result<Place<T, N>, SolveError<T>> {
+        let (place, _) = self.arrive_with(arc, distance)?;
+        Ok(place)
+    }
+
+    /// The same with the equations linearised there.
+    fn arrive_with(
+        &self,
+        arc: &Arc<T, N, ORDER>,
+        distance: T,
+    ) -> Result<(Place<T, N>, Linear<L, N>), SolveError<T>> {
         let guess = arc.at(distance);
         let moved = (guess.value - self.here.configuration).norm();
         let bound = T::constant(CORRECTION_OF_MOVE) * moved;
@@ -110,9 +126,10 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
                 .correct(newton, guess.value, arc.parameter, bound)?;
         let linear = self.curve.linear(&configuration, arc.parameter)?;
         let tangent = linear.unit_tangent(&guess.rate);
-        Ok(self
+        let place = self
             .curve
-            .place(configuration, &linear, tangent, report.residual()))
+            .place(configuration, &linear, tangent, report.residual());
+        Ok((place, linear))
     }
 
     /// The return to the start, where it lies on the arc: its distance is known, because the

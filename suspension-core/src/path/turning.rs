@@ -23,7 +23,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         let mut part = T::zero();
         for _ in 0..LOOKS {
             part += T::constant(1.0 / LOOKS as f64);
-            let now = arc.at(distance * part).rate.drive >= T::zero();
+            let now = arc.drive_rate(distance * part) >= T::zero();
             turns += usize::from(now != forwards);
             forwards = now;
         }

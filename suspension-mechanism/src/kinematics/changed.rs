@@ -115,6 +115,10 @@ fn at_rest<L: Suspension<N>, const N: usize>(
         ..spring.clone()
     });
     names.vehicle.springs = springs.collect();
+    let places: Vec<_> = there.value.values().collect();
+    let masses = names.vehicle.masses.iter();
+    let metre = mechanism.unit.metre();
+    names.vehicle.masses = masses.map(|mass| mass.held_at(&places, metre)).collect();
     Some(Mechanism {
         description: Description {
             drives: DriveLaws::held(drives.values()),

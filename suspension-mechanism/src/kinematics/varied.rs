@@ -19,7 +19,7 @@ const INFINITESIMAL: f64 = 1.0 / (1_u128 << 100) as f64;
 /// How far neighbours are from each other, as a part of the suspension's size.
 const STEP: f64 = 1e-4;
 
-/// A change by so many steps must be possible too: close to one that is not, as of the length of a body that hardly closes,
+/// A change of lengths by so many steps must be possible too: close to one that is not, as of a body that hardly closes,
 /// differences say little.
 const FARTHEST: f64 = 64.0;
 
@@ -60,7 +60,9 @@ impl<'a, L: Suspension<N>, const N: usize> Varied<'a, L, N> {
     ) -> Option<Self> {
         let step = STEP * mechanism.model.size();
         let beside = |steps: f64| build(mechanism, &changes.times(steps * step));
-        beside(FARTHEST).and(beside(-FARTHEST))?;
+        if !changes.lengths.is_empty() {
+            beside(FARTHEST).and(beside(-FARTHEST))?;
+        }
         let pairs = WEIGHTS.map(|(steps, _)| Some([beside(steps)?, beside(-steps)?]));
         let pairs: Option<Vec<[Built<L, N>; 2]>> = pairs.into_iter().collect();
         let pairs = pairs?;

@@ -167,7 +167,7 @@ impl Reader<'_> {
         if let Some((_, body)) = carriers.find(|(marker, _)| *marker == point) {
             return Ok(Site::Body(point, body));
         }
-        if point < names.chassis {
+        if point < names.chassis && (turned || !self.listing.driven_points().contains(&point)) {
             return refuse(format!(
                 "`{name}` is a chassis point: what acts there loads no part of the suspension"
             ));

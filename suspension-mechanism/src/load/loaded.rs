@@ -104,6 +104,7 @@ where
     let request = Request {
         source,
         file: &file,
+        listing: None,
         instants: &instants,
         to: Start::FirstInstant,
     };
@@ -237,6 +238,7 @@ impl Loaded<'_> {
         Request {
             source: self.source,
             file: &self.file,
+            listing: Some(self.listing()),
             instants: &self.instants,
             to,
         }

@@ -7,28 +7,28 @@ use suspension_runtime::{Listing, Statement};
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{BodyMass, Centre, MassTable, MotionFile, Source};
-use crate::loads::Mass;
-use crate::mechanism::Description;
+use crate::file::{BodyMass, Centre, MassTable};
+use crate::load::task::Task;
+use crate::mechanism::Mass;
 
-/// The masses of a file; `design` are its points at the design position, in the file's coordinates.
+/// The masses of a file; `design` are its points at the design position, in the file's coordinates, and `origin` is what local
+/// ones are off them.
 ///
 /// # Errors
 ///
 /// [`Failure::Input`] at what is no part of the mechanism, and at a number that is no mass and no inertia.
 pub(super) fn masses(
-    source: &Source,
-    file: &MotionFile,
+    task: &Task<'_>,
     listing: &Listing,
-    (mechanism, design): (&Description, &[Vector3<f64>]),
+    (origin, design): (Vector3<f64>, &[Vector3<f64>]),
 ) -> Result<Vec<Mass>, Failure> {
-    let Some(table) = &file.masses else {
+    let Some(table) = &task.file.masses else {
         return Ok(Vec::new());
     };
     let reader = Reader {
-        source,
+        task,
         listing,
-        mechanism,
+        origin,
         design,
     };
     let each = table.get_ref().iter();
@@ -37,9 +37,9 @@ pub(super) fn masses(
 }
 
 struct Reader<'a> {
-    source: &'a Source,
+    task: &'a Task<'a>,
     listing: &'a Listing,
-    mechanism: &'a Description,
+    origin: Vector3<f64>,
     design: &'a [Vector3<f64>],
 }
 
@@ -49,7 +49,7 @@ impl Reader<'_> {
         name: &Spanned<String>,
         stated: &Spanned<MassTable>,
     ) -> Result<Mass, Failure> {
-        let refuse = |message: String| Err(self.source.refuse(&stated.span(), message));
+        let refuse = |message: String| Err(self.task.source.refuse(&stated.span(), message));
         let part = name.get_ref();
         let mass = match stated.get_ref() {
             MassTable::Alone(mass) | MassTable::OfBody(BodyMass { mass, .. }) => *mass,
@@ -85,7 +85,7 @@ impl Reader<'_> {
 
     /// A free point, or a marker.
     fn point(&self, name: &Spanned<String>) -> Result<usize, Failure> {
-        let names = &self.mechanism.names;
+        let names = self.task.names;
         let mut points = names.points.iter();
         let point = points.position(|point| point == name.get_ref());
         let point = point.filter(|point| *point >= names.chassis);
@@ -95,26 +95,26 @@ impl Reader<'_> {
     fn unknown(&self, name: &Spanned<String>) -> Failure {
         let statements = self.listing.statements().into_iter();
         let parts = statements.filter(|part| part.kind == "link" || is_body(part));
-        let names = &self.mechanism.names;
+        let names = self.task.names;
         let known: Vec<&str> = parts
             .map(|part| part.name)
             .chain(names.points[names.chassis..].iter().map(String::as_str))
             .collect();
         let message = unknown("moving part", name.get_ref(), &known);
-        self.source.refuse(&name.span(), message)
+        self.task.source.refuse(&name.span(), message)
     }
 
     fn of_body(&self, points: &[usize], stated: &BodyMass, name: &str) -> Result<Mass, Failure> {
-        let metre = self.mechanism.unit.metre();
-        let local = |point: Vector3<f64>| (point - self.mechanism.origin) / metre;
+        let metre = self.task.file.unit().metre();
+        let local = |point: Vector3<f64>| (point - self.origin) / metre;
         let centre = match stated.centre.get_ref() {
             Centre::At(centre) => Vector3::from(*centre),
             Centre::Point(point) => {
-                let names = self.mechanism.names.points.iter();
+                let names = self.task.names.points.iter();
                 let mut found = names.zip(self.design).filter(|(name, _)| *name == point);
                 *found.next().map(|(_, at)| at).ok_or_else(|| {
                     let message = format!("`{point}` is no point of the listing");
-                    self.source.refuse(&stated.centre.span(), message)
+                    self.task.source.refuse(&stated.centre.span(), message)
                 })?
             }
         };
@@ -131,7 +131,7 @@ impl Reader<'_> {
                 "the inertia of `{name}` is [xx, yy, zz] or [xx, yy, zz, xy, yz, zx] in kg m^2, no principal one negative or larger \
                  than the other two together"
             );
-            self.source.refuse(&stated.centre.span(), message)
+            self.task.source.refuse(&stated.centre.span(), message)
         })?;
         let held = widest(points, self.design);
         let body = RigidBody {

@@ -3,10 +3,12 @@
 use nalgebra::Vector3;
 use suspension_core::local::LocalOrigin;
 use suspension_core::{GeometryError, Motion, Values, parts};
+use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
 use crate::load::design::at_design;
+use crate::load::masses::masses;
 use crate::load::notes::notes;
 use crate::load::outlier::Outlier;
 use crate::load::springs::springs;
@@ -20,6 +22,8 @@ use crate::mechanism::{Description, DriveLaws, Instants, Mechanism, Names, Suspe
 pub(super) struct Request<'a> {
     pub(super) source: &'a Source,
     pub(super) file: &'a MotionFile,
+    /// Its listing, where that was read while the program runs.
+    pub(super) listing: Option<&'a Listing>,
     pub(super) instants: &'a Instants,
     pub(super) to: Start,
 }
@@ -44,6 +48,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let Request {
         source,
         file,
+        listing: statements,
         instants,
         to,
     } = request;
@@ -95,6 +100,14 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let design = at_design(&task, model, origin, &guess).map_err(outlier_first)?;
     let measure_offsets = origin.of_measures(&design.model);
     let springs = springs(&task, &design.model, (&design.points, &measure_offsets))?;
+    let masses = match statements {
+        Some(statements) => {
+            let points = design.points.values().take(names.points.len());
+            let points: Vec<_> = points.map(|point| point + origin.position()).collect();
+            masses(&task, statements, (origin.position(), &points))?
+        }
+        None => Vec::new(),
+    };
     let mut notes = notes(&task, &guess, &design.points, design.off, outlier.as_ref());
     notes.extend(said_of_wheels::notes(&task, &design));
     let drives = task.drive_laws(design.drives.values());
@@ -137,7 +150,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
             .collect(),
         design: design.given(&design.drives),
         led_by: lead.as_ref().map(|lead| lead.measure),
-        names: names.clone().with_springs(springs),
+        names: names.clone().with(springs, masses),
         notes,
     };
     Ok(Mechanism {

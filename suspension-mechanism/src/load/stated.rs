@@ -1,13 +1,12 @@
-//! What a motion file states for single commands: load cases and masses, tolerances, tuning.
+//! What a motion file states for single commands: load cases, tolerances, tuning.
 
 use crate::failure::Failure;
 use crate::load::cases::cases;
 use crate::load::links::Links;
 use crate::load::loaded::Loaded;
-use crate::load::masses::masses;
 use crate::load::tolerances::tolerances;
 use crate::load::tuning::tuning;
-use crate::loads::{Case, Mass};
+use crate::loads::Case;
 use crate::mechanism::Description;
 use crate::sensitivities::{Change, coordinates, length};
 use crate::tolerances::Tolerance;
@@ -21,25 +20,6 @@ impl Loaded<'_> {
     /// [`Failure::Input`] with the place of what is no load of the mechanism.
     pub fn load_cases(&self, mechanism: &Description) -> Result<Vec<Case>, Failure> {
         cases(self.source, &self.file, self.listing(), mechanism)
-    }
-
-    /// The masses of the file's parts, whose centres are stated at the design position.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Input`] with the place of what is no mass, or of no part, and where there is no design position.
-    pub fn masses(&self) -> Result<Vec<Mass>, Failure> {
-        if self.file.masses.is_none() {
-            return Ok(Vec::new());
-        }
-        let mechanism = &*self.at_design_without_notes()?;
-        let design = mechanism.points();
-        masses(
-            self.source,
-            &self.file,
-            self.listing(),
-            (mechanism, &design),
-        )
     }
 
     /// The tolerances of the file's points and links.

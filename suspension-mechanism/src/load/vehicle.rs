@@ -50,6 +50,7 @@ pub(super) fn with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
         wheelbase,
         cg_height,
         springs: [].into(),
+        masses: [].into(),
     };
     Ok(names)
 }

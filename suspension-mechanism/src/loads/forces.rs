@@ -9,9 +9,8 @@ use suspension_core::wheel::contact;
 use suspension_runtime::Statement;
 
 use crate::kinematics::Kinematics;
-use crate::loads::mass::{InMetres, Mass};
 use crate::loads::site::Site;
-use crate::mechanism::{Borne, State};
+use crate::mechanism::{Borne, Mass, State};
 
 /// A force at a point, with the points of the part on which it acts, none where it acts on the point itself.
 pub(super) struct Force {
@@ -134,22 +133,21 @@ impl<'a> Here<'a> {
 
     /// The forces of weight and inertia, in a field of gravity and acceleration, m/s^2; `None` where three points that hold a
     /// body are in line.
-    pub(super) fn of_masses(&self, masses: &[Mass], field: &Vector3<f64>) -> Option<Vec<Force>> {
-        let motion = InMetres {
-            state: self.state,
-            metre: self.mechanism.unit.metre(),
-        };
+    pub(super) fn of_masses(&self, field: &Vector3<f64>) -> Option<Vec<Force>> {
+        let metre = self.mechanism.unit.metre();
         let mut all = Vec::new();
-        for mass in masses {
-            all.extend(match mass {
-                Mass::At(point, mass) => {
-                    let [acceleration] = motion.of([*point]).second_rate;
-                    let force = (field - acceleration) * *mass;
-                    self.at_sites(&[(self.site_of(*point), [force, Vector3::zeros()])])
-                }
-                Mass::Rod(ends, mass) => on(ends, motion.of_rod(*ends, *mass, field)),
-                Mass::Body(points, body) => on(points, motion.of_body(*points, body, field)?),
-            });
+        for mass in self.state.masses.iter() {
+            let forces = mass.forces(&self.state.points, metre, field)?;
+            if let (Mass::At(point, _), [(_, force)]) = (mass, forces.as_slice()) {
+                all.extend(self.at_sites(&[(self.site_of(*point), [*force, Vector3::zeros()])]));
+                continue;
+            }
+            let part: Vec<usize> = forces.iter().map(|(point, _)| *point).collect();
+            all.extend(forces.into_iter().map(|(point, force)| Force {
+                point,
+                force,
+                part: part.clone(),
+            }));
         }
         Some(all)
     }

@@ -4,6 +4,7 @@ use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelP
 use suspension_core::{Build, Linkage, Listing};
 use suspension_listing::did_you_mean::unknown;
 
+use crate::mechanism::mass::Mass;
 use crate::mechanism::spring::Spring;
 use crate::mechanism::vehicle::{Vehicle, Wheel};
 
@@ -103,9 +104,10 @@ impl Names {
         }
     }
 
-    /// The same with springs.
-    pub fn with_springs(mut self, springs: Vec<Spring>) -> Self {
+    /// The same with springs, and parts that have a mass.
+    pub fn with(mut self, springs: Vec<Spring>, masses: Vec<Mass>) -> Self {
         self.vehicle.springs = springs.into();
+        self.vehicle.masses = masses.into();
         self
     }
 

@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use suspension_core::{Signal, Values};
 
 use crate::mechanism::axes::Axes;
+use crate::mechanism::mass::Mass;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
 use crate::mechanism::spring::Spring;
@@ -37,6 +38,8 @@ pub struct State {
     pub moved: Rc<[Moved]>,
     /// Springs and anti-roll bars.
     pub springs: Rc<[Spring]>,
+    /// Parts that have a mass.
+    pub masses: Rc<[Mass]>,
     /// Units of length in a metre.
     pub metre: f64,
     /// Iterations of Newton's method, steps in between included.
@@ -93,6 +96,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             velocities: Vec::new(),
             moved: Rc::new([]),
             springs: self.names.vehicle.springs.clone(),
+            masses: self.names.vehicle.masses.clone(),
             metre: self.unit.metre(),
             iterations: 0,
             residual: 0.0,

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use serde::Deserialize;
 use suspension_core::listing::WheelPlaces;
 
+use crate::mechanism::mass::Mass;
 use crate::mechanism::spring::Spring;
 
 /// What quantities need beside the linkage.
@@ -20,6 +21,8 @@ pub struct Vehicle {
     pub cg_height: Option<f64>,
     /// Springs and anti-roll bars.
     pub springs: Rc<[Spring]>,
+    /// Parts that have a mass.
+    pub masses: Rc<[Mass]>,
 }
 
 impl Vehicle {

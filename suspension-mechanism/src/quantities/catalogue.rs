@@ -17,6 +17,7 @@ macro_rules! catalogue {
 }
 
 mod axle;
+mod masses;
 mod motion;
 mod results;
 mod springs;
@@ -28,6 +29,7 @@ pub use axle::{
     ACKERMANN, ACKERMANN_ERROR, AXLE_ROLL_CENTRE, ROLL_CAMBER, ROLL_RATE, ROLL_STEER, STEER_ANGLE,
     TOTAL_TOE, TRACK, TURNING_RADIUS,
 };
+pub use masses::EFFECTIVE_MASS;
 pub use motion::{ACCELERATIONS, ALPHA, DRIVES, MARKERS, OMEGA, POSITIONS, TIME, VELOCITIES};
 pub use results::{ITERATIONS, MEASURES, RESIDUAL};
 pub use springs::{SPRING_LOAD, WHEEL_RATE};
@@ -56,6 +58,7 @@ pub fn catalogue() -> impl Iterator<Item = &'static Quantity> + Clone {
         steering::ROWS,
         travel::ROWS,
         springs::ROWS,
+        masses::ROWS,
         axle::ROWS,
         results::ROWS,
     ];

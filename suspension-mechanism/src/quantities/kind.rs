@@ -31,6 +31,8 @@ pub enum Kind {
     Stiffness,
     /// A moment for an angle.
     AngularStiffness,
+    /// A mass.
+    Mass,
     /// A part of a whole.
     Percent,
     /// How many.
@@ -52,6 +54,7 @@ impl Kind {
             Self::LengthPerAngle => format!("{length}/{angle}"),
             Self::AnglePerAngle => format!("{angle}/{angle}"),
             Self::Force => "N".to_owned(),
+            Self::Mass => "kg".to_owned(),
             Self::Stiffness => format!("N/{length}"),
             Self::AngularStiffness => format!("Nm/{angle}"),
             Self::Percent => "percent".to_owned(),
@@ -68,6 +71,7 @@ impl Kind {
                 | Self::LengthPerAngle
                 | Self::AnglePerAngle
                 | Self::Force
+                | Self::Mass
                 | Self::Stiffness
                 | Self::AngularStiffness
                 | Self::Percent
@@ -98,6 +102,7 @@ impl Kind {
             | Self::AngularAcceleration
             | Self::AnglePerAngle
             | Self::Force
+            | Self::Mass
             | Self::AngularStiffness
             | Self::Percent
             | Self::Count => 1.0,
@@ -110,6 +115,7 @@ impl Kind {
             Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => unit.angle.radian(),
             Self::LengthPerAngle | Self::AngularStiffness => 1.0 / unit.angle.radian(),
             Self::Force
+            | Self::Mass
             | Self::Stiffness
             | Self::Time
             | Self::Length
@@ -138,6 +144,7 @@ impl Kind {
             | Self::AngularVelocity
             | Self::AngularAcceleration
             | Self::AnglePerAngle
+            | Self::Mass
             | Self::Percent => 3,
         }
     }

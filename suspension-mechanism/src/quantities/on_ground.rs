@@ -66,6 +66,20 @@ pub(super) fn of_moving(
     })
 }
 
+/// A number of each carrier of one wheel alone in travel, on the ground: a force on that wheel is borne by its links.
+pub(super) fn of_independent(
+    names: &Names,
+    kind: Kind,
+    value: impl Fn(&Moving) -> Number + Clone + 'static,
+) -> Vec<Reading> {
+    of_each_wheel(names, |rolling| {
+        let rolling = Some(rolling).filter(|rolling| rolling.is_alone(names));
+        let readings =
+            rolling.map(|rolling| moving(rolling, Along::Travel, kind, true, value.clone()));
+        readings.unwrap_or_default()
+    })
+}
+
 /// The same of the carrier of one wheel.
 pub(super) fn moving(
     rolling: Rolling,

@@ -52,6 +52,17 @@ pub(super) fn each<'a>(
     things.enumerate().map(of_one).collect()
 }
 
+/// A number of which no derivatives are known; none where the state does not tell it.
+pub(super) fn without_derivatives(
+    kind: Kind,
+    value: impl Fn(&Reader<'_>) -> Option<f64> + 'static,
+) -> Reading {
+    Reading {
+        has_derivatives: false,
+        ..reading(kind, move |reader| alone(value(reader).unwrap_or(f64::NAN)))
+    }
+}
+
 /// Components of a vector of which no derivatives are known.
 pub(super) fn vector(
     name: Option<&str>,

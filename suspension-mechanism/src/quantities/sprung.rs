@@ -8,7 +8,7 @@ use crate::quantities::kind::Kind;
 use crate::quantities::of_axle::Axle;
 use crate::quantities::quantity::Reading;
 use crate::quantities::reader::Reader;
-use crate::quantities::readings::{alone, of_each_wheel, reading};
+use crate::quantities::readings::{of_each_wheel, without_derivatives};
 use crate::quantities::wheel::{Number, Rolling};
 
 /// What all springs do along a coordinate.
@@ -90,14 +90,4 @@ pub(super) fn of_roll(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading> {
 
 fn height(state: &State, rolling: Rolling) -> Number {
     Reader::of(state).wheel(rolling).centre.z
-}
-
-fn without_derivatives(
-    kind: Kind,
-    value: impl Fn(&Reader<'_>) -> Option<f64> + 'static,
-) -> Reading {
-    Reading {
-        has_derivatives: false,
-        ..reading(kind, move |reader| alone(value(reader).unwrap_or(f64::NAN)))
-    }
 }

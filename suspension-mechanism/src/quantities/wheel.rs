@@ -64,6 +64,14 @@ impl Rolling {
         })
     }
 
+    /// Whether the body that carries it carries no other wheel.
+    pub(super) fn is_alone(&self, names: &Names) -> bool {
+        let carrier = self.points.carrier;
+        let others = names.wheels.iter().enumerate();
+        let mut others = others.filter(|(number, _)| *number != self.number);
+        !others.any(|(_, other)| other.points.carrier == carrier)
+    }
+
     /// The drive that moves it, where the file names one.
     pub(super) fn drive(&self, along: Along) -> Option<usize> {
         match along {
@@ -127,10 +135,10 @@ impl Moving {
     ) -> Option<Self> {
         let velocities = state.moved_by(drive)?;
         let of = |all: &Points, point: usize| state.axes.turned(all[point]);
-        let of_carrier = |all: &Points| points.carrier.map(|point| of(all, point));
+        let [first, second, third] = points.carrier;
+        let of_carrier = |all: &Points| [of(all, first), of(all, second), of(all, third)];
         let (places, rates) = (state.points.map(of_carrier), velocities.map(of_carrier));
         let omega = angular_velocity_and_rates(&places, &rates)?.components();
-        let [first, _, _] = points.carrier;
         let of_first = |all: &Points| of(all, first);
         let to_centre = wheel.centre - at(state, first);
         let origin = origin(state);

@@ -188,7 +188,9 @@ where
 
 #[inline(always)]
 fn vector<T: Scalar, const N: usize>(x: &impl Table<T>) -> SVector<T, N> {
-    let mut values = x.as_slice().iter();
-    let values = [(); N].map(|()| values.next().copied().unwrap_or_default());
+    let mut values = [T::zero(); N];
+    for (place, value) in values.iter_mut().zip(x.as_slice()) {
+        *place = *value;
+    }
     SVector::from_array_storage(ArrayStorage([values]))
 }

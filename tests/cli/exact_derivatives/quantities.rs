@@ -29,6 +29,9 @@ const LEVER: f64 = 5.0;
 const BRAKE_SHARE: f64 = 0.625;
 const DRIVE_SHARE: f64 = 0.25;
 
+/// What wheels on one body have not.
+const OF_INDEPENDENT: [&str; 2] = ["roll_centre_m", "jacking_percent"];
+
 /// Which axle of a car the suspension is.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Car {
@@ -111,6 +114,14 @@ impl Reference<'_> {
             let own = format!("bump_{}", wheel.name);
             let own = drives.iter().position(|name| *name == own);
             self.of_travel(&mut of_one, &moved_by(own.unwrap_or(travel)), ends);
+            let carried_so = (0..).map_while(|other| model.wheel(other));
+            if carried_so
+                .filter(|other| other.carrier == wheel.carrier)
+                .count()
+                > 1
+            {
+                of_one.retain(|(name, _)| !OF_INDEPENDENT.contains(&name.as_str()));
+            }
             let prefix = match wheel.name {
                 "" => String::new(),
                 name => format!("{name}_"),

@@ -124,7 +124,7 @@ fn lengths_are_in_the_unit_that_the_file_states_or_else_has_the_size_of() {
         let why = imported
             .notes
             .lines()
-            .find(|note| note.contains("lengths are in"));
+            .find(|note| note.contains("the unit of lengths is"));
         (
             imported.text("unit").to_owned(),
             why.expect("a note").to_owned(),

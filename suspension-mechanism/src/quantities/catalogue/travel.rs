@@ -8,7 +8,7 @@ use suspension_core::wheel::InstantCentre;
 use crate::mechanism::Axle;
 use crate::quantities::brake_and_drive::{Torque, of_support, of_support_angle};
 use crate::quantities::kind::Kind;
-use crate::quantities::on_ground::{of_moving, of_moving_place};
+use crate::quantities::on_ground::{of_independent, of_moving, of_moving_place};
 use crate::quantities::quantity::{Axis, Quantity, Shown};
 use crate::quantities::wheel::{Along, UNKNOWN};
 
@@ -17,10 +17,11 @@ catalogue! {
         name: "roll_centre",
         sign: "positive above the contact point",
         definition: "of an axle of independent wheels, symmetric about y = 0: where the normal to the velocity in travel of the \
-                     contact point, as a point of the carrier, meets that plane in the front view",
+                     contact point, as a point of the carrier, meets that plane in the front view; none of wheels \
+                     on one body, which have axle_roll_centre",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Travel, Kind::Length, true, |moving| {
+        read: |names| of_independent(names, Kind::Length, |moving| {
             moving.carrier.roll_centre(&moving.contact) - moving.contact.z
         }),
     }
@@ -31,7 +32,7 @@ catalogue! {
                      travel, v_y outboard: the slope of the line from the contact point to the roll centre",
         source: "virtual work; Milliken 1995, chapter 17",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Travel, Kind::Percent, true, |moving| {
+        read: |names| of_independent(names, Kind::Percent, |moving| {
             let height = moving.carrier.roll_centre(&moving.contact) - moving.contact.z;
             height / moving.contact.y.magnitude() * Signal::still(100.0)
         }),

@@ -1,0 +1,68 @@
+//! Parts that have a mass.
+
+use nalgebra::Vector3;
+use suspension_core::Signal;
+use suspension_core::inertia::{RigidBody, rod};
+
+use crate::mechanism::state::Points;
+
+/// A part that has a mass.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mass {
+    /// At a free point or a marker, kg.
+    At(usize, f64),
+    /// Of a uniform rod between two points, kg.
+    Rod([usize; 2], f64),
+    /// Of a body that is held by three points, in metres.
+    Body([usize; 3], RigidBody<f64>),
+}
+
+impl Mass {
+    /// Weight in a field, m/s^2, and inertia as forces, N, at the points of the part, which move as `points` do, in units of
+    /// which `metre` are a metre; `None` where three points that hold a body are in line.
+    pub fn forces(
+        &self,
+        points: &Signal<Points>,
+        metre: f64,
+        field: &Vector3<f64>,
+    ) -> Option<Vec<(usize, Vector3<f64>)>> {
+        let accelerations = |point: &usize| points.second_rate[*point] / metre;
+        Some(match self {
+            Self::At(point, mass) => vec![(*point, (field - accelerations(point)) * *mass)],
+            Self::Rod(ends, mass) => {
+                let forces = rod(*mass, ends.each_ref().map(accelerations), field);
+                ends.iter().copied().zip(forces).collect()
+            }
+            Self::Body(held, body) => {
+                let at = points.map(|all: &Points| held.map(|point| all[point] / metre));
+                held.iter().copied().zip(body.forces(&at, field)?).collect()
+            }
+        })
+    }
+
+    /// Twice the kinetic energy, J, of points in places with velocities: what inertia does that the velocities meet as if they
+    /// were accelerations.
+    pub fn twice_energy(&self, places: &Points, velocities: &Points, metre: f64) -> Option<f64> {
+        let points = Signal {
+            value: places.clone(),
+            rate: places.iter().map(|_| Vector3::zeros()).collect(),
+            second_rate: velocities.clone(),
+        };
+        let forces = self.forces(&points, metre, &Vector3::zeros())?;
+        let work = forces
+            .iter()
+            .map(|(point, force)| force.dot(&velocities[*point]));
+        Some(-work.sum::<f64>() / metre)
+    }
+
+    /// The same part of a mechanism whose points stand elsewhere, its centre of mass where it was.
+    pub(crate) fn held_at(&self, places: &[Vector3<f64>], metre: f64) -> Self {
+        match self {
+            Self::Body(held, body) => {
+                let points = held.map(|point| places[point] / metre);
+                Self::Body(*held, RigidBody { points, ..*body })
+            }
+            other => other.clone(),
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! What masses are at the wheels: readings by kinetic energy.
+
+use crate::mechanism::{Names, State};
+use crate::quantities::kind::Kind;
+use crate::quantities::quantity::Reading;
+use crate::quantities::readings::{of_each_wheel, without_derivatives};
+use crate::quantities::wheel::Rolling;
+
+/// The mass at each wheel centre that moves in height as all parts with masses do in travel.
+pub(super) fn of_wheels(names: &Names) -> Vec<Reading> {
+    let has_masses = !names.vehicle.masses.is_empty();
+    of_each_wheel(names, |rolling| {
+        let Some(drive) = rolling.travel.filter(|_| has_masses) else {
+            return Vec::new();
+        };
+        vec![without_derivatives(Kind::Mass, move |reader| {
+            effective(reader, rolling, drive)
+        })]
+    })
+}
+
+fn effective(state: &State, rolling: Rolling, drive: usize) -> Option<f64> {
+    let velocities = &state.moved_by(drive)?.value;
+    let energies = state.masses.iter();
+    let energies =
+        energies.map(|mass| mass.twice_energy(&state.points.value, velocities, state.metre));
+    let twice_energy: f64 = energies.sum::<Option<f64>>()?;
+    let [_, centre] = rolling.points.axis;
+    let rise = state.axes.turned(velocities[centre]).z / state.metre;
+    Some(twice_energy / (rise * rise))
+}
