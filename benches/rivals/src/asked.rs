@@ -5,7 +5,7 @@ use suspension_core::bounded::Bounded;
 use suspension_core::linkages::attia2003::Points;
 use suspension_core::nalgebra::Vector3;
 use suspension_core::statics::{Loads, spread};
-use suspension_core::{Linkage, Tracker};
+use suspension_core::{Linkage, SolveError, Tracker};
 
 use crate::mechanism::inputs;
 use crate::{Mechanism, Motion, STEP};
@@ -57,23 +57,28 @@ pub fn past_lock(mechanism: &Mechanism) -> [(&'static str, String); 2] {
         (
             "ours, to tolerance",
             said(first, |t, motion| {
-                let step = tracker.step(model, &inputs(t), STEP, motion);
-                step.err().map(|error| error.to_string())
+                tracker.step(model, &inputs(t), STEP, motion).err()
             }),
         ),
         (
             "ours, bounded",
             said(first, |t, motion| {
-                let step = bounded.step(model, &inputs(t), STEP, motion);
-                step.err().map(|error| error.to_string())
+                bounded.step(model, &inputs(t), STEP, motion).err()
             }),
         ),
     ]
 }
 
-fn said(mut motion: Motion, mut step: impl FnMut(f64, &mut Motion) -> Option<String>) -> String {
+/// The first error and its time, without its figures.
+fn said(
+    mut motion: Motion,
+    mut step: impl FnMut(f64, &mut Motion) -> Option<SolveError<f64>>,
+) -> String {
     let times = (1..=PAST_LOCK).map(|k| k as f64 * STEP);
-    let mut errors =
-        times.filter_map(|t| Some(format!("error at t = {t:.3} s: {}", step(t, &mut motion)?)));
+    let mut errors = times.filter_map(|t| {
+        let message = step(t, &mut motion)?.to_string();
+        let (what, _) = message.split_once(':').unwrap_or((&message, ""));
+        Some(format!("error at t = {t:.3} s: {what}"))
+    });
     errors.next().unwrap_or_else(|| "silent".to_owned())
 }

@@ -5,7 +5,7 @@ use suspension_core::linkages::attia2003::{Drives, Lengths, Model, Points};
 use suspension_core::motion::Prescribed;
 use suspension_core::nalgebra::{SMatrix, SVector, Vector3};
 use suspension_core::{
-    Build, Linkage, Motion as MotionOf, Newton, Signal, Still, Tracker, Values, assemble,
+    Build, Linkage, Motion as MotionOf, Newton, Signal, Still, Tracker, assemble,
 };
 
 pub type Vector = SVector<f64, 15>;

@@ -90,10 +90,10 @@ impl Row {
 }
 
 impl Rival {
-    /// Time and error, where it computes just what `outputs` ask in steps of `step_s`. The row
-    /// that the rivals are measured beside is none of them.
+    /// Time and error, where it computes just what `outputs` ask in steps of `step_s`. The rows
+    /// that the rivals are measured beside are none of them.
     pub fn point(&self, outputs: &str, step_s: f64) -> Option<(f64, f64)> {
-        let is_rival = self.method != "ours";
+        let is_rival = !self.method.starts_with("ours");
         let error = match (self.quantity.as_str(), outputs) {
             ("position", "position") => self.error_position_m,
             ("step", "acceleration") => self.error_acceleration_m_s2,
