@@ -3,7 +3,7 @@
 //! The player's car is exact, acceleration included. The rest need 0.1 mm and no acceleration; how
 //! they are computed is chosen from measured figures (`suspension::detail`).
 //!
-//! `cargo run --release --example scene`
+//! `cargo run --profile bench --example scene`
 
 use std::error::Error;
 use std::time::{Duration, Instant};

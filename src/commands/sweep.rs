@@ -1,21 +1,21 @@
 //! `suspension sweep`: all quantities, and their derivatives, on a grid of the drives.
 
-mod table;
-
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 
+use crate::characteristics::GridTable;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::Order;
+use crate::mechanism::{Description, Order};
 use crate::output::files::announce;
+use crate::output::heading::{Header, Heading};
 use crate::output::progress::Progress;
-use crate::output::rows::Forms;
+use crate::output::rows::{Forms, Rows};
 use crate::output::target::Target;
 
 /// What `suspension sweep` is given.
@@ -88,7 +88,7 @@ impl Arguments {
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let grid = grid(mechanism, &self.drives, self.absolute).map_err(Failure::Input)?;
-        let columns = table::columns(mechanism, self.derivatives.into());
+        let table = GridTable::of(mechanism, self.derivatives.into());
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let order = match self.derivatives {
             2 => Order::Second,
@@ -96,13 +96,32 @@ impl Arguments {
         };
         let visited = mechanism.visit(&grid, order, interrupted, &mut |place| {
             progress.step();
-            columns.row(place)
+            table.row(place)
         });
-        table::write(mechanism, &columns, &visited.places, forms)?;
+        write(mechanism, &table, &visited.places, forms)?;
         let written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
         announce(&written);
         visited.failure(source).map_or(Ok(()), Err)
     }
+}
+
+/// Writes the rows of all places that have a configuration.
+fn write(
+    mechanism: &Description,
+    table: &GridTable,
+    rows: &[Option<Vec<f64>>],
+    forms: &Forms,
+) -> Result<(), Failure> {
+    let heading = |name| Heading {
+        name,
+        counts: false,
+    };
+    let headings: Vec<Heading> = table.names(mechanism).into_iter().map(heading).collect();
+    let mut file = Rows::create(forms, &Header::of(mechanism), &headings)?;
+    for row in rows.iter().flatten() {
+        file.add(row)?;
+    }
+    file.finish()
 }
 
 const NOTES: &str = "\

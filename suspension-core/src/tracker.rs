@@ -106,6 +106,21 @@ impl<T: Real> Tracker<T> {
         self.by_iteration::<_, C, N>(linkage, change, motion)
     }
 
+    /// The same, compiled once for all laws of inputs over time that [`advance`](Self::advance) is given.
+    #[inline(never)]
+    fn step_on_the_way<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        change: &Change<'_, L, N>,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        self.step_over::<_, C, N>(linkage, change, motion)
+    }
+
     /// The step where two corrections with the same factors meet every condition, as in most steps
     /// of a control loop.
     #[inline(always)]
@@ -243,7 +258,7 @@ impl<T: Real> Tracker<T> {
                 to: &prescribed,
                 dt,
             };
-            let report = self.step_over::<_, C, N>(linkage, &change, motion)?;
+            let report = self.step_on_the_way::<_, C, N>(linkage, &change, motion)?;
             last = prescribed;
             Ok(report)
         })

@@ -81,7 +81,7 @@ pub fn order(n: usize, entries: &[Entry]) -> Order {
         });
         let entries: Vec<Entry> = entries.collect();
         let start = Partial::new(n, &entries, Positions::OfMotion);
-        cheapest(&start, attempts(n))
+        cheapest(start, attempts(n))
     };
     [usize::MAX, 1, 0]
         .into_iter()
@@ -94,12 +94,13 @@ pub fn order_for_most(n: usize, entries: &[Entry]) -> Order {
     // Ties are rarer here: more attempts find nothing better.
     const ATTEMPTS: u64 = 8;
     let start = Partial::new(n, entries, Positions::OfDesigns);
-    cheapest(&start, ATTEMPTS).unwrap_or_default()
+    cheapest(start, ATTEMPTS).unwrap_or_default()
 }
 
 /// Of many attempts one that serves the most positions, the cheapest of those; `None` where no attempt
 /// finds a pivot for each step.
-fn cheapest(start: &Partial, attempts: u64) -> Option<Order> {
+fn cheapest(start: Partial, attempts: u64) -> Option<Order> {
+    let start = start.without_carried()?;
     let orders = (0..attempts).filter_map(|attempt| start.clone().eliminate(attempt));
     orders.min_by(|a, b| {
         let served = b.served.cmp(&a.served);

@@ -1,15 +1,17 @@
 //! The kinematic characteristics of a suspension: quantities at the design position with their derivatives, and curves
-//! over travel and steering.
+//! over travel and steering; and all quantities at the places of a grid.
 
 mod along;
 mod course;
 mod curves;
+mod grid_table;
 mod parameters;
 mod span;
 mod way;
 
 pub use along::{Along, ways};
 pub use curves::{Curves, Line, curves};
+pub use grid_table::GridTable;
 pub use parameters::{Derivative, Parameter, columns, parameters};
 pub use span::Span;
 pub use way::Way;

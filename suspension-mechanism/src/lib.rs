@@ -10,16 +10,14 @@ pub mod assemblies;
 pub mod bake;
 pub mod characteristics;
 pub mod detail;
-pub mod failure;
-pub mod file;
-pub mod interrupt;
 pub mod kinematics;
 pub mod load;
 pub mod loads;
 pub mod mechanism;
-pub mod number;
 pub mod quantities;
 pub mod reach;
 pub mod sensitivities;
 pub mod tolerances;
 pub mod tune;
+
+pub use suspension_motion_file::{self as file, failure, interrupt, number};

@@ -1,12 +1,10 @@
 //! A mechanism ready to move, whatever its linkage: the file's coordinates outside, local ones inside.
 
-mod axes;
 mod derivatives;
 mod description;
 mod drives;
 mod end;
 mod grid;
-mod instants;
 mod lead;
 mod locking;
 mod mass;
@@ -19,18 +17,15 @@ mod spring;
 mod state;
 mod through;
 mod under;
-mod unit;
 mod vehicle;
 mod visit;
 mod words;
 
-pub use axes::Axes;
 pub use derivatives::Order;
 pub use description::Description;
 pub use drives::{DriveLaws, Law, follow};
 pub use end::{End, Stop};
 pub use grid::{Axis, From, Grid, evenly_spaced};
-pub use instants::Instants;
 pub use lead::Lead;
 pub use locking::Lock;
 pub use locking::from_design;
@@ -40,9 +35,9 @@ pub use polynomial::Polynomial;
 pub use ready::Mechanism;
 pub use spring::Spring;
 pub use state::{Moved, Points, State};
+pub use suspension_motion_file::{Angle, Axes, Axle, Instants, Length, Unit, is_within};
 pub use through::OnState;
 pub use under::Borne;
-pub use unit::{Angle, Length, Unit};
-pub use vehicle::{Axle, Pair, Vehicle, Wheel, WheelPoints, is_within};
+pub use vehicle::{Pair, Vehicle, Wheel, WheelPoints};
 pub use visit::{OnPlace, Place, VisitEnd, Visited};
 pub use words::advice;

@@ -73,22 +73,32 @@ impl Partial {
         was_zero
     }
 
+    /// With the pivots eliminated that come first in every attempt.
+    pub(super) fn without_carried(mut self) -> Option<Self> {
+        for (row, column) in self.carried() {
+            self.take(row, column)?;
+        }
+        Some(self)
+    }
+
     /// Eliminates to the end; `None` where no entry is large enough for a pivot.
-    pub(crate) fn eliminate(mut self, attempt: u64) -> Option<Order> {
+    pub(super) fn eliminate(mut self, attempt: u64) -> Option<Order> {
         let mut preference = Preference::of(attempt);
-        let carried = self.carried();
-        for step in 0..self.cells.len() {
-            let (row, column) = match carried.get(step) {
-                Some(&pivot) => pivot,
-                None => self.pivot(&mut preference)?,
-            };
-            let pivot = self.cells[row][column].clone()?;
-            self.acceptance.take(&pivot.values, &self.least[column]);
-            self.step(row, column, pivot);
+        while self.order.steps.len() < self.cells.len() {
+            let (row, column) = self.pivot(&mut preference)?;
+            self.take(row, column)?;
         }
         self.order.sort_substitution();
         self.order.served = self.acceptance.count();
         Some(self.order)
+    }
+
+    /// Eliminates with a pivot.
+    fn take(&mut self, row: usize, column: usize) -> Option<()> {
+        let pivot = self.cells[row][column].clone()?;
+        self.acceptance.take(&pivot.values, &self.least[column]);
+        self.step(row, column, pivot);
+        Some(())
     }
 
     /// The pivots that come first.

@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 
-use crate::mechanism::axes::Axes;
 use crate::mechanism::drives::DriveLaws;
-use crate::mechanism::instants::Instants;
 use crate::mechanism::locking::Lock;
 use crate::mechanism::names::Names;
-use crate::mechanism::unit::Unit;
+use suspension_motion_file::Axes;
+use suspension_motion_file::Instants;
+use suspension_motion_file::Unit;
 
 /// What is known of a mechanism without its equations: names, unit, and what leads it.
 #[derive(Clone, Debug)]

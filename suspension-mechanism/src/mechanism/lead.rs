@@ -7,8 +7,8 @@ use suspension_core::{Inputs, Linkage, Signal, SolveError, Still, Values};
 
 use crate::mechanism::drives::{DriveLaws, Law, MAX_STEPS};
 use crate::mechanism::names::Names;
-use crate::mechanism::unit::Unit;
 use crate::number::number;
+use suspension_motion_file::Unit;
 
 /// What leads in place of a drive.
 #[derive(Clone, Debug)]

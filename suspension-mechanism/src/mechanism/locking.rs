@@ -8,8 +8,8 @@ use suspension_core::{Inputs, Linkage, SolveError, Still, Values};
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::misfit::Misfit;
 use crate::mechanism::names::{Names, Suspension};
-use crate::mechanism::unit::Unit;
 use crate::number::rounded;
+use suspension_motion_file::Unit;
 
 /// Where a motion that its drives lead ends.
 #[derive(Clone, Debug, PartialEq)]

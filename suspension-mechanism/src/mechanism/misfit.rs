@@ -6,8 +6,8 @@ use suspension_core::{Linkage, Values};
 
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::names::{Names, Suspension};
-use crate::mechanism::unit::Unit;
 use crate::number::rounded;
+use suspension_motion_file::Unit;
 
 /// A link whose length does not allow a configuration.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,11 +5,11 @@ use std::rc::Rc;
 use nalgebra::Vector3;
 use suspension_core::{Signal, Values};
 
-use crate::mechanism::axes::Axes;
 use crate::mechanism::mass::Mass;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
 use crate::mechanism::spring::Spring;
+use suspension_motion_file::Axes;
 
 /// All points in a list, or their rates: states about one place share them.
 pub type Points = Rc<[Vector3<f64>]>;

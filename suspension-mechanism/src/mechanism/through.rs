@@ -7,10 +7,10 @@ use suspension_core::{Inputs, Motion, Still};
 
 use crate::failure::Failure;
 use crate::mechanism::end::End;
-use crate::mechanism::instants::Instants;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::State;
+use suspension_motion_file::Instants;
 
 /// Takes the state at one instant; may end the motion.
 pub type OnState<'a> = dyn FnMut(State) -> Result<ControlFlow<()>, Failure> + 'a;

@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
-use serde::Deserialize;
 use suspension_core::listing::WheelPlaces;
+use suspension_motion_file::Axle;
 
 use crate::mechanism::mass::Mass;
 use crate::mechanism::spring::Spring;
@@ -29,25 +29,6 @@ impl Vehicle {
     /// Whether a drive moves or steers a wheel.
     pub fn is_moved_by(&self, drive: usize) -> bool {
         self.travel.contains(&drive) || self.steer.contains(&drive)
-    }
-}
-
-/// An axle of a car.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Axle {
-    /// The leading one.
-    Front,
-    /// The trailing one.
-    Rear,
-}
-
-impl Axle {
-    /// The one that a wheel's name tells, as `front_left` does.
-    pub fn of(wheel: &str) -> Option<Self> {
-        let axles = [("front", Self::Front), ("rear", Self::Rear)];
-        let told = axles.into_iter().find(|(word, _)| is_within(word, wheel));
-        told.map(|(_, axle)| axle)
     }
 }
 
@@ -162,10 +143,4 @@ impl Pair {
 fn without_side(name: &str) -> String {
     let words = name.split('_').filter(|word| !SIDES.contains(word));
     words.collect::<Vec<_>>().join("_")
-}
-
-/// Whether all words of one name are in another: those of `front` are in `front_left`.
-pub fn is_within(words: &str, name: &str) -> bool {
-    let has = |word: &str| name.split('_').any(|other| other == word);
-    words.split('_').all(has)
 }

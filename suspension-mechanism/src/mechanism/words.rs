@@ -3,8 +3,8 @@
 use suspension_core::SolveError;
 
 use crate::mechanism::names::Names;
-use crate::mechanism::unit::Unit;
 use crate::number::number;
+use suspension_motion_file::Unit;
 
 /// What to do about a lock in the motion of a file.
 pub fn advice(file: &str) -> String {

@@ -10,16 +10,16 @@ use serde::de::{
 };
 use toml::Spanned;
 
+use crate::explain::explained;
 use crate::failure::Failure;
-use crate::file::explain::explained;
-use crate::file::load::Load;
-use crate::file::mass::MassTable;
-use crate::file::per_wheel::PerWheel;
-use crate::file::source::Source;
-use crate::file::spring::SpringTable;
-use crate::file::table::Table;
-use crate::file::tune::TuneTable;
-use crate::mechanism::{Angle, Axes, Axle, Length, Unit};
+use crate::load::Load;
+use crate::mass::MassTable;
+use crate::per_wheel::PerWheel;
+use crate::source::Source;
+use crate::spring::SpringTable;
+use crate::table::Table;
+use crate::tune::TuneTable;
+use crate::{Angle, Axes, Axle, Length, Unit};
 
 /// A motion file as written; names and values are not checked yet.
 #[derive(Clone, Debug, Deserialize)]

@@ -2,9 +2,9 @@
 
 use suspension_parquet::{ParquetError, Table};
 
-use crate::failure::Failure;
-use crate::output::heading::{Header, Heading};
-use crate::output::target::{Sink, Target};
+use crate::heading::{Header, Heading};
+use crate::target::{Sink, Target};
+use suspension_mechanism::failure::Failure;
 
 /// Whether Parquet can be written: here it can.
 ///
@@ -12,12 +12,12 @@ use crate::output::target::{Sink, Target};
 ///
 /// None.
 #[expect(clippy::unnecessary_wraps, reason = "built without it, it cannot")]
-pub(super) fn available() -> Result<(), Failure> {
+pub(crate) fn available() -> Result<(), Failure> {
     Ok(())
 }
 
 /// A table as Parquet being written.
-pub(super) struct ParquetFile {
+pub(crate) struct ParquetFile {
     name: String,
     table: Table<Sink>,
 }
@@ -28,7 +28,7 @@ impl ParquetFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub(super) fn create(
+    pub(crate) fn create(
         target: &Target,
         header: &Header,
         headings: &[Heading],
@@ -47,7 +47,7 @@ impl ParquetFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub(super) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
+    pub(crate) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
         let added = self.table.row(values);
         added.map_err(|error| failed(&self.name, &error))
     }
@@ -57,7 +57,7 @@ impl ParquetFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub(super) fn finish(self) -> Result<(), Failure> {
+    pub(crate) fn finish(self) -> Result<(), Failure> {
         let Self { name, table } = self;
         let sink = table.finish().map_err(|error| failed(&name, &error))?;
         sink.finish()

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::file::table::Table;
+use crate::table::Table;
 
 /// The table `[tune]`.
 #[derive(Clone, Debug, Deserialize)]

@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
-use crate::failure::Failure;
-use crate::output::csv_file::CsvFile;
-use crate::output::files::refuse_input;
-use crate::output::heading::{Header, Heading};
-use crate::output::json_file::JsonFile;
-use crate::output::parquet_file::{self, ParquetFile};
-use crate::output::target::Target;
+use crate::csv_file::CsvFile;
+use crate::files::refuse_input;
+use crate::heading::{Header, Heading};
+use crate::json_file::JsonFile;
+use crate::parquet_file::{self, ParquetFile};
+use crate::target::Target;
+use suspension_mechanism::failure::Failure;
 
 /// Where rows go, and in which form.
 #[derive(Clone, Debug, Default)]

@@ -3,8 +3,8 @@
 use std::io::{self, BufWriter, Stdout, Write};
 use std::path::PathBuf;
 
-use crate::failure::Failure;
-use crate::output::files::Pending;
+use crate::files::Pending;
+use suspension_mechanism::failure::Failure;
 
 /// Where rows go.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,9 +27,9 @@ impl From<PathBuf> for Target {
 }
 
 /// A target being written.
-pub(super) struct Sink {
+pub(crate) struct Sink {
     /// What messages call it.
-    pub(super) name: String,
+    pub(crate) name: String,
     writer: Writer,
 }
 
@@ -39,7 +39,7 @@ enum Writer {
 }
 
 impl Sink {
-    pub(super) fn create(target: &Target) -> Result<Self, Failure> {
+    pub(crate) fn create(target: &Target) -> Result<Self, Failure> {
         Ok(match target {
             Target::Stdout => Self {
                 name: "standard output".to_owned(),
@@ -53,7 +53,7 @@ impl Sink {
     }
 
     /// Ends it; a file takes its name.
-    pub(super) fn finish(self) -> Result<(), Failure> {
+    pub(crate) fn finish(self) -> Result<(), Failure> {
         match self.writer {
             Writer::Stdout(mut out) => out
                 .flush()

@@ -6,8 +6,8 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::failure::Failure;
-use crate::file::{inputs, mark};
 use crate::interrupt;
+use crate::{inputs, mark};
 
 /// The largest file that is read, in bytes: a motion takes a few thousand, and reading takes a
 /// hundred times the memory.

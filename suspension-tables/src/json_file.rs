@@ -4,12 +4,12 @@ use std::io::{self, Write};
 
 use serde::{Serialize, Serializer};
 
-use crate::failure::Failure;
-use crate::output::heading::{Header, Heading};
-use crate::output::target::{Sink, Target};
+use crate::heading::{Header, Heading};
+use crate::target::{Sink, Target};
+use suspension_mechanism::failure::Failure;
 
 /// A table as JSON being written.
-pub(super) struct JsonFile {
+pub(crate) struct JsonFile {
     sink: Sink,
     headings: Vec<Heading>,
     is_empty: bool,
@@ -32,7 +32,7 @@ impl JsonFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub(super) fn create(
+    pub(crate) fn create(
         target: &Target,
         header: &Header,
         headings: &[Heading],
@@ -55,7 +55,7 @@ impl JsonFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub(super) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
+    pub(crate) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
         let headings = std::mem::take(&mut self.headings);
         let separator: &[u8] = if self.is_empty { b"\n" } else { b",\n" };
         self.is_empty = false;
@@ -72,7 +72,7 @@ impl JsonFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub(super) fn finish(mut self) -> Result<(), Failure> {
+    pub(crate) fn finish(mut self) -> Result<(), Failure> {
         self.write(|sink| sink.write_all(b"\n]}\n"))?;
         self.sink.finish()
     }

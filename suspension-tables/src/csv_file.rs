@@ -2,9 +2,9 @@
 
 use std::io::Write;
 
-use crate::failure::Failure;
-use crate::output::heading::Heading;
-use crate::output::target::{Sink, Target};
+use crate::heading::Heading;
+use crate::target::{Sink, Target};
+use suspension_mechanism::failure::Failure;
 
 /// How many bytes are gathered before they are written.
 const GATHERED: usize = 1 << 16;
@@ -38,7 +38,7 @@ impl CsvFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub(super) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
+    pub(crate) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
         let mut buffer = zmij::Buffer::new();
         for (value, counts) in values.iter().zip(&self.counts) {
             if *counts {

@@ -2,10 +2,10 @@
 
 use toml::Spanned;
 
+use crate::check;
 use crate::failure::Failure;
-use crate::file::check;
-use crate::file::source::Source;
-use crate::file::table::Table;
+use crate::source::Source;
+use crate::table::Table;
 
 /// A measure that stands in for a drive.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use suspension_listing::did_you_mean::did_you_mean;
 
-use crate::file::source::Source;
+use crate::source::Source;
 
 /// A mistake in words.
 pub(super) fn explained(message: &str, source: &Source) -> String {

@@ -1,15 +1,15 @@
 //! What stands in for Parquet in a program that is built without it.
 
-use crate::failure::Failure;
-use crate::output::heading::{Header, Heading};
-use crate::output::target::Target;
+use crate::heading::{Header, Heading};
+use crate::target::Target;
+use suspension_mechanism::failure::Failure;
 
 /// Refuses Parquet.
 ///
 /// # Errors
 ///
 /// Always: [`Failure::Input`].
-pub(super) fn available() -> Result<(), Failure> {
+pub(crate) fn available() -> Result<(), Failure> {
     Err(refusal())
 }
 
@@ -19,18 +19,18 @@ fn refusal() -> Failure {
 }
 
 /// There is none.
-pub(super) enum ParquetFile {}
+pub(crate) enum ParquetFile {}
 
 impl ParquetFile {
-    pub(super) fn create(_: &Target, _: &Header, _: &[Heading]) -> Result<Self, Failure> {
+    pub(crate) fn create(_: &Target, _: &Header, _: &[Heading]) -> Result<Self, Failure> {
         Err(refusal())
     }
 
-    pub(super) fn row(&mut self, _: &[f64]) -> Result<(), Failure> {
+    pub(crate) fn row(&mut self, _: &[f64]) -> Result<(), Failure> {
         match *self {}
     }
 
-    pub(super) fn finish(self) -> Result<(), Failure> {
+    pub(crate) fn finish(self) -> Result<(), Failure> {
         match self {}
     }
 }

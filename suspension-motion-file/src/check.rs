@@ -9,10 +9,10 @@ use suspension_listing::did_you_mean::did_you_mean;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::motion_file::{Coefficients, MotionFile, Offset, Position};
-use crate::file::source::Source;
-use crate::file::table::Table;
+use crate::motion_file::{Coefficients, MotionFile, Offset, Position};
 use crate::number::exact;
+use crate::source::Source;
+use crate::table::Table;
 
 pub use instants::instants;
 

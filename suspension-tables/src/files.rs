@@ -6,9 +6,9 @@ use std::path::{Component, Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
 
-use crate::failure::Failure;
-use crate::file::inputs;
-use crate::interrupt;
+use suspension_mechanism::failure::Failure;
+use suspension_mechanism::file::inputs;
+use suspension_mechanism::interrupt;
 
 /// A file being written. It takes its name only when it is finished; until then what had the
 /// name before stays.

@@ -2,11 +2,11 @@
 
 use toml::Spanned;
 
+use crate::Instants;
 use crate::failure::Failure;
-use crate::file::motion_file::Time;
-use crate::file::source::Source;
-use crate::mechanism::Instants;
+use crate::motion_file::Time;
 use crate::number::{exact, rounded};
+use crate::source::Source;
 
 /// More instants than this are taken for a mistyped step.
 const MOST_INSTANTS: f64 = 1e7;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::mechanism::Description;
+use suspension_mechanism::mechanism::Description;
 
 /// A column: what stands above it, and how its numbers are written.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,7 +37,7 @@ impl Header {
 
     /// Its entries by name.
     #[cfg(feature = "parquet")]
-    pub(super) fn entries(&self) -> [(&'static str, &str); 5] {
+    pub(crate) fn entries(&self) -> [(&'static str, &str); 5] {
         [
             ("linkage", &self.linkage),
             ("length", self.length),
