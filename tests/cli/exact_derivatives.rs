@@ -155,6 +155,7 @@ impl Work for &Layout {
                 let reference = Reference {
                     system: &system,
                     car,
+                    design: &hardpoints,
                 };
                 worst.compare(self.name, &lattice, &reference, &row);
             }
@@ -240,6 +241,7 @@ fn derivatives_of_the_whole_catalogue_are_those_of_differences_in_32_digits() {
         let listing = Listing::parse(layout.text).expect("a listing");
         let Worst { off, what, count } = listing.in_its_size(&layout);
         println!("{count} numbers within {off:.1e}, the worst {what}");
+        assert!(off <= GATE, "{what}: off by {off:e}");
         assert!(count > 300, "{}: {count}", layout.name);
     }
 }

@@ -67,6 +67,7 @@ fn wheel(name: &str, travel: usize, axle: Axle) -> Wheel {
         axle: Some(axle),
         brake_share: Some(0.5),
         drive_share: Some(0.5),
+        design: None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Curves over travel or steering.
 
 use crate::characteristics::along::Along;
-use crate::characteristics::parameters::{columns, name, symbol_per, title_of};
+use crate::characteristics::parameters::{columns_of_curves, name, symbol_per, title_of};
 use crate::mechanism::{Description, Pair, State, Unit};
 use crate::quantities::{
     AXLE_ROLL_CENTRE, Column, FRONT_ARM, FRONT_CENTRE, Kind, MEASURES, Quantity, SIDE_ARM,
@@ -75,7 +75,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     };
     let (of_drive, _) = converted(kind);
     let mut lines = Vec::new();
-    for column in columns(mechanism) {
+    for column in columns_of_curves(mechanism) {
         let (scale, symbol) = converted(column.kind);
         let title = name(&column);
         if column.is(&MEASURES) {

@@ -35,8 +35,15 @@ pub struct Derivative {
     pub symbol: String,
 }
 
-/// The columns of a sheet.
+/// The columns of a design.
 pub fn columns(mechanism: &Description) -> Vec<Column> {
+    let mut columns = columns_of_curves(mechanism);
+    columns.retain(|column| !quantities::from_design().any(|quantity| column.is(quantity)));
+    columns
+}
+
+/// The same with what is zero at the design position.
+pub(super) fn columns_of_curves(mechanism: &Description) -> Vec<Column> {
     const LEFT_OUT: [&Quantity; 4] = [&DRIVES, &POSITIONS, &MARKERS, &RESIDUAL];
     let all = quantities::columns(catalogue(), &mechanism.names).into_iter();
     all.filter(|column| {

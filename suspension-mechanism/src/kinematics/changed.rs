@@ -107,15 +107,15 @@ fn at_rest<L: Suspension<N>, const N: usize>(
     if nearby.is_err() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut position).ok()?;
     }
-    let mut names = mechanism.names.clone();
     let there = Motion::at_rest(position).points(&model, &inputs);
+    let places: Vec<_> = there.value.values().collect();
+    let mut names = mechanism.names.clone().designed(&places);
     let measures: Vec<f64> = model.measures(&there).value.values().collect();
     let springs = names.vehicle.springs.iter().map(|spring| Spring {
         design: measures[spring.measure] + mechanism.measure_offsets[spring.measure],
         ..spring.clone()
     });
     names.vehicle.springs = springs.collect();
-    let places: Vec<_> = there.value.values().collect();
     let masses = names.vehicle.masses.iter();
     let metre = mechanism.unit.metre();
     names.vehicle.masses = masses.map(|mass| mass.held_at(&places, metre)).collect();

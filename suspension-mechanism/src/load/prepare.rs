@@ -100,11 +100,12 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let design = at_design(&task, model, origin, &guess).map_err(outlier_first)?;
     let measure_offsets = origin.of_measures(&design.model);
     let springs = springs(&task, &design.model, (&design.points, &measure_offsets))?;
+    let points: Vec<_> = design.points.values().take(names.points.len()).collect();
     let masses = match statements {
         Some(statements) => {
-            let points = design.points.values().take(names.points.len());
-            let points: Vec<_> = points.map(|point| point + origin.position()).collect();
-            masses(&task, statements, (origin.position(), &points))?
+            let in_file = points.iter().map(|point| point + origin.position());
+            let in_file: Vec<_> = in_file.collect();
+            masses(&task, statements, (origin.position(), &in_file))?
         }
         None => Vec::new(),
     };
@@ -150,7 +151,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
             .collect(),
         design: design.given(&design.drives),
         led_by: lead.as_ref().map(|lead| lead.measure),
-        names: names.clone().with(springs, masses),
+        names: names.clone().with(springs, masses).designed(&points),
         notes,
     };
     Ok(Mechanism {

@@ -1,5 +1,6 @@
 //! What a listing calls its parts, and what they are.
 
+use nalgebra::Vector3;
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 use suspension_core::{Build, Linkage, Listing};
 use suspension_listing::did_you_mean::unknown;
@@ -108,6 +109,14 @@ impl Names {
     pub fn with(mut self, springs: Vec<Spring>, masses: Vec<Mass>) -> Self {
         self.vehicle.springs = springs.into();
         self.vehicle.masses = masses.into();
+        self
+    }
+
+    /// The same with wheels that know where their axes are at the design position, of whose points these are the local coordinates.
+    pub fn designed(mut self, points: &[Vector3<f64>]) -> Self {
+        for wheel in &mut self.wheels {
+            wheel.design = Some(wheel.points.axis.map(|point| points[point]));
+        }
         self
     }
 

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use nalgebra::Vector3;
 use suspension_core::listing::WheelPlaces;
 use suspension_motion_file::Axle;
 
@@ -51,6 +52,8 @@ pub struct Wheel {
     pub brake_share: Option<f64>,
     /// The same of the drive force.
     pub drive_share: Option<f64>,
+    /// The points of its axis at the design position, in local coordinates; of a listing without points none.
+    pub design: Option<[Vector3<f64>; 2]>,
 }
 
 /// The points of a wheel, by number.

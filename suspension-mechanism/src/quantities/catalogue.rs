@@ -17,6 +17,7 @@ macro_rules! catalogue {
 }
 
 mod axle;
+mod from_design;
 mod masses;
 mod motion;
 mod results;
@@ -27,8 +28,9 @@ mod wheel;
 
 pub use axle::{
     ACKERMANN, ACKERMANN_ERROR, AXLE_ROLL_CENTRE, ROLL_CAMBER, ROLL_RATE, ROLL_STEER, STEER_ANGLE,
-    TOTAL_TOE, TRACK, TURNING_RADIUS,
+    TOTAL_TOE, TRACK, TRACK_CHANGE, TURNING_RADIUS,
 };
+pub use from_design::{HALF_TRACK_CHANGE, RECESSION, WHEEL_TRAVEL, WHEELBASE_CHANGE};
 pub use masses::EFFECTIVE_MASS;
 pub use motion::{ACCELERATIONS, ALPHA, DRIVES, MARKERS, OMEGA, POSITIONS, TIME, VELOCITIES};
 pub use results::{ITERATIONS, MEASURES, RESIDUAL};
@@ -50,6 +52,11 @@ pub fn of_axles() -> impl Iterator<Item = &'static Quantity> {
     axle::ROWS.iter().copied()
 }
 
+/// The rows of what is zero at the design position.
+pub fn from_design() -> impl Iterator<Item = &'static Quantity> {
+    from_design::ROWS.iter().copied().chain([&TRACK_CHANGE])
+}
+
 /// All rows, in the order in which tables have them.
 pub fn catalogue() -> impl Iterator<Item = &'static Quantity> + Clone {
     let files = [
@@ -59,6 +66,7 @@ pub fn catalogue() -> impl Iterator<Item = &'static Quantity> + Clone {
         travel::ROWS,
         springs::ROWS,
         masses::ROWS,
+        from_design::ROWS,
         axle::ROWS,
         results::ROWS,
     ];

@@ -88,6 +88,30 @@ pub(super) fn of_both(
         .collect()
 }
 
+/// The same of wheels on the ground, now and at the design position.
+pub(super) fn of_both_from_design(
+    names: &Names,
+    kind: Kind,
+    value: fn([&Wheel; 2], [&Wheel; 2]) -> Number,
+) -> Vec<Reading> {
+    let of_axle = |axle: Axle| {
+        let wheels = axle.wheels;
+        let number = reading(kind, move |reader: &Reader<'_>| {
+            let number = || {
+                let [left, right] = sided(reader, wheels)?;
+                let [of_left, of_right] =
+                    [left, right].map(|rolling| Wheel::at_design(reader, rolling));
+                let now = [reader.wheel(left), reader.wheel(right)];
+                Some(value(now, [&of_left?, &of_right?]))
+            };
+            number().unwrap_or(UNKNOWN)
+        });
+        axle.named(vec![number])
+    };
+    let axles = Axle::all(names).into_iter().filter(Axle::is_on_ground);
+    axles.flat_map(of_axle).collect()
+}
+
 /// The same of one axle.
 fn both(axle: &Axle, kind: Kind, value: impl Fn([&Wheel; 2]) -> Number + 'static) -> Vec<Reading> {
     let wheels = axle.wheels;

@@ -46,6 +46,8 @@ pub(super) struct Rolling {
     pub(super) radius: f64,
     pub(super) travel: Option<usize>,
     pub(super) steer: Option<usize>,
+    /// Its axis at the design position, in local coordinates.
+    design: Option<[Vector3<f64>; 2]>,
 }
 
 impl Rolling {
@@ -59,6 +61,7 @@ impl Rolling {
                 radius: wheel.radius.unwrap_or(f64::NAN),
                 travel: wheel.travel,
                 steer: wheel.steer,
+                design: wheel.design,
             };
             (wheel.name.as_str(), rolling)
         })
@@ -98,7 +101,17 @@ pub(super) struct Wheel {
 impl Wheel {
     pub(super) fn of(state: &State, Rolling { points, radius, .. }: Rolling) -> Self {
         let [_, centre] = points.axis;
-        let (centre, axis) = (at(state, centre), from_to(state, points.axis));
+        Self::with(at(state, centre), from_to(state, points.axis), radius)
+    }
+
+    /// The same at the design position, where that is known.
+    pub(super) fn at_design(state: &State, rolling: Rolling) -> Option<Self> {
+        let ends = rolling.design?.map(|end| state.axes.turned(end));
+        let [inner, centre] = ends.map(|end| end.map(Signal::still));
+        Some(Self::with(centre, centre - inner, rolling.radius))
+    }
+
+    fn with(centre: Vector3<Number>, axis: Vector3<Number>, radius: f64) -> Self {
         Self {
             contact: contact(&centre, &axis, Signal::still(radius)),
             heading: Heading::of(&axis),

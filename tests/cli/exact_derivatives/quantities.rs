@@ -68,6 +68,8 @@ pub(super) fn travel_and_steering(drives: &[&str]) -> (usize, Option<usize>) {
 pub(super) struct Reference<'a> {
     pub(super) system: &'a System,
     pub(super) car: Car,
+    /// All points at the design position.
+    pub(super) design: &'a [Vector3<f64>],
 }
 
 impl Reference<'_> {
@@ -101,6 +103,8 @@ impl Reference<'_> {
         for wheel in wheels {
             let mut of_one = Named::new();
             let ends = wheel.axis.map(|place| each[place]);
+            let at_design = wheel.axis.map(|place| self.design[place].map(Number::from));
+            self.changes_from_design(&mut of_one, ends, at_design);
             let carrier = wheel.carrier.map(|place| each[place]);
             let moved_by = |drive| {
                 let rates: Vec<Vector> = lattice.velocities(at, drive).values().collect();
@@ -128,19 +132,40 @@ impl Reference<'_> {
             };
             let of_one = of_one.into_iter();
             named.extend(of_one.map(|(name, value)| (format!("{prefix}{name}"), value)));
-            axes.push(ends);
+            axes.push([ends, at_design]);
         }
         if let [left, right] = axes.as_slice() {
-            self.of_axle(&mut named, [*left, *right], steer.is_some());
+            let [now, design] = [0, 1].map(|when| [left[when], right[when]]);
+            named.push(("track_change_m".to_owned(), track(now) - track(design)));
+            self.of_axle(&mut named, now, steer.is_some());
         }
         named
+    }
+
+    /// How far a wheel has moved, by the ends of its axis.
+    fn changes_from_design(&self, named: &mut Named, now: [Vector; 2], design: [Vector; 2]) {
+        let centre = now[1] - design[1];
+        let contact = on_ground(now) - on_ground(design);
+        let is_right = (design[1].y - design[0].y).is_below_zero();
+        let outboard = if is_right { -contact.y } else { contact.y };
+        let forward = contact.x;
+        let away = match self.car {
+            Car::Front => forward,
+            Car::Rear => -forward,
+        };
+        let each = [
+            ("wheel_travel_m", centre.z),
+            ("recession_m", -centre.x),
+            ("half_track_change_m", outboard),
+            ("wheelbase_change_m", away),
+        ];
+        named.extend(each.map(|(name, value)| (name.to_owned(), value)));
     }
 
     fn of_axle(&self, named: &mut Named, wheels: [[Vector; 2]; 2], steers: bool) {
         let axes = wheels.map(|[inner, centre]| centre - inner);
         let [left, right] = axes;
-        let contacts = [0, 1].map(|side| contact(&wheels[side][1], &axes[side], RADIUS.into()));
-        let track = contacts[0].y - contacts[1].y;
+        let track = track(wheels);
         let mut add = |name: &str, value| named.push((name.to_owned(), value));
         add("total_toe_rad", toe(&left) + toe(&right));
         add("track_m", track);
@@ -217,6 +242,15 @@ impl Reference<'_> {
             .map(|(name, value)| (name.to_owned(), value)),
         );
     }
+}
+
+fn on_ground([inner, centre]: [Vector; 2]) -> Vector {
+    contact(&centre, &(centre - inner), RADIUS.into())
+}
+
+fn track(wheels: [[Vector; 2]; 2]) -> Number {
+    let [left, right] = wheels.map(on_ground);
+    left.y - right.y
 }
 
 fn coordinates(named: &mut Named, name: &str, at: &Vector) {

@@ -11,7 +11,7 @@ use suspension_runtime::{Fitted, Listing, Model, Room, Size, Work};
 
 use super::lattice::{Lattice, first_difference};
 use super::quantities::{Car, Reference};
-use super::{Layout, Row, Worst, design, is_of_roll, layouts, missing};
+use super::{GATE, Layout, Row, Worst, design, is_of_roll, layouts, missing};
 use crate::program::{folder, run};
 
 /// What a hardpoint or a length differs by from suspension to suspension, m. The model's constants are rounded to 16 digits,
@@ -93,6 +93,7 @@ impl Work for Sensitive<'_> {
         let reference = Reference {
             system: &system,
             car: Car::Front,
+            design: &hardpoints,
         };
         let mut worst = Worst::default();
         let known = all(listing).filter(|(name, _)| table.contains_key(name));
@@ -199,6 +200,7 @@ fn sensitivities_of_the_whole_catalogue_are_those_of_differences_in_32_digits() 
         let listing = Listing::parse(layout.text).expect("a listing");
         let Worst { off, what, count } = listing.in_its_size(Sensitive(&layout, random));
         println!("{count} numbers within {off:.1e}, the worst {what}");
+        assert!(off <= GATE, "{what}: off by {off:e}");
         assert!(count > 100, "{}: {count}", layout.name);
     }
 }

@@ -5,7 +5,7 @@ use suspension_core::wheel::{steer_angle, toe};
 
 use crate::quantities::kind::Kind;
 use crate::quantities::of_axle::{
-    of_both, of_roll, of_roll_centre, of_steered_wheels, of_turn, track,
+    of_both, of_both_from_design, of_roll, of_roll_centre, of_steered_wheels, of_turn, track,
 };
 use crate::quantities::quantity::{Quantity, Shown};
 use crate::quantities::sprung;
@@ -29,6 +29,14 @@ catalogue! {
         source: "ISO 8855",
         shown: Shown::InTables,
         read: |names| of_both(names, Kind::Length, true, track),
+    }
+    TRACK_CHANGE: "change of track" {
+        name: "track_change",
+        sign: "positive where the track is wider",
+        definition: "track less that at the design position",
+        source: "as track",
+        shown: Shown::InTables,
+        read: |names| of_both_from_design(names, Kind::Length, |now, design| track(now) - track(design)),
     }
     STEER_ANGLE: "steer angle" {
         name: "steer_angle",

@@ -49,7 +49,8 @@ fn what_a_linkage_lacks_has_no_columns() {
     );
     assert_eq!(
         more(&bare, &wheel),
-        "omega_x omega_y omega_z alpha_x alpha_y alpha_z camber_rad camber_to_ground_rad toe_rad"
+        "omega_x omega_y omega_z alpha_x alpha_y alpha_z camber_rad camber_to_ground_rad toe_rad \
+         wheel_travel_mm recession_mm"
     );
     assert_eq!(
         more(&wheel, &both),
@@ -80,7 +81,7 @@ fn what_the_vehicle_makes_known_has_columns() {
     };
     assert_eq!(
         more(&both, &on_ground),
-        "contact_x contact_y contact_z scrub_radius_mm mechanical_trail_mm"
+        "contact_x contact_y contact_z scrub_radius_mm mechanical_trail_mm half_track_change_mm"
     );
     assert_eq!(
         more(&on_ground, &moving),

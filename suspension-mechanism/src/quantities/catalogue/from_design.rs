@@ -1,0 +1,43 @@
+//! How far each wheel is from where it is at the design position: there it is zero.
+
+use crate::quantities::from_design::{of_moved, of_moved_from_other_axle};
+use crate::quantities::quantity::{Quantity, Shown};
+
+catalogue! {
+    WHEEL_TRAVEL: "wheel travel" {
+        name: "wheel_travel",
+        sign: "positive upwards: bump",
+        definition: "the height of the wheel centre above that at the design position",
+        source: "as reports of kinematics and compliance have it",
+        shown: Shown::InTables,
+        read: |names| of_moved(names, false, |now, design| now.centre.z - design.centre.z),
+    }
+    RECESSION: "recession" {
+        name: "recession",
+        sign: "positive where the wheel moves rearward",
+        definition: "how far the wheel centre is behind where it is at the design position, along x",
+        source: "as wheel_travel",
+        shown: Shown::InTables,
+        read: |names| of_moved(names, false, |now, design| design.centre.x - now.centre.x),
+    }
+    HALF_TRACK_CHANGE: "change of half track" {
+        name: "half_track_change",
+        sign: "positive outboard",
+        definition: "how far the contact point is outboard of where it is at the design position, along y",
+        source: "as wheel_travel",
+        shown: Shown::InTables,
+        read: |names| of_moved(names, true, |now, design| {
+            let moved = now.contact.y - design.contact.y;
+            if design.axis.y.value < 0.0 { -moved } else { moved }
+        }),
+    }
+    WHEELBASE_CHANGE: "change of wheelbase" {
+        name: "wheelbase_change",
+        sign: "positive where the wheel moves away from the other axle",
+        definition: "how far the contact point is from where it is at the design position, along x: what the wheel adds to the \
+                     wheelbase of its side",
+        source: "as wheel_travel; `axle` of [vehicle]",
+        shown: Shown::InTables,
+        read: |names| of_moved_from_other_axle(names, |now, design| now.contact.x - design.contact.x),
+    }
+}
