@@ -149,22 +149,32 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
     ) -> Option<[Vector<N>; K]> {
         let Family { model, .. } = self.family;
         let fixed = self.family.fixed(&self.drives(s));
-        let zero = Fixed::<G, N>::default();
         let of_drives = model.drive_rate(q, &fixed, &self.fixed_rate, &self.change.drives);
         let mut terms = [Vector::zeros(); K];
         for order in 0..K {
-            let mut right = of_drives + self.change.right;
-            if order > 0 {
-                right = Vector::zeros();
-                for i in 0..order {
-                    let rate = |index| if index == 0 { &self.fixed_rate } else { &zero };
-                    let j = order - 1 - i;
-                    right -= model.curvature(&terms[i], rate(i), &terms[j], rate(j));
-                }
-                right *= Complex::from(0.5);
-            }
+            let right = match order {
+                0 => of_drives + self.change.right,
+                _ => self.curvature(&terms[..order]) * Complex::from(-0.5),
+            };
             terms[order] = factors.solve(&right)?;
         }
         Some(terms)
+    }
+
+    /// The sum of `C(a, b)` over the pairs of terms, in either order, whose orders make the next one.
+    fn curvature(&self, terms: &[Vector<N>]) -> Vector<N> {
+        let still = Fixed::<G, N>::default();
+        let rate = |index| if index == 0 { &self.fixed_rate } else { &still };
+        let of_pair = |i: usize| {
+            let j = terms.len() - 1 - i;
+            let model = &self.family.model;
+            let curvature = model.curvature(&terms[i], rate(i), &terms[j], rate(j));
+            let orders = if i == j { 1.0 } else { 2.0 };
+            curvature * Complex::from(orders)
+        };
+        let pairs = 0..terms.len().div_ceil(2);
+        pairs
+            .map(of_pair)
+            .fold(Vector::zeros(), |sum, one| sum + one)
     }
 }

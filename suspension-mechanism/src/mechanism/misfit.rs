@@ -1,6 +1,6 @@
 //! Which link keeps a mechanism from following its drives, and how long it would have to be.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 use suspension_core::lu::Lu;
 use suspension_core::{Linkage, Values};
 
@@ -22,13 +22,16 @@ pub(crate) struct Misfit {
 /// Instants on the way from the last configuration to the one that was asked for.
 const INSTANTS: i32 = 40;
 
-/// Corrections at each of them.
+/// Corrections at each of them, at most.
 const CORRECTIONS: usize = 30;
 
-/// How little the error of the link counts against those of all other equations.
-const WEIGHT: f64 = 1e-4;
+/// A change of the configuration after which there is no other, as a part of the mechanism's size.
+const CORRECTED: f64 = 1e-9;
 
-/// How far other equations may be off at the end, as a part of the mechanism's size.
+/// The longest step along the configurations that all other equations allow, as a part of it.
+const LONGEST: f64 = 0.1;
+
+/// How far other equations may be off at the end, as a part of it.
 const CLOSED: f64 = 1e-6;
 
 /// Of the force that a mechanism at its lock bears within itself, the part that a link must bear to be
@@ -46,12 +49,12 @@ impl Misfit {
     ) -> Option<Self> {
         let names = Names::of(model);
         let place = Place::at(model, drives, reached);
-        let equation = place.bearing(&names, q)?;
+        let (equation, mut along) = place.bearing(&names, q)?;
         let mut q = *q;
         for instant in 1..=INSTANTS {
             let part = f64::from(instant) / f64::from(INSTANTS);
             let place = Place::at(model, drives, reached + (asked - reached) * part);
-            q = place.nearest(q, equation)?;
+            q = place.nearest(q, equation, &mut along)?;
         }
         let off = Place::at(model, drives, asked).residual(&q);
         let closed = CLOSED * model.size();
@@ -111,14 +114,15 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
     }
 
     /// Of the equations of links the one that bears most where the mechanism locks: there the rows of the
-    /// Jacobian depend on each other, with forces that balance within the mechanism as factors.
-    fn bearing(&self, names: &Names, q: &SVector<f64, N>) -> Option<usize> {
+    /// Jacobian depend on each other, with forces that balance within the mechanism as factors. Beside it the motion
+    /// that changes no equation there.
+    fn bearing(&self, names: &Names, q: &SVector<f64, N>) -> Option<(usize, SVector<f64, N>)> {
         let factors = Lu::factor(&self.model.jacobian(q, &self.fixed)).ok()?;
         let mut forces = SVector::<f64, N>::from_element(1.0);
+        let mut motion = forces;
         for _ in 0..3 {
-            forces = factors
-                .solve_transposed(&factors.solve(&forces))
-                .normalize();
+            motion = factors.solve(&forces).normalize();
+            forces = factors.solve_transposed(&motion).normalize();
         }
         let is_link = |row: &usize| {
             let name = &names.equations[*row];
@@ -126,31 +130,49 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         };
         let links = (0..names.equations.len()).filter(is_link);
         let bearing = links.max_by(|a, b| forces[*a].abs().total_cmp(&forces[*b].abs()))?;
-        (forces[bearing].abs() > BEARS * forces.amax()).then_some(bearing)
+        (forces[bearing].abs() > BEARS * forces.amax()).then_some((bearing, motion))
     }
 
-    /// Where all equations but that of a link hold and this is off as little as can be: by the method of
-    /// Levenberg and Marquardt.
-    fn nearest(&self, mut q: SVector<f64, N>, link: usize) -> Option<SVector<f64, N>> {
-        let weighed = |q: &SVector<f64, N>| {
-            let mut residual = self.residual(q);
-            residual[link] *= WEIGHT;
-            residual
+    /// Where all equations but that of a link hold and this is off as little as can be. The configurations that the others
+    /// allow are a curve, with a direction near `along`; on it by Newton's method to where the link's error is stationary.
+    fn nearest(
+        &self,
+        mut q: SVector<f64, N>,
+        link: usize,
+        along: &mut SVector<f64, N>,
+    ) -> Option<SVector<f64, N>> {
+        let still = L::Fixed::default();
+        let size = self.model.size();
+        let others = |mut rows: SVector<f64, N>| {
+            rows[link] = 0.0;
+            rows
         };
-        let mut damping = 1e-12;
-        let mut residual = weighed(&q);
+        let mut alone = SVector::zeros();
+        alone[link] = 1.0;
         for _ in 0..CORRECTIONS {
             let mut jacobian = self.model.jacobian(&q, &self.fixed);
-            jacobian.row_mut(link).scale_mut(WEIGHT);
-            let transposed = jacobian.transpose();
-            let damped = transposed * jacobian + SMatrix::<f64, N, N>::identity() * damping;
-            let next = q - damped.cholesky()?.solve(&(transposed * residual));
-            let after = weighed(&next);
-            if after.norm() < residual.norm() {
-                (q, residual) = (next, after);
-                damping *= 0.1;
+            let of_link = jacobian.row(link).transpose();
+            jacobian.set_row(link, &along.transpose());
+            let factors = Lu::factor(&jacobian).ok()?;
+            let tangent = factors.solve(&alone);
+            let residual = self.residual(&q);
+            let onto_curve = factors.solve(&others(residual));
+            let bend = self.model.curvature(&tangent, &still, &tangent, &still);
+            let bent = factors.solve(&others(bend));
+            let off = residual[link] - of_link.dot(&onto_curve);
+            let slope = of_link.dot(&tangent);
+            let second_slope = bend[link] - of_link.dot(&bent);
+            let step = if off * second_slope > 0.0 {
+                slope / second_slope
             } else {
-                damping *= 10.0;
+                (off * slope).signum() * LONGEST * size
+            };
+            let step = step.clamp(-LONGEST * size, LONGEST * size);
+            let correction = onto_curve + tangent * step;
+            q -= correction;
+            *along = tangent.normalize();
+            if correction.amax() < CORRECTED * size {
+                break;
             }
         }
         Some(q)
