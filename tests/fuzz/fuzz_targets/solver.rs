@@ -1,22 +1,22 @@
-//! From any bytes to a mechanism and its motion: what `tests/hostile` demands of random ones.
+//! From any bytes to a mechanism and its motion: what `tests/millions/hostile` demands of random ones.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use suspension_core::linkages::{attia2003, five_link};
 
-#[path = "../../hostile/draw.rs"]
+#[path = "../../millions/hostile/draw.rs"]
 mod draw;
-#[path = "../../hostile/mechanisms.rs"]
+#[path = "../../millions/hostile/mechanisms.rs"]
 mod mechanisms;
-#[path = "../../hostile/reached.rs"]
+#[path = "../../millions/hostile/reached.rs"]
 #[allow(dead_code, reason = "the tests count and hurry")]
 mod reached;
-#[path = "../../hostile/trial.rs"]
+#[path = "../../millions/hostile/trial.rs"]
 #[allow(dead_code, reason = "the tests count and hurry")]
 mod trial;
-#[path = "../../hostile/verdict.rs"]
+#[path = "../../millions/hostile/verdict.rs"]
 mod verdict;
-#[path = "../../hostile/ways.rs"]
+#[path = "../../millions/hostile/ways.rs"]
 mod ways;
 
 use draw::Draw;

@@ -103,7 +103,7 @@ fn fail<L: Build<N, Scalar = f64>, const N: usize>(
 #[test]
 fn a_model_from_text_does_not_allocate() {
     let texts = LISTINGS.iter().map(|(_, text)| *text);
-    let axle = include_str!("../benches/run_time/axle.linkage");
+    let axle = include_str!("../../suspension-runtime/benches/run_time/axle.linkage");
     let mut checked = 0;
     for text in texts.chain([axle]) {
         let listing = Listing::parse(text).expect("a listing");

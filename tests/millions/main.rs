@@ -1,0 +1,12 @@
+//! Tests that solve millions of equations. They are a package of their own, since it takes less time to
+//! optimise and run them than to run them as they are.
+
+mod assembly;
+mod baked;
+mod f32;
+mod guard;
+mod hostile;
+mod own_motion_file;
+mod properties;
+#[path = "../support/mod.rs"]
+mod support;
