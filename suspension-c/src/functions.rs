@@ -177,8 +177,9 @@ macro_rules! functions_of_a_linkage {
             respond(failure, &NAMES, || {
                 let (model, motion, points) = (model.object()?, motion.object()?, points.get()?);
                 let (inputs, change) = (inputs.get()?, change.get()?);
-                let directions = solver::directions::Directions::new(model, named(&inputs.value), &motion.position)?;
-                let found = directions.points(named(change))?;
+                let found = solver::directions::Directions::at(model, named(&inputs.value), &motion.position, |directions| {
+                    directions.points(named(change))
+                })?;
                 points.write(Rates::from_signal(&found, values_of_points));
                 Ok(())
             })

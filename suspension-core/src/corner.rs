@@ -202,8 +202,9 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         change: L::Drives,
     ) -> Result<Derivatives<L, N>, Failure<SolveError<T>, L::Listing>> {
         let position = &self.motion.position;
-        let derived = Directions::new(&self.model, self.drives.value, position)
-            .and_then(|directions| directions.points(change));
+        let derived = Directions::at(&self.model, self.drives.value, position, |directions| {
+            directions.points(change)
+        });
         let points = derived.map_err(|error| error.named(self.model.listing()))?;
         Ok(Derivatives {
             measures: self.model.measures(&points),

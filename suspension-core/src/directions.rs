@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 
 use crate::error::SolveError;
-use crate::factored::Factored;
-use crate::linkage::Linkage;
+use crate::factored::{smallest_pivot, with_factors};
+use crate::linkage::{Factors, Linkage};
 use crate::motion::{Prescribed, rates_at};
 use crate::scalar::Real;
 use crate::series::{InputSeries, Jet, Series};
@@ -16,33 +16,38 @@ use crate::signal::{Inputs, Signal, Still};
 /// A direction `a` is a change of all drives. Second and third derivatives in one direction, `D2(a)` and
 /// `D3(a)`, give the mixed ones: `D(a, b) = (D2(a + b) - D2(a) - D2(b)) / 2` and
 /// `D(a, b, b) = (D3(a + b) + D3(a - b) - 2 D3(a)) / 6`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Directions<'a, L: Linkage<N>, const N: usize> {
     linkage: &'a L,
     drives: L::Drives,
-    position: SVector<L::Scalar, N>,
-    factored: Factored<L::Factors, L::Scalar, N>,
+    position: &'a SVector<L::Scalar, N>,
+    factors: &'a dyn Factors<L::Scalar, N>,
 }
 
-impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'a, L, N> {
-    /// Factors the Jacobian at a position that solves the linkage for these values of the drives.
+impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
+    /// Factors the Jacobian at a position that solves the linkage for these values of the drives, and gives `work`
+    /// the directions there: factors of large models take longer to move than to use.
     ///
     /// # Errors
     ///
-    /// As [`Tangent::new`](crate::Tangent::new).
-    pub fn new(
-        linkage: &'a L,
+    /// As [`Tangent::new`](crate::Tangent::new), else those of `work`.
+    #[inline(always)]
+    pub fn at<R, E: From<SolveError<T>>>(
+        linkage: &L,
         drives: L::Drives,
         position: &SVector<T, N>,
-    ) -> Result<Self, SolveError<T>> {
+        work: impl FnOnce(&Directions<'_, L, N>) -> Result<R, E>,
+    ) -> Result<R, E> {
         let inputs = Inputs::still(Signal::still(drives));
         let fixed = Prescribed::new(linkage, &inputs).fixed.value;
-        Ok(Self {
-            linkage,
-            drives,
-            position: *position,
-            factored: Factored::new(linkage, position, &fixed)?,
-        })
+        with_factors(linkage, position, &fixed, smallest_pivot(), |factors| {
+            work(&Directions {
+                linkage,
+                drives,
+                position,
+                factors,
+            })
+        })?
     }
 
     /// All points with their derivatives where the drives change as `change` says: `rate` per unit of that
@@ -57,8 +62,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'a, L, N
             ..Signal::still(self.drives)
         });
         let prescribed = Prescribed::new(self.linkage, &inputs);
-        let factors = self.factored.factors();
-        let rates = rates_at::<_, _, Still, N>(self.linkage, &prescribed, &self.position, factors);
+        let rates =
+            rates_at::<_, _, Still, N>(self.linkage, &prescribed, self.position, self.factors);
         Ok(rates.motion()?.points_with(self.linkage, &prescribed.fixed))
     }
 
@@ -76,7 +81,6 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'a, L, N
             *first = change;
         }
         let inputs = InputSeries::still(drives);
-        let factors = self.factored.factors();
-        Series::of(self.linkage, &inputs, &self.position, factors).map(|series| series.unknowns)
+        Series::of(self.linkage, &inputs, self.position, self.factors).map(|series| series.unknowns)
     }
 }

@@ -120,7 +120,6 @@ where
 
     /// What loads do to a drive is the work of the forces where the drive moves, those at chassis points that it moves too.
     fn virtual_work(&self, forces: &[Vector3<f64>], loads: &Loads<'_, Model<'_, f64, N>, N>) {
-        let directions = Directions::new(self.model, self.drives, &self.q).expect("not singular");
         for (drive, found) in loads
             .on_drives()
             .values()
@@ -128,7 +127,10 @@ where
             .enumerate()
         {
             let change = <Model<'_, f64, N> as Linkage<N>>::Drives::default().with(drive, 1.0);
-            let points = directions.points(change).expect("finite").rate;
+            let points = Directions::at(self.model, self.drives, &self.q, |directions| {
+                directions.points(change)
+            });
+            let points = points.expect("neither singular nor infinite").rate;
             let works = points
                 .values()
                 .zip(forces)

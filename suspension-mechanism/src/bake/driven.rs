@@ -115,32 +115,32 @@ impl<'a, L> Driven<'a, L> {
         followed.map(|_| ())
     }
 
-    /// What gives the outputs' derivatives in any direction of the drives, at a motion's position for values of these.
-    pub(super) fn directions<const N: usize>(
+    /// The outputs with their derivatives in directions in which drives move at `rates`, at a motion's position for
+    /// values of the drives.
+    pub(super) fn derivatives<const N: usize, const K: usize>(
         &self,
         motion: &Motion<f64, N>,
         at: L::Drives,
-    ) -> Result<Directions<'a, L, N>, SolveError<f64>>
+        rates: [L::Drives; K],
+    ) -> Result<[Vec<Derivatives>; K], SolveError<f64>>
     where
         L: Suspension<N>,
     {
-        Directions::new(self.model, at, &motion.position)
+        Directions::at(self.model, at, &motion.position, |directions| {
+            let mut derivatives = [const { Vec::new() }; K];
+            for (place, rate) in derivatives.iter_mut().zip(rates) {
+                *place = self.read(&directions.points(rate)?);
+            }
+            Ok(derivatives)
+        })
     }
 
-    /// The outputs with their derivatives in the direction in which drives move at `rate`.
-    pub(super) fn derivatives<const N: usize>(
-        &self,
-        directions: &Directions<'a, L, N>,
-        rate: L::Drives,
-    ) -> Result<Vec<Derivatives>, SolveError<f64>>
-    where
-        L: Suspension<N>,
-    {
-        let points = directions.points(rate)?;
+    /// The outputs of points.
+    fn read<P: Values<Vector3<f64>>>(&self, points: &Signal<P>) -> Vec<Derivatives> {
         let by_order = [&points.value, &points.rate, &points.second_rate];
         let by_order = by_order.map(|points| points.values().collect::<Vec<_>>());
         let point = |point: usize| [0, 1, 2].map(|order| by_order[order][point]);
-        Ok(match &self.reading {
+        match &self.reading {
             Reading::From(first, names) => (*first..first + names.len()).map(point).collect(),
             Reading::Axis(ends) => {
                 let [inner, centre] = ends.map(point);
@@ -149,7 +149,7 @@ impl<'a, L> Driven<'a, L> {
                 let length = axis[0].norm();
                 vec![centre, axis.map(|axis| axis / length)]
             }
-        })
+        }
     }
 
     /// What the outputs are.

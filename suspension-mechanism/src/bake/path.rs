@@ -136,11 +136,11 @@ impl<L: Suspension<N>, const N: usize> Exact for Path<'_, L, N> {
         self.drive([from, at], &mut motion)?;
         let value = self.held.with(self.drive, at);
         let unit = L::Drives::default().with(self.drive, 1.0);
-        let directions = self.driven.directions(&motion, value);
-        let read = directions.and_then(|directions| self.driven.derivatives(&directions, unit));
-        read.map_err(|cause| OutOfReach {
+        let read = self.driven.derivatives(&motion, value, [unit]);
+        let [along] = read.map_err(|cause| OutOfReach {
             reached: [from, at],
             cause: Some(cause),
-        })
+        })?;
+        Ok(along)
     }
 }

@@ -28,31 +28,25 @@ pub(super) fn notes<L: Suspension<N>, const N: usize>(
     let vehicle = task.file.vehicle.as_ref();
     let names_travel = vehicle.is_some_and(|vehicle| vehicle.travel.is_some());
     let names_steer = vehicle.is_some_and(|vehicle| vehicle.steer.is_some());
-    if (names_travel || names_steer)
-        && let Ok(directions) = Directions::new(&design.model, design.drives, &design.q)
-    {
-        let none = L::Drives::from_values([]);
-        let by = |drive| {
-            let moved = directions.points(none.with(drive, 1.0)).ok()?;
-            Some(moved.rate.values().collect::<Vec<_>>())
-        };
-        let wheels = task.names.wheels.iter();
-        notes.extend(
-            wheels
-                .flat_map(|wheel| {
-                    let travel = wheel.travel.filter(|_| names_travel);
-                    let steer = wheel.steer.filter(|_| names_steer);
-                    [
-                        travel.and_then(|drive| crossed(task, (wheel, drive), &by(drive)?)),
-                        steer.and_then(|drive| {
-                            let size = design.model.size();
-                            unsteered(task, (wheel, drive), (&points, &by(drive)?), size)
-                        }),
-                    ]
-                })
-                .flatten(),
-        );
-    }
+    let by = |drive| {
+        let change = L::Drives::from_values([]).with(drive, 1.0);
+        let moved = Directions::at(&design.model, design.drives, &design.q, |directions| {
+            directions.points(change)
+        });
+        Some(moved.ok()?.rate.values().collect::<Vec<_>>())
+    };
+    let of_wheel = |wheel: &Wheel| {
+        let travel = wheel.travel.filter(|_| names_travel);
+        let steer = wheel.steer.filter(|_| names_steer);
+        [
+            travel.and_then(|drive| crossed(task, (wheel, drive), &by(drive)?)),
+            steer.and_then(|drive| {
+                let size = design.model.size();
+                unsteered(task, (wheel, drive), (&points, &by(drive)?), size)
+            }),
+        ]
+    };
+    notes.extend(task.names.wheels.iter().flat_map(of_wheel).flatten());
     let name = task.source.name();
     notes.iter().map(|note| format!("{name}: {note}")).collect()
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::directions::Directions;
-use suspension_core::{Signal, Values};
+use suspension_core::{Signal, SolveError, Values};
 
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
@@ -29,7 +29,24 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         drives: L::Drives,
         position: &SVector<f64, N>,
     ) -> State {
-        Around::new(self, drives, position, Order::First).with_velocities(state)
+        self.around(drives, position, Order::First, |around| {
+            around.with_velocities(state.clone())
+        })
+    }
+
+    /// Gives `work` the mechanism about a place.
+    pub(crate) fn around<R>(
+        &self,
+        drives: L::Drives,
+        position: &SVector<f64, N>,
+        order: Order,
+        mut work: impl FnMut(&Around<'_, L, N>) -> R,
+    ) -> R {
+        let regular = Directions::at(&self.model, drives, position, |directions| {
+            let done = work(&Around::new(self, drives, Some(directions), order));
+            Ok::<R, SolveError<f64>>(done)
+        });
+        regular.unwrap_or_else(|_| work(&Around::new(self, drives, None, order)))
     }
 }
 
@@ -38,7 +55,7 @@ pub(crate) struct Around<'a, L: Suspension<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     drives: L::Drives,
     /// `None` where the mechanism locks.
-    directions: Option<Directions<'a, L, N>>,
+    directions: Option<&'a Directions<'a, L, N>>,
     order: Order,
     /// The states with derivatives with respect to each drive, without the velocities of drives.
     along: Vec<OnceCell<Option<State>>>,
@@ -51,17 +68,17 @@ pub(crate) struct Around<'a, L: Suspension<N>, const N: usize> {
 }
 
 impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
-    pub(crate) fn new(
+    fn new(
         mechanism: &'a Mechanism<L, N>,
         drives: L::Drives,
-        position: &SVector<f64, N>,
+        directions: Option<&'a Directions<'a, L, N>>,
         order: Order,
     ) -> Self {
         let count = mechanism.names.drives.len();
         Self {
             mechanism,
             drives,
-            directions: Directions::new(&mechanism.model, drives, position).ok(),
+            directions,
             order,
             along: vec![OnceCell::new(); count],
             mixed: vec![OnceCell::new(); count * (count + 1) / 2],
@@ -109,7 +126,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
             let drives = parts.fold(L::Drives::from_values([]), |drives, (drive, part)| {
                 drives.with(*drive, *part)
             });
-            let points = self.directions.as_ref()?.points(drives);
+            let points = self.directions?.points(drives);
             let state = self
                 .mechanism
                 .state(0.0, &self.drives, points.as_ref().ok()?);
@@ -147,7 +164,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
             mechanism, drives, ..
         } = self;
         let state = || {
-            let points = self.directions.as_ref()?;
+            let points = self.directions?;
             let points = points.points(direction::<L, N>(&[drive]));
             Some(mechanism.state(0.0, drives, points.as_ref().ok()?))
         };
@@ -177,7 +194,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
     fn mixed(&self, one: usize, other: usize) -> Option<&Points> {
         let mixed = || {
             let both = direction::<L, N>(&[one, other]);
-            let both = self.directions.as_ref()?.points(both);
+            let both = self.directions?.points(both);
             let [a, b] = [one, other].map(|drive| Some(&self.along(drive)?.points.second_rate));
             let squares = a?.iter().zip(b?.iter());
             let points = both.as_ref().ok()?.second_rate.values().zip(squares);
@@ -190,7 +207,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
     /// The third derivative of the unknowns, once with respect to one drive and twice to another or the same.
     fn third(&self, once: usize, twice: usize) -> Option<SVector<f64, N>> {
         let along = |change: L::Drives| {
-            let jet = self.directions.as_ref()?.unknowns::<3>(change).ok()?;
+            let jet = self.directions?.unknowns::<3>(change).ok()?;
             Some(jet.terms[2] * 6.0)
         };
         let single = direction::<L, N>(&[once]);

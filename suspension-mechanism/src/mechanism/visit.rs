@@ -202,19 +202,22 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
     fn read_at(&mut self, reached: &Reached<N>) {
         let drives = L::Drives::from_values(reached.drives.iter().copied());
         let position = &reached.motion.position;
-        let here = Here {
-            around: Around::new(self.mechanism, drives, position, self.order),
-            drives,
-            reached,
-            mechanism: self.mechanism,
-        };
-        (self.on_place)(reached.index, &here);
+        let mechanism = self.mechanism;
+        mechanism.around(drives, position, self.order, |around| {
+            let here = Here {
+                around,
+                drives,
+                reached,
+                mechanism,
+            };
+            (self.on_place)(reached.index, &here);
+        });
     }
 }
 
 /// What is read of a place.
 struct Here<'a, L: Suspension<N>, const N: usize> {
-    around: Around<'a, L, N>,
+    around: &'a Around<'a, L, N>,
     drives: L::Drives,
     reached: &'a Reached<N>,
     mechanism: &'a Mechanism<L, N>,

@@ -115,9 +115,11 @@ where
             .step(&self.model, &inputs, T::constant(dt), &mut self.motion)
             .map_err(|error| refused(error.facts().cause))?;
         let points = self.motion.points(&self.model, &inputs);
-        let per_travel = Directions::new(&self.model, inputs.drives.value, &self.motion.position)
-            .and_then(|directions| directions.points(of([1.0, 0.0])))
-            .map_err(|error| refused(error.facts().cause))?;
+        let drives = inputs.drives.value;
+        let per_travel = Directions::at(&self.model, drives, &self.motion.position, |directions| {
+            directions.points(of([1.0, 0.0]))
+        });
+        let per_travel = per_travel.map_err(|error| refused(error.facts().cause))?;
         Hub::of(&self.model, &points, &per_travel).ok_or(refused(Cause::Overflow))
     }
 

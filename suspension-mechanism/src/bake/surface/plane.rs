@@ -72,13 +72,13 @@ impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
             drives: at,
             cause: Some(cause),
         };
-        let directions = self.driven.directions(motion, self.drives(self.held, at));
-        let directions = directions.map_err(lost)?;
-        let along = |direction: [f64; 2]| {
-            let rate = self.drives(L::Drives::default(), direction);
-            self.driven.derivatives(&directions, rate).map_err(lost)
-        };
-        let [first, second, both] = [along([1.0, 0.0])?, along([0.0, 1.0])?, along([1.0, 1.0])?];
+        let rates = [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]
+            .map(|direction| self.drives(L::Drives::default(), direction));
+        let drives = self.drives(self.held, at);
+        let [first, second, both] = self
+            .driven
+            .derivatives(motion, drives, rates)
+            .map_err(lost)?;
         let each = first.iter().zip(&second).zip(&both);
         Ok(each
             .map(|((first, second), both)| Mixed {
