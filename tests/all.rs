@@ -1,6 +1,6 @@
 //! The tests of the library, as modules of one test program: what they have in common is compiled once, and
 //! they run side by side; allocations are counted by thread. Those of the program stand alone, in `cli`, those
-//! that take long in `millions`, those of both back ends in `back_ends`.
+//! that take long in `long_running`, those of both back ends in `back_ends`.
 
 mod absolute_coordinates;
 mod bounded;
@@ -10,6 +10,8 @@ mod chassis;
 mod corner;
 mod counting;
 mod derivatives;
+#[path = "support/double_wishbone.rs"]
+mod double_wishbone;
 mod elimination;
 mod guarantees;
 mod inertia;
@@ -49,7 +51,7 @@ fn files_of(folder: &Path) -> Vec<String> {
 fn every_file_is_a_module() {
     let programs = [
         ("", "all", include_str!("all.rs")),
-        ("millions", "main", include_str!("millions/main.rs")),
+        ("long_running", "main", include_str!("long_running/main.rs")),
         ("back_ends", "main", include_str!("back_ends/main.rs")),
     ];
     for (folder, program, text) in programs {

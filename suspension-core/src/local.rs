@@ -9,7 +9,7 @@
 //! local in `f64`. Rounded then, they will do; better, the model too is computed in `f64` and each of
 //! its numbers rounded once ([`Listing::rounded`](crate::Listing::rounded)). What `f32` is off by at
 //! most over the published motion of [`five_link`](crate::linkages::five_link), to tolerance or
-//! bounded (`tests/millions/f32.rs`):
+//! bounded (`tests/long_running/f32.rs`):
 //!
 //! | model in `f32` | free points | wheel centre | toe |
 //! | --- | --- | --- | --- |

@@ -7,6 +7,7 @@
 mod lattice;
 mod quantities;
 mod sensitivities;
+mod wheel;
 
 use std::collections::{BTreeMap, BTreeSet};
 use suspension_runtime::CatalogueAndFiles;

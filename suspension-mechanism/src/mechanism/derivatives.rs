@@ -8,8 +8,9 @@ use suspension_core::directions::Directions;
 use suspension_core::{Signal, SolveError, Values};
 
 use crate::mechanism::names::Suspension;
+use crate::mechanism::points::Points;
 use crate::mechanism::ready::Mechanism;
-use crate::mechanism::state::{Moved, Points, State};
+use crate::mechanism::state::{Moved, State};
 use crate::mechanism::vehicle::Pair;
 
 /// Up to which order derivatives of quantities are wanted.

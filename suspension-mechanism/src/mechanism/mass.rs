@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::Signal;
 use suspension_core::inertia::{RigidBody, rod};
 
-use crate::mechanism::state::Points;
+use crate::mechanism::points::Points;
 
 /// A part that has a mass.
 #[derive(Clone, Debug, PartialEq)]

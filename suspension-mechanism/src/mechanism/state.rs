@@ -7,12 +7,10 @@ use suspension_core::{Signal, Values};
 
 use crate::mechanism::mass::Mass;
 use crate::mechanism::names::Suspension;
+use crate::mechanism::points::Points;
 use crate::mechanism::ready::Mechanism;
 use crate::mechanism::spring::Spring;
 use suspension_motion_file::Axes;
-
-/// All points in a list, or their rates: states about one place share them.
-pub type Points = Rc<[Vector3<f64>]>;
 
 /// A mechanism at one place of its motion: positions and rates, from which all quantities follow.
 #[derive(Clone, Debug, PartialEq)]

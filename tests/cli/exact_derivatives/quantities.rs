@@ -4,24 +4,17 @@ use nalgebra::Vector3;
 use suspension_core::Values;
 use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::signal::Number as _;
-use suspension_core::wheel::{
-    Carrier, Heading, SteeringAxis, Turn, camber, camber_to_ground, caster, contact, kingpin_angle,
-    steer_angle, toe,
-};
+use suspension_core::wheel::{Carrier, Turn, contact, steer_angle, toe};
 use suspension_double_double::DoubleDouble as Number;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Quantity, System};
 use suspension_runtime::{Room, Size};
 
 use super::lattice::{Lattice, Steps};
+use super::wheel::{
+    Named, RADIUS, Vector, coordinates, moving_carrier, of_steering, of_wheel, on_ground,
+};
 
-type Vector = Vector3<Number>;
-
-/// Numbers under their names.
-pub(super) type Named = Vec<(String, Number)>;
-
-/// Wheel radius, m.
-const RADIUS: f64 = 0.3;
 /// Wheelbase, m.
 const WHEELBASE: f64 = 2.5;
 /// Wheelbase over height of the centre of gravity, and the axle's shares.
@@ -244,19 +237,9 @@ impl Reference<'_> {
     }
 }
 
-fn on_ground([inner, centre]: [Vector; 2]) -> Vector {
-    contact(&centre, &(centre - inner), RADIUS.into())
-}
-
 fn track(wheels: [[Vector; 2]; 2]) -> Number {
     let [left, right] = wheels.map(on_ground);
     left.y - right.y
-}
-
-fn coordinates(named: &mut Named, name: &str, at: &Vector) {
-    for (axis, value) in ["x", "y", "z"].into_iter().zip(at.iter()) {
-        named.push((format!("{name}_{axis}"), *value));
-    }
 }
 
 fn length(line: Vector) -> Number {
@@ -286,68 +269,5 @@ fn measured(name: &Name, quantity: &Quantity, point: impl Fn(&Name) -> Vector) -
             )
         }
         other => panic!("no measure of the catalogue is as {name}: {other:?}"),
-    }
-}
-
-fn of_wheel(named: &mut Named, [inner, centre]: [Vector; 2], kingpin: Option<[Vector; 2]>) {
-    let axis = centre - inner;
-    let ground = contact(&centre, &axis, RADIUS.into());
-    coordinates(named, "contact", &ground);
-    let mut add = |name: &str, value| named.push((name.to_owned(), value));
-    add("camber_rad", camber(&axis));
-    add("camber_to_ground_rad", camber_to_ground(&axis));
-    add("toe_rad", toe(&axis));
-    let Some([lower, upper]) = kingpin else {
-        return;
-    };
-    let heading = Heading::of(&axis);
-    let line = SteeringAxis::through([lower, upper]);
-    add("kingpin_rad", kingpin_angle(&line.direction, &axis));
-    add("caster_rad", caster(&line.direction));
-    add("scrub_radius_m", line.inboard_of(&ground, &heading));
-    add("mechanical_trail_m", line.ahead_of(&ground, &heading));
-    add("kingpin_offset_m", line.inboard_of(&centre, &heading));
-    add("caster_offset_m", line.ahead_of(&centre, &heading));
-}
-
-fn of_steering(named: &mut Named, carrier: &Carrier<Number>, [inner, centre]: [Vector; 2]) {
-    let Carrier {
-        velocity, omega, ..
-    } = carrier;
-    let axis = centre - inner;
-    let ground = contact(&centre, &axis, RADIUS.into());
-    let heading = Heading::of(&axis);
-    let screw = SteeringAxis::of_screw(&centre, velocity, omega);
-    let pitch = omega.dot(velocity) / omega.dot(omega);
-    named.extend(
-        [
-            (
-                "virtual_kingpin_rad",
-                kingpin_angle(&screw.direction, &axis),
-            ),
-            ("virtual_caster_rad", caster(&screw.direction)),
-            (
-                "virtual_scrub_radius_m",
-                screw.inboard_of(&ground, &heading),
-            ),
-            ("virtual_trail_m", screw.ahead_of(&ground, &heading)),
-            ("virtual_pitch_m_rad", pitch),
-        ]
-        .map(|(name, value)| (name.to_owned(), value)),
-    );
-}
-
-/// The carrier of a wheel by three of its points: of rigid edges `a` and `b` with rates `a'` and `b'`, and `n = a x b`,
-/// the angular velocity is `(a (b' . n) - b (a' . n) + n (a' . b)) / |n|^2`.
-fn moving_carrier(points: [Vector; 3], rates: [Vector; 3], centre: Vector) -> Carrier<Number> {
-    let [a, b] = [points[1] - points[0], points[2] - points[0]];
-    let [da, db] = [rates[1] - rates[0], rates[2] - rates[0]];
-    let normal = a.cross(&b);
-    let turning = a * db.dot(&normal) - b * da.dot(&normal) + normal * da.dot(&b);
-    let omega = turning / normal.dot(&normal);
-    Carrier {
-        centre,
-        velocity: rates[0] + omega.cross(&(centre - points[0])),
-        omega,
     }
 }

@@ -1,22 +1,22 @@
-//! From any bytes to a mechanism and its motion: what `tests/millions/hostile` demands of random ones.
+//! From any bytes to a mechanism and its motion: what `tests/long_running/hostile` demands of random ones.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use suspension_core::linkages::{attia2003, five_link};
 
-#[path = "../../millions/hostile/draw.rs"]
+#[path = "../../long_running/hostile/draw.rs"]
 mod draw;
-#[path = "../../millions/hostile/mechanisms.rs"]
+#[path = "../../long_running/hostile/mechanisms.rs"]
 mod mechanisms;
-#[path = "../../millions/hostile/reached.rs"]
+#[path = "../../long_running/hostile/reached.rs"]
 #[allow(dead_code, reason = "the tests count and hurry")]
 mod reached;
-#[path = "../../millions/hostile/trial.rs"]
+#[path = "../../long_running/hostile/trial.rs"]
 #[allow(dead_code, reason = "the tests count and hurry")]
 mod trial;
-#[path = "../../millions/hostile/verdict.rs"]
+#[path = "../../long_running/hostile/verdict.rs"]
 mod verdict;
-#[path = "../../millions/hostile/ways.rs"]
+#[path = "../../long_running/hostile/ways.rs"]
 mod ways;
 
 use draw::Draw;

@@ -4,11 +4,6 @@ use std::path::Path;
 
 use rapier3d_f64::math::Vector;
 
-use crate::mechanism::Listing;
-
-const DATA: &str = include_str!("../../../../src/commands/published/attia2003.toml");
-const LINKS: [&str; 5] = ["d6_1", "d7_2", "d8_3", "d9_4", "d10_5"];
-
 /// A recorded motion: theta and its rates, then position, velocity and acceleration of five points.
 pub struct Start([f64; 48]);
 
@@ -51,23 +46,4 @@ fn doubles(path: &Path) -> Vec<f64> {
 pub fn write(path: &Path, numbers: impl IntoIterator<Item = f64>) {
     let bytes: Vec<u8> = numbers.into_iter().flat_map(f64::to_le_bytes).collect();
     std::fs::write(path, bytes).expect("a folder to write to");
-}
-
-/// The printed sign of point 4's x corrected.
-pub fn listing() -> Listing {
-    let data: toml::Table = DATA.parse().expect("valid TOML");
-    let numbers = |value: &toml::Value| -> Vec<f64> {
-        let values = value.as_array().expect("an array").iter();
-        values.map(|x| x.as_float().expect("a number")).collect()
-    };
-    let mut chassis = std::array::from_fn(|p| {
-        Vector::from_slice(&numbers(&data["table1"][format!("p{}", p + 1).as_str()]))
-    });
-    chassis[3].x = -chassis[3].x;
-    let theta = numbers(&data["drive"]["theta_coefficients"]);
-    Listing {
-        chassis,
-        lengths: LINKS.map(|name| data["lengths"][name].as_float().expect("a number")),
-        theta: std::array::from_fn(|k| theta[k]),
-    }
 }

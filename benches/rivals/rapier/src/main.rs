@@ -3,13 +3,15 @@
 //! impulses along rows that it has made orthogonal.
 
 mod files;
+mod listing;
 mod mechanism;
 
 use std::path::Path;
 use std::time::Instant;
 
-use files::{Start, listing, starts, write};
-use mechanism::{Engine, Listing, STEP};
+use files::{Start, starts, write};
+use listing::Listing;
+use mechanism::{Engine, STEP};
 
 const STEPS: usize = 1900;
 const CHUNK: usize = 100;
@@ -23,7 +25,7 @@ fn main() {
         std::process::exit(2);
     };
     let iterations = iterations.parse().expect("a number of iterations");
-    let (listing, starts) = (listing(), starts(Path::new(recorded)));
+    let (listing, starts) = (Listing::published(), starts(Path::new(recorded)));
     let folder = Path::new(folder);
     let new = |start: &Start| Engine::new(&listing, start, iterations);
     let mut engine = new(&starts[0]);

@@ -3,6 +3,7 @@
 use rapier3d_f64::prelude::*;
 
 use crate::files::Start;
+use crate::listing::Listing;
 
 pub const STEP: f64 = 1e-3;
 const POINTS: usize = 5;
@@ -10,20 +11,6 @@ const POINTS: usize = 5;
 const MASS: f64 = 20.0;
 const INERTIA: f64 = 0.3;
 const GRAVITY: f64 = -9.81;
-
-/// Chassis points, lengths of the links to them, the drive.
-pub struct Listing {
-    pub chassis: [Vector; POINTS],
-    pub lengths: [f64; POINTS],
-    pub theta: [f64; 3],
-}
-
-impl Listing {
-    fn height(&self, t: f64) -> f64 {
-        let [c0, c1, c2] = self.theta;
-        self.chassis[0].z + self.lengths[0] * (c0 + (c1 + c2 * t) * t).cos()
-    }
-}
 
 /// The mechanism from one of its motions.
 pub struct Engine<'a> {

@@ -3,6 +3,8 @@
 
 mod assembly;
 mod baked;
+#[path = "../support/double_wishbone.rs"]
+mod double_wishbone;
 mod f32;
 mod guard;
 mod hostile;

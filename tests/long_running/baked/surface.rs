@@ -3,46 +3,11 @@
 use nalgebra::Vector3;
 use suspension::bake::{WantedSurface, Wish, bake_surface};
 use suspension_core::baked::Surface;
-use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
+use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker};
 
 use super::mixed;
-
-linkage! {
-    /// A user's own listing, of two drives. Axes as ISO 8855.
-    mod double_wishbone {
-        fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
-        free:  lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
-
-        link lower_fore: lower_front -> lower_ball;
-        link lower_aft:  lower_rear  -> lower_ball;
-        link upper_fore: upper_front -> upper_ball;
-        link upper_aft:  upper_rear  -> upper_ball;
-        link tie_rod:    rack        -> tie_ball;
-        body upright:    lower_ball, upper_ball, tie_ball, axle_inner, axle_outer;
-
-        drive bump:  axle_outer.z;
-        drive steer: rack.y;
-
-        wheel:   axle_inner -> axle_outer;
-        kingpin: lower_ball -> upper_ball;
-    }
-}
-
-fn wishbone() -> double_wishbone::Points<f64> {
-    let at = Vector3::new;
-    double_wishbone::Points {
-        lower_front: at(0.15, 0.40, 0.18),
-        lower_rear: at(-0.20, 0.42, 0.19),
-        upper_front: at(0.10, 0.45, 0.55),
-        upper_rear: at(-0.15, 0.48, 0.56),
-        rack: at(-0.16, 0.38, 0.30),
-        lower_ball: at(0.01, 0.75, 0.15),
-        upper_ball: at(-0.02, 0.68, 0.56),
-        tie_ball: at(-0.14, 0.74, 0.31),
-        axle_inner: at(0.0, 0.66, 0.33),
-        axle_outer: at(0.0, 0.76, 0.33),
-    }
-}
+use crate::double_wishbone::design;
+use crate::double_wishbone::listing::{Drives, Model};
 
 /// Travel of 80 mm and steering of 40 mm at the rack, either way, from the design.
 const TRAVEL: f64 = 0.08;
@@ -50,8 +15,8 @@ const RACK: f64 = 0.04;
 
 fn check_surface(tolerance: f64, smooth: bool, velocity_within: f64) {
     const SEED: u64 = 5;
-    let design = wishbone();
-    let model = double_wishbone::Model::new(&design).expect("a double wishbone");
+    let design = design();
+    let model = Model::new(&design).expect("a double wishbone");
     let at_rest = Motion::at_rest(model.unknowns(&design));
     let held = model.drives_at(&design);
     let ranges = [
@@ -84,19 +49,19 @@ fn check_surface(tolerance: f64, smooth: bool, velocity_within: f64) {
             let [from, to] = ranges[way];
             (from + (to - from) * pair[way]).min(to)
         });
-        let drives = double_wishbone::Drives { bump, steer };
+        let drives = Drives { bump, steer };
         let inputs = |part: f64| {
             let rate = |from: f64, to: f64| to - from;
             Inputs::still(Signal {
-                value: double_wishbone::Drives {
+                value: Drives {
                     bump: last.bump + rate(last.bump, bump) * part,
                     steer: last.steer + rate(last.steer, steer) * part,
                 },
-                rate: double_wishbone::Drives {
+                rate: Drives {
                     bump: 0.3,
                     steer: -0.2,
                 },
-                second_rate: double_wishbone::Drives {
+                second_rate: Drives {
                     bump: 2.0,
                     steer: 1.0,
                 },
@@ -160,8 +125,8 @@ fn a_surface_of_travel_and_steering_is_as_close_to_the_solver_as_it_says() {
 
 #[test]
 fn a_surface_beyond_the_mechanism_is_refused() {
-    let design = wishbone();
-    let model = double_wishbone::Model::new(&design).expect("a double wishbone");
+    let design = design();
+    let model = Model::new(&design).expect("a double wishbone");
     let at_rest = Motion::at_rest(model.unknowns(&design));
     let held = model.drives_at(&design);
     let wanted = WantedSurface {
