@@ -113,6 +113,26 @@ fn a_body_in_line_is_refused_at_its_point() {
     );
 }
 
+/// Points of the catalogue, which are in metres, are no points of a file in millimetres.
+#[test]
+fn points_that_a_file_in_millimetres_does_not_state_are_named() {
+    let folder = folder();
+    let file = "linkage = \"trailing_arm\"\nunit = \"mm\"\n[points]\nwheel_centre = [0, 752, 303]\n\
+                [time]\ninstants = [0.0]\n[drives]\nbump = 303\n";
+    std::fs::write(folder.path().join("arm.toml"), file).expect("written");
+    let output = run(folder.path(), &["check", "arm.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let message = text(&output.stderr);
+    assert!(
+        message.starts_with("arm.toml:1:11: [points] does not state `"),
+        "{message}"
+    );
+    assert!(
+        message.contains("`axle`") && !message.contains("`wheel_centre`"),
+        "{message}"
+    );
+}
+
 #[test]
 fn an_unreadable_file_is_refused() {
     let folder = folder();

@@ -87,10 +87,15 @@ fn of_catalogue(
     let listing = Listing::parse_file(text, wanted)
         .map_err(|mistakes| refused(&Source::new(wanted, text), &mistakes))?;
     let stated = file.points.get_ref();
-    let all_are_stated = points(&listing).all(|point| stated.contains_key(point));
-    if file.length != Length::Metre && !all_are_stated {
+    let missing: Vec<_> = points(&listing)
+        .filter(|point| !stated.contains_key(*point))
+        .map(|point| format!("`{point}`"))
+        .collect();
+    if file.length != Length::Metre && !missing.is_empty() {
+        let missing = missing.join(", ");
         let message = format!(
-            "the catalogue has the hardpoints of `{wanted}` in metres; state all points, or unit = \"m\""
+            "[points] does not state {missing}: `{wanted}` of the catalogue has its hardpoints in metres; state all in {}",
+            file.length.symbol()
         );
         return Err(source.refuse(&name.span(), message));
     }
