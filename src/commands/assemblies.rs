@@ -31,7 +31,7 @@ pub struct Arguments {
     at: Vec<f64>,
     /// The drive; needed with --at where the linkage has several. The others are held as at the
     /// file's first instant.
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", requires = "at")]
     drive: Option<String>,
     /// Write every assembly as comma-separated values to PATH, or to standard output for `-`.
     #[arg(long, value_name = "PATH")]

@@ -111,6 +111,10 @@ fn what_makes_no_sense_is_refused() {
             "{error}"
         );
     }
+    let without_a_value = ["assemblies", "a.toml", "--drive", "theta"];
+    let output = run(folder.path(), &without_a_value);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(text(&output.stderr).contains("--at"), "{output:?}");
     let unknown = ["assemblies", "a.toml", "--at", "1", "--drive", "bump"];
     let output = run(folder.path(), &unknown);
     assert_eq!(output.status.code(), Some(2));
