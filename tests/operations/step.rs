@@ -85,7 +85,7 @@ where
             "Jacobian and its factors, less what the residual has",
             both - residual,
         ),
-        ("one solution", solve),
+        ("one back-substitution", solve),
         ("curvature of one vector: `C(e, e)`, `C(v, v)`", square),
         ("curvature of two: `C(e, v)`, `C(e, a)`", product),
         ("**step, one correction: position**", position),
