@@ -9,7 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from . import native
+from . import car, native
 from .table import Missing, Row, Table
 
 TITLES = {
@@ -27,6 +27,7 @@ TITLES = {
 }
 MARK = "<!-- Written by run --readme: -->"
 ENGINES = "<!-- Engines, written by run --readme: -->"
+CAR = "<!-- The car, written by run --readme: -->"
 MODULES = {
     "casadi": "casadi_c",
     "pymycar": "pymycar_multilink",
@@ -55,11 +56,30 @@ def measure(name, scratch, table):
     return True
 
 
+def drive_cars(scratch, cars):
+    """Adds the cars of all engines; true where that worked or is not on this machine."""
+    print("== the example car", flush=True)
+    path = scratch.parent / "rivals_car.csv"
+    try:
+        for one in car.measure(scratch):
+            cars.append(one)
+            print("  ", *one.cells(), flush=True)
+            car.write(cars, path)
+    except Missing as reason:
+        print(f"!! the car MISSING: {reason}", file=sys.stderr, flush=True)
+    except (RuntimeError, OSError, subprocess.SubprocessError) as error:
+        print(f"!! the car FAILED: {error}", file=sys.stderr, flush=True)
+        return False
+    return True
+
+
 def main():
     scratch, readme, names = Path(sys.argv[1]), sys.argv[2], sys.argv[3:]
-    table = Table(scratch.parent / "rivals.csv")
+    table, cars = Table(scratch.parent / "rivals.csv"), []
     try:
-        failed = [name for name in names if not measure(name, scratch, table)]
+        failed = [name for name in names if name != "car" and not measure(name, scratch, table)]
+        if "car" in names and not drive_cars(scratch, cars):
+            failed.append("car")
         code = 1 if failed else 0
     except KeyboardInterrupt:
         print("\ninterrupted: what was measured is kept", file=sys.stderr)
@@ -68,8 +88,11 @@ def main():
     print(f"\n{heading}")
     table.print()
     if readme and code == 0:
-        put(MARK, table.markdown(heading), Path(readme))
-        put(ENGINES, table.engines(heading), Path(readme))
+        if table.rows:
+            put(MARK, table.markdown(heading), Path(readme))
+            put(ENGINES, table.engines(heading), Path(readme))
+        if cars:
+            put(CAR, car.markdown(cars, heading), Path(readme))
     print(f"\n{table.path}")
     return code
 

@@ -4,10 +4,12 @@
  *   Engine(const Design &)                        the car at the start of the drive
  *   void look(State &)                            before a step
  *   void step(const Forces &, const double rack[3], const double next[3])
- * and `CAR_ENGINE(Engine)` after it. Driver, tyres, road, struts, stops, bars, clock and errors are Rust's, in the
+ * and `drive<Engine>` in its `main`, whose arguments are steps in a tick and inertia of wheels across. Driver, tyres, road, struts, stops, bars, clock and errors are Rust's, in the
  * library beside (`../src/interface.rs` has the meanings). */
 #ifndef CAR_H
 #define CAR_H
+#include <cstdio>
+#include <cstdlib>
 
 enum { CORNERS = 4, POINTS = 14 };
 /* Points of a corner, in chassis axes from the chassis' centre of mass: first those of all, then those of an axle. */
@@ -21,7 +23,7 @@ struct Corner {
     double mass, spin_inertia, spin;
 };
 struct Design {
-    double mass, inertia[3], height, speed, gravity, dt;
+    double mass, inertia[3], height, speed, gravity, dt, across;
     Corner corners[CORNERS];
 };
 struct Wheel {
@@ -44,14 +46,19 @@ struct CarEngine {
     void (*look)(void *, State *);
     void (*step)(void *, const Forces *, const double *, const double *);
 };
-int car_design(Design *design);
-int car_drive(const CarEngine *engine);
+int car_design(Design *design, unsigned steps, double across);
+int car_drive(const CarEngine *engine, unsigned steps);
 }
 
-template <class Engine> static int drive()
+template <class Engine> static int drive(int count, char **arguments)
 {
+    if (count != 3) {
+        fprintf(stderr, "usage: %s STEPS ACROSS\n", arguments[0]);
+        return 2;
+    }
     Design design;
-    if (car_design(&design))
+    unsigned steps = atoi(arguments[1]);
+    if (car_design(&design, steps, atof(arguments[2])))
         return 1;
     Engine engine(design);
     CarEngine entry = {
@@ -59,15 +66,9 @@ template <class Engine> static int drive()
         [](void *self, const Forces *forces, const double *rack, const double *next) {
             static_cast<Engine *>(self)->step(*forces, rack, next);
         }};
-    return car_drive(&entry);
+    return car_drive(&entry, steps);
 }
 
-/* Of a wheel, kg m^2, across its axis; the example car has none. */
-#ifndef WHEEL_ACROSS
-#define WHEEL_ACROSS 0.0
-#endif
 /* Of a carrier, which the example car has not: what an engine needs not to be singular, kg m^2. */
-#ifndef CARRIER_INERTIA
-#define CARRIER_INERTIA 1e-3
-#endif
+static const double CARRIER_INERTIA = 1e-3;
 #endif

@@ -42,7 +42,7 @@ struct Moving {
 class Engine
 {
 public:
-    explicit Engine(const Design &design) : dt(design.dt)
+    explicit Engine(const Design &design) : dt(design.dt), across(design.across)
     {
         build(design);
         data = pin::Data(model);
@@ -146,8 +146,8 @@ private:
         if (axis.y() < 0)
             axis = -axis;
         auto wheel = joint(carrier, pin::JointModelRevoluteUnaligned(axis), place(WHEEL_CENTRE) - of_carrier, "wheel", i);
-        Matrix3d across = WHEEL_ACROSS * Matrix3d::Identity();
-        Matrix3d inertia = across + (corner.spin_inertia - WHEEL_ACROSS) * axis * axis.transpose();
+        Matrix3d whole = across * Matrix3d::Identity();
+        Matrix3d inertia = whole + (corner.spin_inertia - across) * axis * axis.transpose();
         model.appendBodyToJoint(wheel, pin::Inertia(corner.mass, Vector3d::Zero(), inertia));
         model.appendBodyToJoint(carrier, pin::Inertia(0, Vector3d::Zero(), CARRIER_INERTIA * Matrix3d::Identity()));
         return {carrier, wheel, strut, axis, place(STRUT_UPPER), place(STRUT_LOWER) - of_strut};
@@ -224,7 +224,7 @@ private:
         drift[number] = (value / dt + along.dot(rate)) / dt + second / 2;
     }
 
-    double dt;
+    double dt, across;
     pin::Model model;
     pin::Data data;
     pin::JointIndex chassis;
@@ -236,7 +236,7 @@ private:
     std::vector<pin::Force> pushes;
 };
 
-int main()
+int main(int count, char **arguments)
 {
-    return drive<Engine>();
+    return drive<Engine>(count, arguments);
 }

@@ -4,15 +4,15 @@ use std::error::Error;
 
 use nalgebra::Vector3;
 use suspension_car::car::Car;
-use suspension_car::drive::{DRIVER, TICK};
+use suspension_car::drive::DRIVER;
 use suspension_car::linkages::{front, rear};
 use suspension_car::saloon::{GRAVITY, SALOON};
 
 use crate::interface::{Corner, Design, POINTS};
 
 impl Design {
-    /// As the car stands at the start of the drive.
-    pub fn of(car: &Car) -> Result<Self, Box<dyn Error>> {
+    /// As the car stands at the start of the drive, to be moved in steps `dt`.
+    pub fn of(car: &Car, dt: f64, across: f64) -> Result<Self, Box<dyn Error>> {
         let [front, rear] = [front_points()?, rear_points()?];
         let corner = |place: usize| {
             let (left, axle) = ([&front, &rear][place / 2], &SALOON.axles[place / 2]);
@@ -34,7 +34,8 @@ impl Design {
             height: SALOON.height,
             speed: DRIVER.speed,
             gravity: GRAVITY,
-            dt: TICK,
+            dt,
+            across,
             corners: std::array::from_fn(corner),
         })
     }

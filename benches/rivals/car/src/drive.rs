@@ -35,16 +35,24 @@ struct Driven {
     tick_us: f64,
 }
 
-/// Drives both and prints `name,us,wheel m,camber rad,load N,place m` of each.
-pub fn compare(engine: &Engine) -> Result<(), Box<dyn Error>> {
+/// Drives both, the engine in some steps a tick, and prints `name,us,wheel m,camber deg,load N,place m` of each.
+pub fn compare(engine: &Engine, steps: usize) -> Result<(), Box<dyn Error>> {
     let reference = ours(TICK / FINER as f64)?;
-    for (name, driven) in [("engine", led(engine)?), ("ours", ours(TICK)?)] {
+    for (name, driven) in [("engine", led(engine, steps)?), ("ours", ours(TICK)?)] {
         let [wheel, camber] = off_the_linkage(&driven)?;
-        let pairs = driven.ticks.iter().zip(reference.ticks.iter().step_by(FINER));
-        let squares = pairs.flat_map(|(one, other)| (0..4).map(|i| (one[i].load - other[i].load).powi(2)));
+        let pairs = driven
+            .ticks
+            .iter()
+            .zip(reference.ticks.iter().step_by(FINER));
+        let squares =
+            pairs.flat_map(|(one, other)| (0..4).map(|i| (one[i].load - other[i].load).powi(2)));
         let load = (squares.sum::<f64>() / (4 * driven.ticks.len()) as f64).sqrt();
         let place = (driven.end - reference.end).norm();
-        println!("{name},{:.4},{wheel:.4e},{camber:.4e},{load:.4e},{place:.4e}", driven.tick_us);
+        println!(
+            "{name},{:.3},{wheel:.2e},{:.2e},{load:.2e},{place:.2e}",
+            driven.tick_us,
+            camber.to_degrees()
+        );
     }
     Ok(())
 }
@@ -62,24 +70,27 @@ fn ours(dt: f64) -> Result<Driven, Box<dyn Error>> {
     })
 }
 
-fn led(engine: &Engine) -> Result<Driven, Box<dyn Error>> {
+fn led(engine: &Engine, steps: usize) -> Result<Driven, Box<dyn Error>> {
     let mut led = Led::new()?;
     let mut state = State::default();
     let (mut ticks, mut taken) = (Vec::new(), Vec::new());
-    for tick in 0..TICKS {
+    let dt = TICK / steps as f64;
+    for step in 0..TICKS * steps {
         let began = Instant::now();
         // SAFETY: the functions of the engine take what it gave them with itself.
         unsafe { (engine.look)(engine.this, &mut state) };
         led.follow(&state);
         let looked = Instant::now();
-        let time = tick as f64 * TICK;
+        let time = step as f64 * dt;
         let controls = led.controls(time);
-        let [rack, next] = [controls.rack, led.controls(time + TICK).rack]
+        let [rack, next] = [controls.rack, led.controls(time + dt).rack]
             .map(|rack| [rack.value, rack.rate, rack.second_rate]);
         let resumed = Instant::now();
-        let forces = led.forces(&controls);
+        let forces = led.forces(&controls, dt);
         let felt = Instant::now();
-        ticks.push(seen(&led.car, &controls.rack));
+        if step % steps == 0 {
+            ticks.push(seen(&led.car, &controls.rack));
+        }
         let stepping = Instant::now();
         // SAFETY: as above.
         unsafe { (engine.step)(engine.this, &forces, &rack, &next) };
@@ -91,7 +102,7 @@ fn led(engine: &Engine) -> Result<Driven, Box<dyn Error>> {
     Ok(Driven {
         ticks,
         end: led.car.chassis.position,
-        tick_us: microseconds(median(taken)),
+        tick_us: microseconds(median(taken)) * steps as f64,
     })
 }
 

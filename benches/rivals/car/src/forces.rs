@@ -26,9 +26,16 @@ impl Led {
         let loads = SALOON.static_loads();
         let mut struts = Vec::new();
         for (axle, parameters) in SALOON.axles.iter().enumerate() {
-            let hub = Detail::Exact.corner(axle)?.step(TICK, &Default::default())?;
+            let hub = Detail::Exact
+                .corner(axle)?
+                .step(TICK, &Default::default())?;
             let clearance = equilibrium::clearance(&hub, &SALOON.tyre, loads[axle]);
-            struts.push(equilibrium::strut(&hub, parameters, &SALOON.tyre, clearance));
+            struts.push(equilibrium::strut(
+                &hub,
+                parameters,
+                &SALOON.tyre,
+                clearance,
+            ));
         }
         let design_heights = [0, 2].map(|place| car.corners[place].hub.centre.value.z);
         let struts = [struts[0], struts[1]];
@@ -59,7 +66,9 @@ impl Led {
         let to_chassis = |v: [f64; 3]| frame.rotation.tr_mul(&Vector3::from(v));
         let carrier = to_chassis(wheel.turning);
         let hub = &mut corner.hub;
-        hub.centre.value = frame.rotation.tr_mul(&(Vector3::from(wheel.centre) - frame.position));
+        hub.centre.value = frame
+            .rotation
+            .tr_mul(&(Vector3::from(wheel.centre) - frame.position));
         hub.centre.rate =
             to_chassis(wheel.velocity) - frame.velocity - frame.turning.cross(&hub.centre.value);
         hub.axis = to_chassis(wheel.axis);
@@ -73,9 +82,9 @@ impl Led {
         DRIVER.controls(time, &self.car)
     }
 
-    /// The slip of the tyres goes on by a tick.
-    pub fn forces(&mut self, controls: &Controls) -> Forces {
-        let frame = self.car.touch(TICK, &ROAD);
+    /// The slip of the tyres goes on by `dt`.
+    pub fn forces(&mut self, controls: &Controls, dt: f64) -> Forces {
+        let frame = self.car.touch(dt, &ROAD);
         let corners = &self.car.corners;
         let wheels = std::array::from_fn(|place| {
             let (corner, other) = (&corners[place], &corners[place ^ 1]);

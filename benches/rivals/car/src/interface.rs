@@ -14,6 +14,8 @@ pub struct Design {
     pub speed: f64,
     pub gravity: f64,
     pub dt: f64,
+    /// Inertia of a wheel across its axis: zero in the example car.
+    pub across: f64,
     pub corners: [Corner; 4],
 }
 
@@ -81,5 +83,10 @@ pub struct OnWheel {
 pub struct Engine {
     pub this: *mut c_void,
     pub look: unsafe extern "C" fn(*mut c_void, *mut State),
-    pub step: unsafe extern "C" fn(*mut c_void, *const Forces, rack: *const [f64; 3], next: *const [f64; 3]),
+    pub step: unsafe extern "C" fn(
+        *mut c_void,
+        *const Forces,
+        rack: *const [f64; 3],
+        next: *const [f64; 3],
+    ),
 }

@@ -8,15 +8,17 @@ mod interface;
 use std::error::Error;
 
 use interface::{Design, Engine};
+use suspension_car::drive::TICK;
 
-/// Writes the car as it is built; not 0 where it cannot be.
+/// Writes the car as it is built, for a number of steps in a tick and an inertia of wheels across their axes; not 0 where it
+/// cannot be.
 ///
 /// # Safety
 ///
-/// `design` points to one.
+/// `design` points to room for one.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn car_design(design: *mut Design) -> i32 {
-    let made = || -> Result<Design, Box<dyn Error>> { Design::of(&forces::Led::new()?.car) };
+pub unsafe extern "C" fn car_design(design: *mut Design, steps: u32, across: f64) -> i32 {
+    let made = || Design::of(&forces::Led::new()?.car, TICK / f64::from(steps), across);
     told(made().map(|made| {
         // SAFETY: as above.
         unsafe { design.write(made) };
@@ -29,9 +31,9 @@ pub unsafe extern "C" fn car_design(design: *mut Design) -> i32 {
 ///
 /// `engine` points to one, whose functions are called with its `this` alone.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn car_drive(engine: *const Engine) -> i32 {
+pub unsafe extern "C" fn car_drive(engine: *const Engine, steps: u32) -> i32 {
     // SAFETY: as above.
-    told(drive::compare(unsafe { &*engine }))
+    told(drive::compare(unsafe { &*engine }, steps as usize))
 }
 
 fn told(done: Result<(), Box<dyn Error>>) -> i32 {
