@@ -1,10 +1,12 @@
 /*
  * A five-link suspension through its published motion (H. A. Attia, KSME International Journal 17(8),
- * 2003) in steps of a millisecond of fixed cost, and what can be read off its wheel on the way.
+ * 2003) in steps of a millisecond of fixed cost, what can be read off its wheel on the way, and what its links
+ * bear: weight and inertia of its parts and 3 kN at an end of a link.
  *
  * In float, or in double where DOUBLE is defined. The last column is a checksum of the bits of all that
  * was computed so far: suspension-c/examples/motion.rs, which is the same in Rust, prints the same.
  */
+#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -55,6 +57,23 @@ static const FIVE_LINK(lengths) lengths = {
     .knuckle_track_rod_outer_upper_rear_outer = 0.141405,
 };
 
+/* The number of a point. */
+#define POINT(name) (offsetof(FIVE_LINK(points), name) / sizeof(number[3]))
+
+/* kg, m and kg m^2, as the points stand where the lower leading link is level. */
+static const SUSP(mass) parts[] = {
+    {.count = 3,
+        .points = {POINT(lower_front_outer), POINT(upper_front_outer), POINT(track_rod_outer)},
+        .mass = 20,
+        .centre = {(number)-1.29, (number)0.4, (number)0.06},
+        .inertia = {(number)0.4, (number)0.3, (number)0.35, (number)0.01, (number)-0.02, (number)0.03}},
+    {.count = 2, .points = {POINT(track_rod_inner), POINT(track_rod_outer)}, .mass = (number)1.5},
+    {.count = 1, .points = {POINT(lower_rear_outer)}, .mass = (number)0.5},
+};
+static const SUSP(masses) masses = {
+    .masses = parts, .count = sizeof parts / sizeof *parts, .gravity = {0, 0, (number)-9.81}};
+static FIVE_LINK(points) design;
+
 static SUSP(failure) failure;
 
 /* Ends the program where a call did not do what it was asked. */
@@ -102,11 +121,27 @@ static void set_up(FIVE_LINK(model) *model, FIVE_LINK(motion) *motion)
     check(FIVE_LINK(model_set_lengths)(model, &lengths, &failure), "the lengths");
     check(FIVE_LINK(assemble)(model, &level, &guess, motion, sizeof *motion, NULL, &failure), "assembling");
     check(FIVE_LINK(read_points)(model, &level, motion, &points), "reading the points");
+    design = points.value;
     for (int i = 0; i < 3; i++)
         points.value.wheel_centre[i] = points.value.upper_rear_outer[i];
     points.value.wheel_centre[1] += (number)0.1;
     check(FIVE_LINK(model_set_markers)(model, &points.value, &failure), "the wheel centre");
     check(FIVE_LINK(step_between)(model, &level, &start, 1, motion, NULL, &failure), "moving to the start");
+}
+
+/* What drive and links bear, into the checksum. */
+static void read_loads(const FIVE_LINK(model) *model, const FIVE_LINK(inputs) *inputs,
+        const FIVE_LINK(motion) *motion, const FIVE_LINK(point_rates) *points)
+{
+    FIVE_LINK(points) forces = {.upper_front_outer = {200, -100, 3000}};
+    FIVE_LINK(drives) drives;
+    FIVE_LINK(equations) equations;
+
+    check(FIVE_LINK(add_masses)(&masses, &design, points, &forces), "the masses");
+    check(FIVE_LINK(read_loads)(model, inputs, motion, &forces, &drives, &equations, &failure), "the loads");
+    add_to_checksum(&forces, sizeof forces);
+    add_to_checksum(&drives, sizeof drives);
+    add_to_checksum(&equations, sizeof equations);
 }
 
 /* Reads the wheel off the motion, into the checksum and, where `t` is one of a row, on the screen. */
@@ -130,6 +165,7 @@ static void read_wheel(const FIVE_LINK(model) *model, const FIVE_LINK(inputs) *i
     add_to_checksum(&wheel, sizeof wheel);
     add_to_checksum(&rotation, sizeof rotation);
     add_to_checksum(&kingpin, sizeof kingpin);
+    read_loads(model, inputs, motion, &points);
     if (is_row)
         printf("%5.2f %9.5f %9.5f %8.4f %8.4f %8.4f %8.4f  %08lx%08lx\n", t,
                 (double)measures.value.height, (double)measures.rate.height,

@@ -5,9 +5,11 @@ use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 use std::process::ExitCode;
 
+use suspension_core::inertia::{RigidBody, rod};
 use suspension_core::linkage::{HasKingpin, HasWheel};
 use suspension_core::linkages::five_link::{Drives, Lengths, Model, Points};
-use suspension_core::nalgebra::Vector3;
+use suspension_core::nalgebra::{Matrix3, Vector3};
+use suspension_core::statics::Loads;
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel, camber_to_ground};
 use suspension_core::{
     Bounded, Build, Inputs, Linkage, Motion, Newton, Real, Signal, Still, Tracker, Values, assemble,
@@ -70,7 +72,7 @@ fn main() -> ExitCode {
 }
 
 fn run<T: Number>() -> Result<(), Box<dyn Error>> {
-    let (model, mut motion) = set_up::<T>()?;
+    let (model, mut motion, knuckle) = set_up::<T>()?;
     let mut checksum = 0xcbf2_9ce4_8422_2325;
     println!("    t    height      rate   camber      toe  kingpin   caster");
     println!("    s         m       m/s      deg      deg      deg      deg");
@@ -80,6 +82,7 @@ fn run<T: Number>() -> Result<(), Box<dyn Error>> {
         let dt = milliseconds(step.min(1));
         Bounded::<T>::default().step(&model, &inputs, dt, &mut motion)?;
         let row = read_wheel(&model, &inputs, &motion, &mut checksum)?;
+        read_loads(&model, &inputs, &motion, &knuckle, &mut checksum)?;
         if step.is_multiple_of(STEPS_A_ROW) {
             println!("{:5.2} {row}  {checksum:016x}", step as f64 * 0.001);
         }
@@ -101,8 +104,11 @@ fn inputs_at<T: Number>(t: T) -> Inputs<Still, Drives<T>> {
     })
 }
 
-/// The model, and the motion at `t = 0`.
-fn set_up<T: Number>() -> Result<(Model<T>, Motion<T, 15>), Box<dyn Error>> {
+/// What a listing and a number make of a motion.
+type Moving<T> = (Model<T>, Motion<T, 15>, RigidBody<T>);
+
+/// The model, the motion at `t = 0`, and the knuckle's mass.
+fn set_up<T: Number>() -> Result<Moving<T>, Box<dyn Error>> {
     let guess = GUESS.map(|point| Vector3::from(point).map(T::constant));
     let guess = Points::from_values(guess);
     let lengths = Lengths::from_values(LENGTHS.map(T::constant));
@@ -116,12 +122,66 @@ fn set_up<T: Number>() -> Result<(Model<T>, Motion<T, 15>), Box<dyn Error>> {
     assemble(&Newton::from_afar(), &model, &level, &mut unknowns)?;
     let mut motion = Motion::at_rest(unknowns);
     let mut points = motion.points(&model, &level).value;
+    let knuckle = knuckle(&points);
     points.wheel_centre = points.upper_rear_outer;
     points.wheel_centre.y += T::constant(0.1);
     let model = model.with_markers(&points)?;
     let start = inputs_at(T::zero());
     Tracker::default().step_between(&model, [&level, &start], T::one(), &mut motion)?;
-    Ok((model, motion))
+    Ok((model, motion, knuckle))
+}
+
+/// Its mass, stated where the points stand so.
+fn knuckle<T: Number>(points: &Points<T>) -> RigidBody<T> {
+    let [xx, yy, zz, xy, yz, zx] = [0.4, 0.3, 0.35, 0.01, -0.02, 0.03].map(T::constant);
+    RigidBody {
+        points: held(points),
+        mass: T::constant(20.0),
+        centre: Vector3::new(-1.29, 0.4, 0.06).map(T::constant),
+        inertia: Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz),
+    }
+}
+
+fn held<T: Number>(points: &Points<T>) -> [Vector3<T>; 3] {
+    [
+        points.lower_front_outer,
+        points.upper_front_outer,
+        points.track_rod_outer,
+    ]
+}
+
+/// What drive and links bear: weight and inertia of knuckle, track rod and a mass in a joint, and 3 kN at an end of a link.
+fn read_loads<T: Number>(
+    model: &Model<T>,
+    inputs: &Inputs<Still, Drives<T>>,
+    motion: &Motion<T, 15>,
+    knuckle: &RigidBody<T>,
+    checksum: &mut u64,
+) -> Result<(), Box<dyn Error>> {
+    let points = motion.points(model, inputs);
+    let gravity = Vector3::new(0.0, 0.0, -9.81).map(T::constant);
+    let mut forces = Points {
+        upper_front_outer: Vector3::new(200.0, -100.0, 3000.0).map(T::constant),
+        ..Points::default()
+    };
+    let [lower, upper, track] = knuckle
+        .forces(&points.map(held), &gravity)
+        .ok_or("in line")?;
+    forces.lower_front_outer += lower;
+    forces.upper_front_outer += upper;
+    forces.track_rod_outer += track;
+    let accelerations = &points.second_rate;
+    let ends = [accelerations.track_rod_inner, accelerations.track_rod_outer];
+    let [inner, outer] = rod(T::constant(1.5), ends, &gravity);
+    forces.track_rod_inner += inner;
+    forces.track_rod_outer += outer;
+    forces.lower_rear_outer += (gravity - accelerations.lower_rear_outer) * T::constant(0.5);
+    let loads = Loads::new(model, inputs.drives.value, &motion.position, &forces)?;
+    forces.values().for_each(|force| add(&force, checksum));
+    loads.on_drives().theta.add_to(checksum);
+    let multipliers = loads.multipliers();
+    multipliers.iter().for_each(|each| each.add_to(checksum));
+    Ok(())
 }
 
 /// Adds all that is read off to the checksum; some of it in words.

@@ -200,6 +200,22 @@ typedef struct {
     float caster;
 } susp_f32_kingpin;
 
+/** A part that has a mass: with points in m, kg. */
+typedef struct {
+    /** How many points say where it is: 1 of a mass in a point, 2 of a uniform rod between two, 3 of a body that three
+     * of its points hold, which are not in line. */
+    uint32_t count;
+    /** Their numbers, from 0: the places of the members among the points, or what `susp_listing_find` tells. */
+    uint32_t points[3];
+    /** From zero on. */
+    float mass;
+    /** Of a body, else anything finite: its centre of mass, where its points are as in `design`. */
+    float centre[3];
+    /** Of a body, else anything finite: its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
+     * and zx of the matrix: with points in m, kg m^2. */
+    float inertia[6];
+} susp_f32_mass;
+
 /** How a chassis moves as a rigid body, in world axes. */
 typedef struct {
     /** From chassis axes to world axes: w, x, y, z. Of any length but zero, else SUSP_ERROR_ARGUMENT. */
@@ -244,6 +260,17 @@ typedef struct {
     /** Per second squared. */
     susp_f32_baked_wheel second_rate;
 } susp_f32_baked_wheel_rates;
+
+/** Masses of the caller's in a field. */
+typedef struct {
+    /** The first of them; not NULL. */
+    const susp_f32_mass *masses;
+    /** How many. */
+    size_t count;
+    /** The acceleration of free fall, in the unit of the points per second squared; less that of the chassis,
+     * where it has one. */
+    float gravity[3];
+} susp_f32_masses;
 
 /** Looks a wheel up where the drive has a value and moves at a rate, per second, and a
  * second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach. */
@@ -348,6 +375,22 @@ typedef struct {
     double caster;
 } susp_f64_kingpin;
 
+/** A part that has a mass: with points in m, kg. */
+typedef struct {
+    /** How many points say where it is: 1 of a mass in a point, 2 of a uniform rod between two, 3 of a body that three
+     * of its points hold, which are not in line. */
+    uint32_t count;
+    /** Their numbers, from 0: the places of the members among the points, or what `susp_listing_find` tells. */
+    uint32_t points[3];
+    /** From zero on. */
+    double mass;
+    /** Of a body, else anything finite: its centre of mass, where its points are as in `design`. */
+    double centre[3];
+    /** Of a body, else anything finite: its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
+     * and zx of the matrix: with points in m, kg m^2. */
+    double inertia[6];
+} susp_f64_mass;
+
 /** How a chassis moves as a rigid body, in world axes. */
 typedef struct {
     /** From chassis axes to world axes: w, x, y, z. Of any length but zero, else SUSP_ERROR_ARGUMENT. */
@@ -392,6 +435,17 @@ typedef struct {
     /** Per second squared. */
     susp_f64_baked_wheel second_rate;
 } susp_f64_baked_wheel_rates;
+
+/** Masses of the caller's in a field. */
+typedef struct {
+    /** The first of them; not NULL. */
+    const susp_f64_mass *masses;
+    /** How many. */
+    size_t count;
+    /** The acceleration of free fall, in the unit of the points per second squared; less that of the chassis,
+     * where it has one. */
+    double gravity[3];
+} susp_f64_masses;
 
 /** Looks a wheel up where the drive has a value and moves at a rate, per second, and a
  * second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach. */

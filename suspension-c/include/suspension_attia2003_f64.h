@@ -315,6 +315,16 @@ susp_status susp_attia2003_f64_read_loads(
         susp_attia2003_f64_equations *equations,
         susp_f64_failure *failure);
 
+/** Adds to `forces` weight and inertia of masses where the points move, which `read_points` found with their
+ * accelerations: for `read_loads`. `design` are the points where the masses are stated. Each is at chassis points and
+ * free points, as what acts at markers loads nothing: SUSP_ERROR_ARGUMENT of a marker, SUSP_ERROR_ABSENT of no
+ * point. SUSP_ERROR_NO_DIRECTION where three points that hold a body are in line. */
+susp_status susp_attia2003_f64_add_masses(
+        const susp_f64_masses *masses,
+        const susp_attia2003_f64_points *design,
+        const susp_attia2003_f64_point_rates *points,
+        susp_attia2003_f64_points *forces);
+
 /** Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
  * position, and no other. Takes about as long as four steps to tolerance. */
 susp_status susp_attia2003_f64_certify(

@@ -151,6 +151,17 @@ susp_status susp_corner_read_derivatives(
         size_t measure_count,
         susp_f64_failure *failure);
 
+/** Adds to `forces[POINTS][3]` weight and inertia of masses where the suspension is, as it moves: for
+ * `susp_corner_read_loads`. `design[POINTS][3]` are the points where the masses are stated. Each is at any points;
+ * SUSP_ERROR_ABSENT of no point, SUSP_ERROR_NO_DIRECTION where three points that hold a body are in line. */
+susp_status susp_corner_add_masses(
+        const susp_corner *corner,
+        const susp_f64_masses *masses,
+        const double *design,
+        size_t design_count,
+        double *forces,
+        size_t force_count);
+
 /** What forces at the points do, `forces[POINTS][3]`, in N in the axes of the points, the suspension at rest where it
  * is: at a marker on its body, at a chassis point on the drive that moves it. `drives[DRIVES]` is their work per unit of each
  * drive, which what moves the drive bears, of a length in N, of an angle in N times the unit of the points;

@@ -54,7 +54,7 @@ macro_rules! export {
             use $listing as listing;
             use $crate::private::{
                 Build as _, HasKingpin as _, HasWheel as _, In, InOut, Linkage as _, Names, Object, Out, PhantomData, Rates, Status,
-                Text, Trouble, Values, answer, fill, kingpin_of, named, named_points, of, outputs_of, respond,
+                Text, Trouble, Values, add_at, answer, each_force, fill, kingpin_of, named, named_points, of, outputs_of, place, respond,
                 room, rotation_of, signal, solver, values, values_of_points, wheel_of,
             };
 
@@ -65,6 +65,7 @@ macro_rules! export {
 
             const POINTS: &[&str] = listing::Listing::PARTS.points;
             const FIXED: &[&str] = listing::Listing::PARTS.chassis;
+            const BEFORE_MARKERS: usize = FIXED.len() + UNKNOWNS / 3;
             const DRIVES: &[&str] = listing::Listing::PARTS.drives;
             const MEASURES: &[&str] = listing::Listing::PARTS.measures;
             const LENGTHS: &[&str] = listing::Listing::PARTS.lengths;
@@ -81,7 +82,7 @@ macro_rules! export {
             $crate::structures_of_a_linkage!($prefix);
 
             use of::$number::{
-                Assembly, CarrierRotation, Certificate, Failure, Kingpin, Outputs, Report, RigidMotion,
+                Assembly, CarrierRotation, Certificate, Failure, Kingpin, Masses, Outputs, Report, RigidMotion,
                 Wheel,
             };
 

@@ -203,6 +203,22 @@ macro_rules! functions_of_a_linkage {
             })
         }
 
+        /// Adds to `forces` weight and inertia of masses where the points move, which `read_points` found with their
+        /// accelerations: for `read_loads`. `design` are the points where the masses are stated. Each is at chassis points and
+        /// free points, as what acts at markers loads nothing: SUSP_ERROR_ARGUMENT of a marker, SUSP_ERROR_ABSENT of no
+        /// point. SUSP_ERROR_NO_DIRECTION where three points that hold a body are in line.
+        fn add_masses(masses: In<Masses>, design: In<Points>, points: In<PointRates>, forces: InOut<Points>) -> Status {
+            answer(|| {
+                let (masses, design, points) = (masses.get()?, design.get()?, points.get()?);
+                let forces = forces.get()?;
+                let mut sum = *forces;
+                let at = |point| place(BEFORE_MARKERS, design, points, point);
+                each_force(masses, at, |point, force| add_at(&mut sum.values, point, force))?;
+                *forces = sum;
+                Ok(())
+            })
+        }
+
         /// Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
         /// position, and no other. Takes about as long as four steps to tolerance.
         fn certify(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, certificate: Out<Certificate>, failure: Out<Failure>) -> Status {

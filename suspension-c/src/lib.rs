@@ -54,6 +54,7 @@ pub mod header;
 mod linkage;
 #[cfg(feature = "listings")]
 pub mod listing;
+mod masses;
 mod names;
 pub mod of;
 mod pointer;
@@ -74,6 +75,7 @@ pub mod private {
     pub use crate::convert::{fill, kingpin_of, rotation_of, wheel_of};
     pub use crate::describe::{Function, Interface, Names, Shape, Structure};
     pub use crate::failure::{Trouble, answer, respond};
+    pub use crate::masses::{add_at, each_force, place};
     pub use crate::names::{Naming, Table, Text, terminated, terminated_length};
     pub use crate::of;
     pub use crate::pointer::{In, InOut, Object, Out, tag};
@@ -87,7 +89,7 @@ pub mod private {
 pub use describe::{Function, Interface, Shape, Structure};
 #[cfg(feature = "listings")]
 pub use pointer::{Create, Destroy};
-pub use pointer::{In, InOut, Out};
+pub use pointer::{In, InOut, Masses, Out};
 pub use status::{Status, status_text};
 
 #[cfg(all(feature = "panic-handler", not(feature = "std")))]

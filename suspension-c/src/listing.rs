@@ -23,10 +23,10 @@ pub type Listing = Object<parsed::Parsed, { tag("susp_listing") }>;
 pub type Corner = Object<placed::Placed, { tag("susp_corner") }>;
 
 pub use corner::{
-    corner_advance, corner_destroy, corner_drives, corner_new, corner_read_derivatives,
-    corner_read_kingpin, corner_read_kingpin_at, corner_read_loads, corner_read_measures,
-    corner_read_points, corner_read_rotation, corner_read_rotation_at, corner_read_wheel,
-    corner_read_wheel_at, corner_step, corner_time,
+    corner_add_masses, corner_advance, corner_destroy, corner_drives, corner_new,
+    corner_read_derivatives, corner_read_kingpin, corner_read_kingpin_at, corner_read_loads,
+    corner_read_measures, corner_read_points, corner_read_rotation, corner_read_rotation_at,
+    corner_read_wheel, corner_read_wheel_at, corner_step, corner_time,
 };
 pub use text::{
     listing_count, listing_design, listing_destroy, listing_find, listing_name, listing_parse,

@@ -16,7 +16,7 @@ macro_rules! over {
             /// Which rates are solved for: see `SUSP_POSITION`.
             pub type Outputs = i32;
             over!(@types $number: Assembly, BakedWheel, BakedWheelRates, CarrierRotation, Certificate,
-                Curve, Failure, Kingpin, Numbers, Report, RigidMotion, Wheel);
+                Curve, Failure, Kingpin, Mass, Masses, Numbers, Report, RigidMotion, Wheel);
 
             crate::functions! { $prefix:
                 /// Looks a wheel up where the drive has a value and moves at a rate, per second, and a
@@ -34,7 +34,7 @@ macro_rules! over {
                 prefix: $prefix,
                 number: stringify!($number),
                 docs: &[],
-                structures: &[&[shared::NUMBERS], shared::STRUCTURES],
+                structures: &[&[shared::NUMBERS], shared::STRUCTURES, &[shared::MASSES]],
                 functions: &[FUNCTIONS],
             };
         }

@@ -10,7 +10,7 @@ mod array;
 #[cfg(feature = "listings")]
 mod heap;
 
-pub use array::Numbers;
+pub use array::{Masses, Numbers};
 #[cfg(feature = "listings")]
 pub use heap::{Create, Destroy};
 

@@ -4,7 +4,7 @@ use suspension_core::Real;
 
 use crate::describe::{Shape, Structure};
 use crate::names::Text;
-pub use crate::pointer::Numbers;
+pub use crate::pointer::{Masses, Numbers};
 use crate::status::Status;
 
 /// Defines structs for C and describes them.
@@ -119,6 +119,22 @@ structures! {
         caster: T,
     }
 
+    /// A part that has a mass: with points in m, kg.
+    Mass {
+        /// How many points say where it is: 1 of a mass in a point, 2 of a uniform rod between two, 3 of a body that three
+        /// of its points hold, which are not in line.
+        count: u32,
+        /// Their numbers, from 0: the places of the members among the points, or what `susp_listing_find` tells.
+        points: [u32; 3],
+        /// From zero on.
+        mass: T,
+        /// Of a body, else anything finite: its centre of mass, where its points are as in `design`.
+        centre: [T; 3],
+        /// Of a body, else anything finite: its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
+        /// and zx of the matrix: with points in m, kg m^2.
+        inertia: [T; 6],
+    }
+
     /// How a chassis moves as a rigid body, in world axes.
     RigidMotion {
         /// From chassis axes to world axes: w, x, y, z. Of any length but zero, else SUSP_ERROR_ARGUMENT.
@@ -172,6 +188,24 @@ pub(crate) const NUMBERS: Structure = Structure {
     shape: Shape::Fields(&[
         ("numbers", "*const T", &[" The first of them."]),
         ("count", "usize", &[" How many."]),
+    ]),
+};
+
+/// See [`Masses`], whose pointer is not for Rust to set.
+pub(crate) const MASSES: Structure = Structure {
+    name: "Masses",
+    docs: &[" Masses of the caller's in a field."],
+    shape: Shape::Fields(&[
+        ("masses", "*const Mass", &[" The first of them; not NULL."]),
+        ("count", "usize", &[" How many."]),
+        (
+            "gravity",
+            "[T; 3]",
+            &[
+                " The acceleration of free fall, in the unit of the points per second squared; less that of the chassis,",
+                " where it has one.",
+            ],
+        ),
     ]),
 };
 

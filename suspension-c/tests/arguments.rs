@@ -26,6 +26,8 @@ static PREFIX_point_rates point_rates;
 static PREFIX_chassis_rates chassis_rates;
 static PREFIX_lengths lengths;
 static PREFIX_drives drives;
+static susp_NUMBER_mass one = {.count = 1, .points = {5}, .mass = 2};
+static susp_NUMBER_masses masses = {.masses = &one, .count = 1, .gravity = {0, 0, -9.81}};
 static int checks;
 
 static void same(const void *a, const void *b, size_t size, const char *call)
@@ -59,7 +61,7 @@ static void set_up(void)
 "#;
 
 /// The types of those objects.
-const VALID: [&str; 9] = [
+const VALID: [&str; 10] = [
     "Points",
     "RigidMotion",
     "Model",
@@ -69,6 +71,7 @@ const VALID: [&str; 9] = [
     "ChassisRates",
     "Lengths",
     "Drives",
+    "Masses",
 ];
 
 /// Attia 2003, tables 1 and 2, and a wheel centre.

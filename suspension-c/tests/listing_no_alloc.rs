@@ -6,12 +6,22 @@ mod counting;
 mod text;
 
 use counting::{Counting, allocations};
-use suspension_c::Status;
 use suspension_c::listing;
+use suspension_c::shared::Mass;
+use suspension_c::{InOut, Masses, Status};
 use text::{PART, from, made, pushrod, to};
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
+
+/// A body.
+const BODY: &[Mass<f64>] = &[Mass {
+    count: 3,
+    points: [10, 12, 13],
+    mass: 20.0,
+    centre: [0.0, 0.7, 0.3],
+    inertia: [0.5, 0.9, 0.6, 0.0, 0.0, 0.0],
+}];
 
 #[test]
 fn what_moves_and_reads_does_not_allocate() {
@@ -22,7 +32,8 @@ fn what_moves_and_reads_does_not_allocate() {
     assert!(allocations() > before, "an allocation is seen");
 
     let parts = listing.count(PART);
-    let (mut drives, forces) = ([0.0; 2], [1.0; 3 * 20]);
+    let (mut drives, mut forces) = ([0.0; 2], [1.0; 3 * 20]);
+    let masses = Masses::new(BODY, [0.0, 0.0, -9.81]);
     let (mut tensions, mut reactions) = (vec![0.0; parts], vec![0.0; 3 * 20 * parts]);
     let before = allocations();
     let [bump, steer] = corner.drives();
@@ -36,7 +47,12 @@ fn what_moves_and_reads_does_not_allocate() {
         .expect_err("beyond reach");
     assert!(corner.time() > 1.0);
     let (mut points, mut measures, change) = ([0.0; 9 * 20], [0.0; 6], [1.0, 0.0]);
+    // SAFETY: as many as are said.
+    let both = unsafe { InOut::from_raw(forces.as_mut_ptr()) };
+    let added =
+        listing::corner_add_masses(corner.get(), (&masses).into(), from(&design), 60, both, 60);
     let statuses = [
+        added,
         listing::corner_read_points(corner.get(), to(&mut points), 9 * 20),
         listing::corner_read_measures(corner.get(), to(&mut measures), 6),
         listing::corner_read_derivatives(
@@ -68,5 +84,5 @@ fn what_moves_and_reads_does_not_allocate() {
     made(|wheel| listing::corner_read_wheel_at(corner.get(), 0, wheel)).expect("a wheel");
     let made = allocations() - before;
     assert_eq!(made, 0, "{made} allocations");
-    assert_eq!(statuses, [Status::Ok; 4]);
+    assert_eq!(statuses, [Status::Ok; 5]);
 }

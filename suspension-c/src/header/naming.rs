@@ -195,12 +195,16 @@ impl Interface {
     /// A member of a struct.
     pub(super) fn declare(&self, f: &mut Formatter<'_>, kind: &str, name: &str) -> fmt::Result {
         let array = kind
-            .strip_prefix("[T; ")
-            .and_then(|rest| rest.strip_suffix(']'));
+            .strip_prefix('[')
+            .and_then(|rest| rest.strip_suffix(']'))
+            .and_then(|rest| rest.split_once("; "));
         let of = kind.strip_suffix("<T>");
         match (array, of) {
-            (Some(count), _) => writeln!(f, "    {} {name}[{count}];", self.number_type()),
+            (Some((of, count)), _) => writeln!(f, "    {}{name}[{count}];", self.type_of(of)?),
             (_, Some(of)) => writeln!(f, "    {} {name};", self.type_name(of)),
+            _ if kind == "*const Mass" => {
+                writeln!(f, "    const {} *{name};", self.type_name("Mass"))
+            }
             _ => writeln!(f, "    {}{name};", self.type_of(kind)?),
         }
     }

@@ -11,7 +11,7 @@ use super::text::{Number, check_count};
 use super::{Corner, Listing};
 use crate::convert::{fill, kingpin_of, rotation_of, wheel_of};
 use crate::failure::{Trouble, answer, respond};
-use crate::of::f64::{CarrierRotation, Failure, Kingpin, Report, Wheel};
+use crate::of::f64::{CarrierRotation, Failure, Kingpin, Masses, Report, Wheel};
 use crate::pointer::{Create, Destroy, In, InOut, Object, Out};
 use crate::status::Status;
 
@@ -175,6 +175,20 @@ crate::functions! { "susp":
             let (points, measures) = (points.unwrap_or_default(), measures.unwrap_or_default());
             let derived = corner.moving().read_per(change, points, measures);
             derived.map_err(Trouble::Solver)
+        })
+    }
+
+    /// Adds to `forces[POINTS][3]` weight and inertia of masses where the suspension is, as it moves: for
+    /// `susp_corner_read_loads`. `design[POINTS][3]` are the points where the masses are stated. Each is at any points;
+    /// SUSP_ERROR_ABSENT of no point, SUSP_ERROR_NO_DIRECTION where three points that hold a body are in line.
+    fn corner_add_masses(corner: In<Corner>, masses: In<Masses>, design: In<Number>, design_count: usize, forces: InOut<Number>, force_count: usize) -> Status {
+        answer(|| {
+            let (corner, masses) = (corner.object()?, masses.get()?);
+            let (design, forces) = (design.many(design_count)?, forces.many(force_count)?);
+            let count = 3 * corner.parsed().counts().points;
+            check_count(design_count, count)?;
+            check_count(force_count, count)?;
+            corner.moving().add_masses(masses, design, forces)
         })
     }
 

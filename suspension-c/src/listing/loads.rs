@@ -12,6 +12,9 @@ use suspension_core::{Corner, Linkage, Values};
 use suspension_runtime::{Listing, Model, Room, Size};
 
 use super::row::{Row, write};
+use crate::masses::{add_at, each_force};
+use crate::pointer::Masses;
+use crate::status::Status;
 
 /// What of a listing takes forces and passes them on.
 #[derive(Clone, Debug)]
@@ -85,9 +88,36 @@ where
     Ok(())
 }
 
+/// Adds weight and inertia of masses, stated where the points are as in `design`, to forces, x, y, z at each point.
+pub(super) fn add_masses<const N: usize>(
+    corner: &Corner<Model<'_, f64, N>, N>,
+    masses: &Masses<f64>,
+    design: &[f64],
+    forces: &mut [f64],
+) -> Result<(), Status>
+where
+    Room<N>: Size,
+{
+    let points = corner.points();
+    let (design, _) = design.as_chunks();
+    let place = |point: usize| {
+        let stated: [f64; 3] = *design.get(point).ok_or(Status::Absent)?;
+        let of = |all: &_| nth(all, point);
+        Ok((stated.into(), points.map(of)))
+    };
+    // Told where one is wrong before anything is added.
+    each_force(masses, place, |_, _| {})?;
+    let (forces, _) = forces.as_chunks_mut();
+    each_force(masses, place, |point, force| add_at(forces, point, force))
+}
+
+fn nth<P: Values<Vector3<f64>>>(all: &P, point: usize) -> Vector3<f64> {
+    all.values().nth(point).unwrap_or_default()
+}
+
 /// The forces with those at markers spread over their bodies.
 fn with_markers<P: Values<Vector3<f64>>>(structure: &Structure, at: &P, forces: P) -> P {
-    let of = |all: &P, point: usize| all.values().nth(point).unwrap_or_default();
+    let of = nth;
     let mut spreaded = forces;
     for (marker, body) in &structure.carriers {
         let points = body.map(|point| of(at, point));

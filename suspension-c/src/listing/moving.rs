@@ -10,6 +10,8 @@ use suspension_runtime::{Model, Room, Size};
 use super::loads::{self, Structure, Wanted};
 use super::parsed::Counts;
 use super::row::{Row, write};
+use crate::pointer::Masses;
+use crate::status::Status;
 
 /// What C asks of a suspension. Rows have the counts of the listing; those of drives, points and measures
 /// with rates are values, rates and second rates, one after the other.
@@ -38,6 +40,14 @@ pub(super) trait Moving: Send + Sync {
         forces: &[f64],
         wanted: Wanted<'_>,
     ) -> Result<(), Facts>;
+
+    /// Weight and inertia of masses, stated where the points are as in `design`, added to forces at the points.
+    fn add_masses(
+        &self,
+        masses: &Masses<f64>,
+        design: &[f64],
+        forces: &mut [f64],
+    ) -> Result<(), Status>;
 
     /// Of a wheel by its number, as what follows.
     fn wheel_axis(&self, wheel: usize) -> Option<[Vector3<f64>; 2]>;
@@ -122,6 +132,15 @@ where
         wanted: Wanted<'_>,
     ) -> Result<(), Facts> {
         loads::read(&self.corner, structure, forces, wanted)
+    }
+
+    fn add_masses(
+        &self,
+        masses: &Masses<f64>,
+        design: &[f64],
+        forces: &mut [f64],
+    ) -> Result<(), Status> {
+        loads::add_masses(&self.corner, masses, design, forces)
     }
 
     fn wheel_axis(&self, wheel: usize) -> Option<[Vector3<f64>; 2]> {

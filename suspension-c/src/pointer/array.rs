@@ -4,6 +4,7 @@
 use core::marker::PhantomData;
 
 use super::{In, check};
+use crate::shared::Mass;
 use crate::status::Status;
 
 /// Numbers of the caller's: a pointer to the first of `count`, which nobody writes as long as this
@@ -27,6 +28,34 @@ impl<T> From<&'static [T]> for Numbers<T> {
             numbers: numbers.as_ptr(),
             count: numbers.len(),
         }
+    }
+}
+
+/// Masses of the caller's in a field: a pointer to the first of `count`, which nobody writes as long as this is used.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Masses<T> {
+    masses: *const Mass<T>,
+    count: usize,
+    gravity: [T; 3],
+}
+
+impl<T: Copy> Masses<T> {
+    /// Of masses that stay, in a field.
+    pub fn new(masses: &'static [Mass<T>], gravity: [T; 3]) -> Self {
+        Self {
+            masses: masses.as_ptr(),
+            count: masses.len(),
+            gravity,
+        }
+    }
+
+    pub(crate) fn get(&self) -> Result<&[Mass<T>], Status> {
+        In(self.masses, PhantomData).many(self.count)
+    }
+
+    pub(crate) fn gravity(&self) -> [T; 3] {
+        self.gravity
     }
 }
 
@@ -55,7 +84,7 @@ mod of_listings {
     use core::ffi::CStr;
     use core::mem::MaybeUninit;
 
-    use super::super::{In, Out, check};
+    use super::super::{In, InOut, Out, check};
     use super::check_count;
     use crate::status::Status;
 
@@ -66,6 +95,17 @@ mod of_listings {
             // SAFETY: not null, so that by what the header asks for a zero closes it; it is only read
             // for 'a.
             Ok(unsafe { CStr::from_ptr(self.0.cast()) })
+        }
+    }
+
+    impl<'a, T> InOut<'a, T> {
+        /// A pointer to the first of `count`.
+        pub(crate) fn many(self, count: usize) -> Result<&'a mut [T], Status> {
+            check(self.0)?;
+            check_count::<T>(count)?;
+            // SAFETY: neither null nor misaligned, so that by what the header asks for it points to `count`
+            // of them which are this call's alone for 'a; they fit into the address space.
+            Ok(unsafe { core::slice::from_raw_parts_mut(self.0, count) })
         }
     }
 
