@@ -127,8 +127,10 @@ fn by_the_core(
         centre: CENTRE.into(),
         inertia: Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz),
     };
-    let mut forces = compiled::Points::default();
-    forces.wheel_centre = Vector3::new(-300.0, 200.0, 4000.0);
+    let mut forces = compiled::Points {
+        wheel_centre: Vector3::new(-300.0, 200.0, 4000.0),
+        ..Default::default()
+    };
     let of_upright = upright.forces(&moving.map(held), &gravity);
     let [lower, upper, centre] = of_upright.expect("three points");
     forces.lower_ball += lower;

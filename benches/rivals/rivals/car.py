@@ -38,13 +38,14 @@ def measure(scratch):
     for program, name, runs in engines(scratch, library):
         for label, *arguments in runs:
             yield drive([program, *arguments], f"{name}{label}", scratch, ours)
-    if ours:
-        yield Driven("ours, exact", sorted(ours)[len(ours) // 2])
+    if not ours:
+        raise Missing("neither pin nor mujoco is installed")
+    yield Driven("ours, exact", sorted(ours)[len(ours) // 2])
 
 
 def engines(scratch, library):
     """Programs, what they are, and how they are run: label, steps in a tick, inertia across."""
-    thread = [library, "-lpthread", "-ldl"]
+    car = [library, "-lpthread", "-ldl"]
     all_ways = [
         ("", "1", POINT),
         (", wheels as discs", "1", DISC),
@@ -52,11 +53,11 @@ def engines(scratch, library):
         (", 8 steps, discs", "8", DISC),
     ]
     if found := _version("pin"):
-        headers = ["-isystem", pinocchio.HEADERS, "-isystem", eigen.INCLUDE, *thread]
+        headers = ["-isystem", pinocchio.HEADERS, "-isystem", eigen.INCLUDE, *car]
         yield _built(scratch, "pinocchio", headers, pinocchio.LIMITS), f"Pinocchio {found}", all_ways
     if found := _version("mujoco"):
         shared = mujoco_c.FOLDER / f"libmujoco.so.{found}"
-        options = ["-isystem", mujoco_c.FOLDER / "include", shared, f"-Wl,-rpath,{mujoco_c.FOLDER}", *thread]
+        options = ["-isystem", mujoco_c.FOLDER / "include", shared, f"-Wl,-rpath,{mujoco_c.FOLDER}", *car]
         yield _built(scratch, "mujoco", options, {"STIFF": None}), f"MuJoCo {found}, stiff", all_ways
         yield _built(scratch, "mujoco", options, {}), f"MuJoCo {found}", [(", wheels as discs", "1", DISC)]
 
@@ -78,7 +79,8 @@ def drive(command, name, scratch, ours):
     """One car; `ours` takes the figures of ours in the same run."""
     done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=scratch)
     if done.returncode:
-        return Driven(name, note=f"fails: {done.stderr.strip().splitlines()[0]}")
+        said = done.stderr.strip() or f"exit code {done.returncode}"
+        return Driven(name, note=f"fails: {said.splitlines()[0]}")
     told = {key: tuple(map(float, figures)) for key, *figures in csv.reader(done.stdout.splitlines())}
     ours.append(told["ours"])
     return Driven(name, told["engine"])
