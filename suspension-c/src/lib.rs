@@ -89,7 +89,7 @@ pub mod private {
 pub use describe::{Function, Interface, Shape, Structure};
 #[cfg(feature = "listings")]
 pub use pointer::{Create, Destroy};
-pub use pointer::{In, InOut, Masses, Out};
+pub use pointer::{In, InOut, Out};
 pub use status::{Status, status_text};
 
 #[cfg(all(feature = "panic-handler", not(feature = "std")))]

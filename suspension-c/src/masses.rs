@@ -4,8 +4,7 @@ use suspension_core::inertia::{RigidBody, rod};
 use suspension_core::nalgebra::{Matrix3, Vector3};
 use suspension_core::{Real, Signal};
 
-use crate::pointer::Masses;
-use crate::shared::Mass;
+use crate::shared::{Mass, Masses};
 use crate::status::Status;
 use crate::values::{Rates, Values};
 

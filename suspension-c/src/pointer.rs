@@ -10,7 +10,7 @@ mod array;
 #[cfg(feature = "listings")]
 mod heap;
 
-pub use array::{Masses, Numbers};
+pub use array::Numbers;
 #[cfg(feature = "listings")]
 pub use heap::{Create, Destroy};
 

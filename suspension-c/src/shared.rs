@@ -4,7 +4,7 @@ use suspension_core::Real;
 
 use crate::describe::{Shape, Structure};
 use crate::names::Text;
-pub use crate::pointer::{Masses, Numbers};
+pub use crate::pointer::Numbers;
 use crate::status::Status;
 
 /// Defines structs for C and describes them.
@@ -191,7 +191,32 @@ pub(crate) const NUMBERS: Structure = Structure {
     ]),
 };
 
-/// See [`Masses`], whose pointer is not for Rust to set.
+/// Masses of the caller's in a field.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Masses<T> {
+    // In C a pointer and a count: the same memory.
+    masses: Numbers<Mass<T>>,
+    gravity: [T; 3],
+}
+
+impl<T: Copy> Masses<T> {
+    /// Of masses that stay.
+    pub fn new(masses: &'static [Mass<T>], gravity: [T; 3]) -> Self {
+        let masses = masses.into();
+        Self { masses, gravity }
+    }
+
+    pub(crate) fn get(&self) -> Result<&[Mass<T>], Status> {
+        self.masses.get()
+    }
+
+    pub(crate) fn gravity(&self) -> [T; 3] {
+        self.gravity
+    }
+}
+
+/// See [`Masses`], whose fields are not for Rust to set.
 pub(crate) const MASSES: Structure = Structure {
     name: "Masses",
     docs: &[" Masses of the caller's in a field."],

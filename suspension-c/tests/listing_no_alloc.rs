@@ -7,8 +7,8 @@ mod text;
 
 use counting::{Counting, allocations};
 use suspension_c::listing;
-use suspension_c::shared::Mass;
-use suspension_c::{InOut, Masses, Status};
+use suspension_c::shared::{Mass, Masses};
+use suspension_c::{InOut, Status};
 use text::{PART, from, made, pushrod, to};
 
 #[global_allocator]

@@ -13,7 +13,7 @@ use suspension_runtime::{Listing, Model, Room, Size};
 
 use super::row::{Row, write};
 use crate::masses::{add_at, each_force};
-use crate::pointer::Masses;
+use crate::shared::Masses;
 use crate::status::Status;
 
 /// What of a listing takes forces and passes them on.

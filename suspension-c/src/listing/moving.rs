@@ -10,7 +10,7 @@ use suspension_runtime::{Model, Room, Size};
 use super::loads::{self, Structure, Wanted};
 use super::parsed::Counts;
 use super::row::{Row, write};
-use crate::pointer::Masses;
+use crate::shared::Masses;
 use crate::status::Status;
 
 /// What C asks of a suspension. Rows have the counts of the listing; those of drives, points and measures

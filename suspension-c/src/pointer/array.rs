@@ -4,7 +4,6 @@
 use core::marker::PhantomData;
 
 use super::{In, check};
-use crate::shared::Mass;
 use crate::status::Status;
 
 /// Numbers of the caller's: a pointer to the first of `count`, which nobody writes as long as this
@@ -28,34 +27,6 @@ impl<T> From<&'static [T]> for Numbers<T> {
             numbers: numbers.as_ptr(),
             count: numbers.len(),
         }
-    }
-}
-
-/// Masses of the caller's in a field: a pointer to the first of `count`, which nobody writes as long as this is used.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct Masses<T> {
-    masses: *const Mass<T>,
-    count: usize,
-    gravity: [T; 3],
-}
-
-impl<T: Copy> Masses<T> {
-    /// Of masses that stay, in a field.
-    pub fn new(masses: &'static [Mass<T>], gravity: [T; 3]) -> Self {
-        Self {
-            masses: masses.as_ptr(),
-            count: masses.len(),
-            gravity,
-        }
-    }
-
-    pub(crate) fn get(&self) -> Result<&[Mass<T>], Status> {
-        In(self.masses, PhantomData).many(self.count)
-    }
-
-    pub(crate) fn gravity(&self) -> [T; 3] {
-        self.gravity
     }
 }
 
