@@ -1,7 +1,7 @@
 //! What generated code names. Not for use by hand.
 
 pub use nalgebra::{SMatrix, SVector, Vector3};
-pub use suspension_macros::linkage as expand;
+pub use suspension_macros::{Named, linkage as expand};
 
 pub use crate::assemble::best_rigid_fit;
 pub use crate::constraint::{
@@ -14,14 +14,14 @@ pub use crate::linkage::{
     Build, Designed, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage,
     Listing as AnyNumber, Named, Values,
 };
-pub use crate::listing::{DriveKind, Kind, MeasureKind, Names, Part, Parts, WheelPlaces};
+pub use crate::listing::{DriveKind, MeasureKind, Names, Parts, WheelPlaces};
 pub use crate::magnitude::sum_of_squares;
 pub use crate::measure;
 pub use crate::parts;
 pub use crate::pivots::check as check_pivots;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
-pub use crate::vector::{difference, dot, gather_vector, moved_along};
+pub use crate::vector::{difference, dot, gather_vectors, moved_along};
 
 /// A matrix from its columns.
 #[inline(always)]

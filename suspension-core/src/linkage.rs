@@ -195,13 +195,19 @@ pub trait Linkage<const N: usize>: Parts {
     /// The ends of the wheel's spin axis, the wheel centre last, among positions, velocities or
     /// accelerations of points; `None` where the listing states no `wheel`, that of the first where it states
     /// several ([`Parts::wheel`]).
-    fn wheel_axis(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]>;
+    fn wheel_axis(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]> {
+        Some(points.at(self.wheel(0)?.axis))
+    }
 
     /// Three points of the body that carries the wheel, likewise.
-    fn wheel_carrier(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 3]>;
+    fn wheel_carrier(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 3]> {
+        Some(points.at(self.wheel(0)?.carrier))
+    }
 
     /// The ends of that wheel's kingpin, the lower one first, likewise; `None` where the listing states none.
-    fn kingpin(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]>;
+    fn kingpin(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]> {
+        Some(points.at(self.wheel(0)?.kingpin?))
+    }
 
     /// For each of [`linked`](Self::linked) what tells it from its mirror image: where the lengths are
     /// kept, 0 on the side of the three others where the model has it, 1 on the other.

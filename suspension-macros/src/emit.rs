@@ -8,6 +8,7 @@ mod elimination;
 mod equations;
 mod fields;
 mod form;
+mod frames;
 mod gather;
 mod indices;
 mod jacobian;

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::fields::point_index;
 use super::terms::{ident, parameter, value_of};
-use super::{clusters, form, lengths, quantity, readout};
+use super::{clusters, form, frames, lengths, quantity};
 use suspension_listing::name::Name;
 use suspension_listing::system::{System, carried_name, frame_name};
 
@@ -82,8 +82,8 @@ fn new(system: &System) -> TokenStream {
         let name = frame_name(&body.name);
         let [.., third] = &body.frame;
         let third = point_index(system, &third.name);
-        let points = body.frame.iter().map(|site| &site.name);
-        quote!(let #name = parts::frame(#third, Frame::new(#(design.#points),*))?;)
+        let frame = frames::among_points(system, &body.frame, &quote!(design));
+        quote!(let #name = parts::frame(#third, #frame)?;)
     });
     let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
     let [stated, framed] = [false, true].map(|framed| {
@@ -117,7 +117,8 @@ fn new(system: &System) -> TokenStream {
 
 fn markers<'a>(system: &'a System, points: &'a TokenStream) -> impl Iterator<Item = TokenStream> {
     system.markers.iter().map(move |marker| {
-        let (name, frame) = (&marker.named.name, readout::frame_of(marker, points));
+        let name = &marker.named.name;
+        let frame = frames::among_points(system, &marker.frame, points);
         let index = point_index(system, name);
         quote!(#name: parts::carried(#index, #points.#name, &#frame)?)
     })

@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::fields::point_index;
+use super::frames;
 use super::terms::{Binding, bind, ident, parameter, value_of};
 use suspension_listing::name::Name;
 use suspension_listing::system::{Body, Site, System, carried_name, distance_between, frame_name};
@@ -28,12 +29,10 @@ fn clustered(system: &System) -> impl Iterator<Item = Clustered<'_>> {
 /// `frame` and constants from the design: what comes before the model, and its fields.
 pub(super) fn designed(system: &System) -> [TokenStream; 2] {
     let frames = system.clusters.iter().map(|cluster| {
-        let (name, points) = (
-            frame_name(&cluster.name),
-            cluster.frame.iter().map(|site| &site.name),
-        );
+        let name = frame_name(&cluster.name);
         let third = point_index(system, &cluster.frame[2].name);
-        quote!(let #name = parts::frame(#third, Frame::new(#(design.#points),*))?;)
+        let frame = frames::among_points(system, &cluster.frame, &quote!(design));
+        quote!(let #name = parts::frame(#third, #frame)?;)
     });
     let names = frame_names(system);
     let linked = clustered(system).map(
@@ -117,9 +116,9 @@ pub(super) fn linked(system: &System) -> TokenStream {
 pub(super) fn mirrored(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
-    let frames = system.clusters.iter().map(|cluster| {
-        let points = cluster.frame.iter().map(|site| value_of(site, free, fixed));
-        Binding::new(&frame_name(&cluster.name), quote!(Frame::new(#(#points),*)))
+    let bindings = system.clusters.iter().map(|cluster| {
+        let frame = frames::among_free(system, &cluster.frame, free, fixed);
+        Binding::new(&frame_name(&cluster.name), frame)
     });
     let values: Vec<TokenStream> = clustered(system)
         .map(
@@ -138,7 +137,7 @@ pub(super) fn mirrored(system: &System) -> TokenStream {
     } else {
         quote!([#(#values),*].into_iter())
     };
-    let bindings = [Binding::free(free, "q")].into_iter().chain(frames);
+    let bindings = [Binding::free(free, "q")].into_iter().chain(bindings);
     let body = bind(bindings.collect(), result);
     let [q, fixed] = [
         parameter("q", &quote!(&SVector<T, #n>), &body),

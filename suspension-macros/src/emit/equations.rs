@@ -3,9 +3,9 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::terms::{Binding, frames, ident, parameter, vector};
+use super::terms::{Binding, ident, parameter, vector};
 use super::{
-    clusters, elimination, form, jacobian, measures, quantity, rates, readout, written_out,
+    clusters, elimination, form, frames, jacobian, measures, quantity, rates, readout, written_out,
 };
 use suspension_listing::eliminate::Order;
 use suspension_listing::system::System;
@@ -25,7 +25,6 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
         rates::chassis_rate(system),
         readout::points(system),
         measures::measures(system),
-        readout::roles(system),
         clusters::mirrored(system),
     ];
     quote! {
@@ -101,7 +100,9 @@ fn residual(system: &System) -> TokenStream {
     let equations = system.equations.iter();
     let rows = equations.map(|equation| form::of(equation).residual(&equation.named.name));
     let bindings = [Binding::free(free, "q")];
-    let bindings = bindings.into_iter().chain(frames(system, "", free, fixed));
+    let bindings = bindings
+        .into_iter()
+        .chain(frames::bindings(system, "", free, fixed));
     let body = vector(system, bindings, rows);
     let q = parameter("q", &quote!(&SVector<T, #n>), &body);
     let fixed = parameter("fixed", &quote!(&Fixed<T>), &body);
@@ -120,8 +121,8 @@ fn curvature(system: &System) -> TokenStream {
     let rows = equations.filter_map(|equation| form::of(equation).curvature(&equation.named.name));
     let bindings = [Binding::free(v, "v"), Binding::free(w, "w")]
         .into_iter()
-        .chain(frames(system, "_v", v, v_fixed))
-        .chain(frames(system, "_w", w, w_fixed));
+        .chain(frames::bindings(system, "_v", v, v_fixed))
+        .chain(frames::bindings(system, "_w", w, w_fixed));
     let body = vector(system, bindings, rows);
     let vectors = ["v", "w"].map(|name| parameter(name, &quote!(&SVector<T, #n>), &body));
     let fixed = ["v_fixed", "w_fixed"].map(|name| parameter(name, &quote!(&Fixed<T>), &body));

@@ -4,8 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::form::Write;
-use super::terms::{Binding, bind, frames, ident, parameter};
-use super::{form, indices, written_out};
+use super::terms::{Binding, bind, ident, parameter};
+use super::{form, frames, indices, written_out};
 use suspension_listing::system::System;
 
 pub(super) fn jacobian(system: &System) -> TokenStream {
@@ -44,7 +44,7 @@ pub(super) fn with_points(system: &System, body: TokenStream) -> TokenStream {
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let bindings = [Binding::free(free, "q")]
         .into_iter()
-        .chain(frames(system, "", free, fixed));
+        .chain(frames::bindings(system, "", free, fixed));
     bind(bindings.collect(), body)
 }
 

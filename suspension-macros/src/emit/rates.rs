@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::terms::{Binding, frames, ident, parameter, vector};
-use super::{form, written_out};
+use super::terms::{Binding, ident, parameter, vector};
+use super::{form, frames, written_out};
 use suspension_listing::system::{Equation, Site, SiteMotion, System};
 
 /// Of the drives, and of the chassis points that they move.
@@ -63,6 +63,8 @@ fn terms(system: &System, motion: SiteMotion) -> TokenStream {
     let rows = equations
         .filter_map(|equation| form::of(equation).input_rate(&equation.named.name, motion));
     let bindings = [Binding::free(free, "q")];
-    let bindings = bindings.into_iter().chain(frames(system, "", free, fixed));
+    let bindings = bindings
+        .into_iter()
+        .chain(frames::bindings(system, "", free, fixed));
     vector(system, bindings, rows)
 }

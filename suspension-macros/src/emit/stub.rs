@@ -119,10 +119,6 @@ fn linkage_impl(system: &System) -> TokenStream {
             type Factors = Factors<T>;
 
             fn linked(&self) -> impl Iterator<Item = usize> { ::core::iter::empty() }
-            fn wheel_axis(&self, _: &Points<T>) -> Option<[Vector3<T>; 2]> { loop {} }
-            fn wheel_carrier(&self, _: &Points<T>) -> Option<[Vector3<T>; 3]> { loop {} }
-            fn kingpin(&self, _: &Points<T>) -> Option<[Vector3<T>; 2]> { loop {} }
-
             fn listing(&self) -> Listing { loop {} }
             fn fixed(&self) -> &Fixed<T> { loop {} }
             fn size(&self) -> T { loop {} }

@@ -6,7 +6,7 @@ use syn::Ident;
 
 use super::indices;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, Site, System, coordinate_name, frame_name};
+use suspension_listing::system::{AXES, Site, System, coordinate_name};
 
 pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, proc_macro2::Span::call_site())
@@ -121,21 +121,6 @@ pub(super) fn vector(
         }
     };
     bind(bindings, vector)
-}
-
-/// `body_frame = Frame::new(..)` for each body that carries points.
-pub(super) fn frames<'a>(
-    system: &'a System,
-    suffix: &'a str,
-    free: &'a Ident,
-    fixed: &'a Ident,
-) -> impl Iterator<Item = Binding> {
-    let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
-    bodies.map(move |body| {
-        let points = body.frame.iter().map(|site| value_of(site, free, fixed));
-        let name = Name::made(format!("{}{suffix}", frame_name(&body.name)));
-        Binding::new(&name, quote!(Frame::new(#(#points),*)))
-    })
 }
 
 /// Rows of a vector, and a variable that they are read off.

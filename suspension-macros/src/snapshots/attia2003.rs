@@ -26,7 +26,7 @@
 pub mod attia2003 {
     use ::suspension_core::generated::*;
     /// Every point, with a position, velocity or acceleration each.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Points<T> {
         /// Chassis point `p1`.
         pub p1: Vector3<T>,
@@ -52,97 +52,8 @@ pub mod attia2003 {
         pub p11: Vector3<T>,
     }
 
-    impl<T: Scalar> Values<Vector3<T>> for Points<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                p1: values.next().unwrap_or_default(),
-                p2: values.next().unwrap_or_default(),
-                p3: values.next().unwrap_or_default(),
-                p4: values.next().unwrap_or_default(),
-                p5: values.next().unwrap_or_default(),
-                p6: values.next().unwrap_or_default(),
-                p7: values.next().unwrap_or_default(),
-                p8: values.next().unwrap_or_default(),
-                p9: values.next().unwrap_or_default(),
-                p10: values.next().unwrap_or_default(),
-                p11: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [
-                self.p1,
-                self.p2,
-                self.p3,
-                self.p4,
-                self.p5,
-                self.p6,
-                self.p7,
-                self.p8,
-                self.p9,
-                self.p10,
-                self.p11,
-            ]
-                .into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<Vector3<T>> for Points<T> {
-        const NAMES: &'static [&'static str] = &[
-            "p1",
-            "p2",
-            "p3",
-            "p4",
-            "p5",
-            "p6",
-            "p7",
-            "p8",
-            "p9",
-            "p10",
-            "p11",
-        ];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
-            Self {
-                p1: value("p1"),
-                p2: value("p2"),
-                p3: value("p3"),
-                p4: value("p4"),
-                p5: value("p5"),
-                p6: value("p6"),
-                p7: value("p7"),
-                p8: value("p8"),
-                p9: value("p9"),
-                p10: value("p10"),
-                p11: value("p11"),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Points<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                p1: Default::default(),
-                p2: Default::default(),
-                p3: Default::default(),
-                p4: Default::default(),
-                p5: Default::default(),
-                p6: Default::default(),
-                p7: Default::default(),
-                p8: Default::default(),
-                p9: Default::default(),
-                p10: Default::default(),
-                p11: Default::default(),
-            }
-        }
-    }
-
     /// Chassis points.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Fixed<T> {
         /// Chassis point `p1`.
         pub p1: Vector3<T>,
@@ -156,128 +67,22 @@ pub mod attia2003 {
         pub p5: Vector3<T>,
     }
 
-    impl<T: Scalar> Values<Vector3<T>> for Fixed<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                p1: values.next().unwrap_or_default(),
-                p2: values.next().unwrap_or_default(),
-                p3: values.next().unwrap_or_default(),
-                p4: values.next().unwrap_or_default(),
-                p5: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [self.p1, self.p2, self.p3, self.p4, self.p5].into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
-        const NAMES: &'static [&'static str] = &["p1", "p2", "p3", "p4", "p5"];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
-            Self {
-                p1: value("p1"),
-                p2: value("p2"),
-                p3: value("p3"),
-                p4: value("p4"),
-                p5: value("p5"),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Fixed<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                p1: Default::default(),
-                p2: Default::default(),
-                p3: Default::default(),
-                p4: Default::default(),
-                p5: Default::default(),
-            }
-        }
-    }
-
     /// The drives' values, or rates: coordinates in the unit of the points, angles in radians.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Drives<T> {
         /// Eq. (1.15): `z6 - z1 = d6_1 cos(theta)`.
         pub theta: T,
     }
 
-    impl<T: Scalar> Values<T> for Drives<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                theta: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [self.theta].into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Drives<T> {
-        const NAMES: &'static [&'static str] = &["theta"];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { theta: value("theta") }
-        }
-    }
-
-    impl<T: Scalar> Default for Drives<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self { theta: Default::default() }
-        }
-    }
-
     /// What is measured, or its rates: coordinates and lengths in the unit of the points, angles in radians.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Measures<T> {
         /// Height of the wheel centre.
         pub height: T,
     }
 
-    impl<T: Scalar> Values<T> for Measures<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                height: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [self.height].into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Measures<T> {
-        const NAMES: &'static [&'static str] = &["height"];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { height: value("height") }
-        }
-    }
-
-    impl<T: Scalar> Default for Measures<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self { height: Default::default() }
-        }
-    }
-
     /// The constant lengths of links and bodies.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Lengths<T> {
         /// Eq. (1.1)
         pub d6_1: T,
@@ -309,107 +114,27 @@ pub mod attia2003 {
         pub d10_8: T,
     }
 
-    impl<T: Scalar> Values<T> for Lengths<T> {
+    impl<T: Scalar> Points<T> {
         #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
+        fn all(fixed: &Fixed<T>, free: &Free<T>, markers: [Vector3<T>; 1]) -> Self {
             Self {
-                d6_1: values.next().unwrap_or_default(),
-                d7_2: values.next().unwrap_or_default(),
-                d8_3: values.next().unwrap_or_default(),
-                d9_4: values.next().unwrap_or_default(),
-                d10_5: values.next().unwrap_or_default(),
-                d7_6: values.next().unwrap_or_default(),
-                d8_6: values.next().unwrap_or_default(),
-                d9_6: values.next().unwrap_or_default(),
-                d10_6: values.next().unwrap_or_default(),
-                d8_7: values.next().unwrap_or_default(),
-                d9_7: values.next().unwrap_or_default(),
-                d10_7: values.next().unwrap_or_default(),
-                d9_8: values.next().unwrap_or_default(),
-                d10_8: values.next().unwrap_or_default(),
+                p1: fixed.p1,
+                p2: fixed.p2,
+                p3: fixed.p3,
+                p4: fixed.p4,
+                p5: fixed.p5,
+                p6: free.p6,
+                p7: free.p7,
+                p8: free.p8,
+                p9: free.p9,
+                p10: free.p10,
+                p11: markers[0],
             }
         }
 
         #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [
-                self.d6_1,
-                self.d7_2,
-                self.d8_3,
-                self.d9_4,
-                self.d10_5,
-                self.d7_6,
-                self.d8_6,
-                self.d9_6,
-                self.d10_6,
-                self.d8_7,
-                self.d9_7,
-                self.d10_7,
-                self.d9_8,
-                self.d10_8,
-            ]
-                .into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Lengths<T> {
-        const NAMES: &'static [&'static str] = &[
-            "d6_1",
-            "d7_2",
-            "d8_3",
-            "d9_4",
-            "d10_5",
-            "d7_6",
-            "d8_6",
-            "d9_6",
-            "d10_6",
-            "d8_7",
-            "d9_7",
-            "d10_7",
-            "d9_8",
-            "d10_8",
-        ];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self {
-                d6_1: value("d6_1"),
-                d7_2: value("d7_2"),
-                d8_3: value("d8_3"),
-                d9_4: value("d9_4"),
-                d10_5: value("d10_5"),
-                d7_6: value("d7_6"),
-                d8_6: value("d8_6"),
-                d9_6: value("d9_6"),
-                d10_6: value("d10_6"),
-                d8_7: value("d8_7"),
-                d9_7: value("d9_7"),
-                d10_7: value("d10_7"),
-                d9_8: value("d9_8"),
-                d10_8: value("d10_8"),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Lengths<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                d6_1: Default::default(),
-                d7_2: Default::default(),
-                d8_3: Default::default(),
-                d9_4: Default::default(),
-                d10_5: Default::default(),
-                d7_6: Default::default(),
-                d8_6: Default::default(),
-                d9_6: Default::default(),
-                d10_6: Default::default(),
-                d8_7: Default::default(),
-                d9_7: Default::default(),
-                d10_7: Default::default(),
-                d9_8: Default::default(),
-                d10_8: Default::default(),
-            }
+        fn p6_p7_p8_frame(&self) -> Frame<T> {
+            Frame::new(self.p6, self.p7, self.p8)
         }
     }
 
@@ -457,6 +182,11 @@ pub mod attia2003 {
                 p10.y,
                 p10.z,
             ])
+        }
+
+        #[inline(always)]
+        fn p6_p7_p8_frame(&self) -> Frame<T> {
+            Frame::new(self.p6, self.p7, self.p8)
         }
     }
 
@@ -555,17 +285,9 @@ pub mod attia2003 {
         #[inline(always)]
         fn coordinates(&self, drives: &Signal<Drives<T>>) -> Signal<Drives<T>> {
             let mut coordinates = *drives;
-            let coordinate = angle_to_coordinate(
-                self.d6_1.length(),
-                Signal {
-                    value: drives.value.theta,
-                    rate: drives.rate.theta,
-                    second_rate: drives.second_rate.theta,
-                },
-            );
-            coordinates.value.theta = coordinate.value;
-            coordinates.rate.theta = coordinate.rate;
-            coordinates.second_rate.theta = coordinate.second_rate;
+            let angle = drives.map(|drives| drives.theta);
+            let coordinate = angle_to_coordinate(self.d6_1.length(), angle);
+            coordinates.set(coordinate, |drives| &mut drives.theta);
             coordinates
         }
 
@@ -1168,19 +890,7 @@ pub mod attia2003 {
 
         fn points(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Points<T> {
             let free = Free::of(q);
-            Points {
-                p1: fixed.p1,
-                p2: fixed.p2,
-                p3: fixed.p3,
-                p4: fixed.p4,
-                p5: fixed.p5,
-                p6: free.p6,
-                p7: free.p7,
-                p8: free.p8,
-                p9: free.p9,
-                p10: free.p10,
-                p11: self.p11.position(&Frame::new(free.p6, free.p7, free.p8)),
-            }
+            Points::all(fixed, &free, [self.p11.position(&free.p6_p7_p8_frame())])
         }
 
         fn velocities(
@@ -1189,25 +899,12 @@ pub mod attia2003 {
             velocity: &SVector<T, 15>,
             fixed_rate: &Fixed<T>,
         ) -> Points<T> {
-            let rate = Free::of(velocity);
-            Points {
-                p1: fixed_rate.p1,
-                p2: fixed_rate.p2,
-                p3: fixed_rate.p3,
-                p4: fixed_rate.p4,
-                p5: fixed_rate.p5,
-                p6: rate.p6,
-                p7: rate.p7,
-                p8: rate.p8,
-                p9: rate.p9,
-                p10: rate.p10,
-                p11: self
-                    .p11
-                    .velocity(
-                        &Frame::new(at.p6, at.p7, at.p8),
-                        &Frame::new(rate.p6, rate.p7, rate.p8),
-                    ),
-            }
+            let free = Free::of(velocity);
+            Points::all(
+                fixed_rate,
+                &free,
+                [self.p11.velocity(&at.p6_p7_p8_frame(), &free.p6_p7_p8_frame())],
+            )
         }
 
         fn accelerations(
@@ -1217,26 +914,20 @@ pub mod attia2003 {
             acceleration: &SVector<T, 15>,
             fixed_second_rate: &Fixed<T>,
         ) -> Points<T> {
-            let second_rate = Free::of(acceleration);
-            Points {
-                p1: fixed_second_rate.p1,
-                p2: fixed_second_rate.p2,
-                p3: fixed_second_rate.p3,
-                p4: fixed_second_rate.p4,
-                p5: fixed_second_rate.p5,
-                p6: second_rate.p6,
-                p7: second_rate.p7,
-                p8: second_rate.p8,
-                p9: second_rate.p9,
-                p10: second_rate.p10,
-                p11: self
-                    .p11
-                    .acceleration(
-                        &Frame::new(at.p6, at.p7, at.p8),
-                        &Frame::new(velocities.p6, velocities.p7, velocities.p8),
-                        &Frame::new(second_rate.p6, second_rate.p7, second_rate.p8),
-                    ),
-            }
+            let free = Free::of(acceleration);
+            Points::all(
+                fixed_second_rate,
+                &free,
+                [
+                    self
+                        .p11
+                        .acceleration(
+                            &at.p6_p7_p8_frame(),
+                            &velocities.p6_p7_p8_frame(),
+                            &free.p6_p7_p8_frame(),
+                        ),
+                ],
+            )
         }
 
         fn unknowns(&self, points: &Points<T>) -> SVector<T, 15> {
@@ -1254,35 +945,10 @@ pub mod attia2003 {
         where
             T: Real,
         {
-            let each = Measures {
-                height: points.map(|points| points.p11.z),
-            };
-            Signal {
-                value: Measures {
-                    height: each.height.value,
-                },
-                rate: Measures {
-                    height: each.height.rate,
-                },
-                second_rate: Measures {
-                    height: each.height.second_rate,
-                },
-            }
-        }
-
-        #[inline]
-        fn wheel_axis(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
-            Some([points.p8, points.p11])
-        }
-
-        #[inline]
-        fn wheel_carrier(&self, points: &Points<T>) -> Option<[Vector3<T>; 3]> {
-            Some([points.p6, points.p7, points.p8])
-        }
-
-        #[inline]
-        fn kingpin(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
-            Some([points.p6, points.p8])
+            let mut measures: Signal<Measures<T>> = Signal::default();
+            measures
+                .set(points.map(|points| points.p11.z), |measures| &mut measures.height);
+            measures
         }
 
         #[inline(always)]
@@ -1292,7 +958,7 @@ pub mod attia2003 {
             _fixed: &Fixed<T>,
         ) -> impl Iterator<Item = T> {
             let free = Free::of(q);
-            let p6_p7_p8_frame = Frame::new(free.p6, free.p7, free.p8);
+            let p6_p7_p8_frame = free.p6_p7_p8_frame();
             [
                 self.p6_p7_p8_p9.mirrored(free.p9, &p6_p7_p8_frame),
                 self.p6_p7_p8_p10.mirrored(free.p10, &p6_p7_p8_frame),
@@ -1831,52 +1497,16 @@ pub mod attia2003 {
     }
 
     impl Parts for Listing {
-        fn name(&self, part: Part) -> &str {
-            Listing::PARTS.name(part)
-        }
-
         #[inline(always)]
-        fn count(&self, kind: Kind) -> usize {
-            Listing::PARTS.count(kind)
-        }
-
-        #[inline(always)]
-        fn drive_kind(&self, drive: usize) -> DriveKind {
-            Listing::PARTS.drive_kind(drive)
-        }
-
-        #[inline(always)]
-        fn measure_kind(&self, measure: usize) -> MeasureKind {
-            Listing::PARTS.measure_kind(measure)
-        }
-
-        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
-            Listing::PARTS.wheel(wheel)
+        fn table(&self) -> &Names {
+            &Self::PARTS
         }
     }
 
     impl<T: Scalar> Parts for Model<T> {
-        fn name(&self, part: Part) -> &str {
-            Listing::PARTS.name(part)
-        }
-
         #[inline(always)]
-        fn count(&self, kind: Kind) -> usize {
-            Listing::PARTS.count(kind)
-        }
-
-        #[inline(always)]
-        fn drive_kind(&self, drive: usize) -> DriveKind {
-            Listing::PARTS.drive_kind(drive)
-        }
-
-        #[inline(always)]
-        fn measure_kind(&self, measure: usize) -> MeasureKind {
-            Listing::PARTS.measure_kind(measure)
-        }
-
-        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
-            Listing::PARTS.wheel(wheel)
+        fn table(&self) -> &Names {
+            &Listing::PARTS
         }
     }
 
@@ -1892,13 +1522,7 @@ pub mod attia2003 {
         ) -> Model<T> {
             let number = &number;
             Model {
-                fixed: Fixed {
-                    p1: gather_vector(|model| model.fixed.p1, number),
-                    p2: gather_vector(|model| model.fixed.p2, number),
-                    p3: gather_vector(|model| model.fixed.p3, number),
-                    p4: gather_vector(|model| model.fixed.p4, number),
-                    p5: gather_vector(|model| model.fixed.p5, number),
-                },
+                fixed: gather_vectors(|model| model.fixed, number),
                 size: number(&|model| model.size),
                 d6_1: Distance::gather(|model| model.d6_1, number),
                 d7_2: Distance::gather(|model| model.d7_2, number),
@@ -1953,10 +1577,7 @@ pub mod attia2003 {
         type Lengths = Lengths<T>;
         fn of(_listing: Listing, design: &Points<T>) -> Result<Self, GeometryError> {
             parts::finite(design.values())?;
-            let p6_p7_p8_frame = parts::frame(
-                7,
-                Frame::new(design.p6, design.p7, design.p8),
-            )?;
+            let p6_p7_p8_frame = parts::frame(7, design.p6_p7_p8_frame())?;
             let model = Self {
                 fixed: Fixed {
                     p1: design.p1,
@@ -1983,11 +1604,7 @@ pub mod attia2003 {
                 p6_p7_p8_frame,
                 p6_p7_p8_p9: parts::linked(8, design.p9, &p6_p7_p8_frame)?,
                 p6_p7_p8_p10: parts::linked(9, design.p10, &p6_p7_p8_frame)?,
-                p11: parts::carried(
-                    10,
-                    design.p11,
-                    &Frame::new(design.p6, design.p7, design.p8),
-                )?,
+                p11: parts::carried(10, design.p11, &design.p6_p7_p8_frame())?,
             };
             Ok(model.sized())
         }
@@ -2038,11 +1655,7 @@ pub mod attia2003 {
         fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
             parts::finite(points.values())?;
             Ok(Self {
-                p11: parts::carried(
-                    10,
-                    points.p11,
-                    &Frame::new(points.p6, points.p7, points.p8),
-                )?,
+                p11: parts::carried(10, points.p11, &points.p6_p7_p8_frame())?,
                 ..self
             })
         }

@@ -20,7 +20,7 @@
 pub mod five_link {
     use ::suspension_core::generated::*;
     /// Every point, with a position, velocity or acceleration each.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Points<T> {
         /// Chassis point `lower_front_inner`.
         pub lower_front_inner: Vector3<T>,
@@ -46,97 +46,8 @@ pub mod five_link {
         pub wheel_centre: Vector3<T>,
     }
 
-    impl<T: Scalar> Values<Vector3<T>> for Points<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                lower_front_inner: values.next().unwrap_or_default(),
-                upper_front_inner: values.next().unwrap_or_default(),
-                upper_rear_inner: values.next().unwrap_or_default(),
-                lower_rear_inner: values.next().unwrap_or_default(),
-                track_rod_inner: values.next().unwrap_or_default(),
-                lower_front_outer: values.next().unwrap_or_default(),
-                upper_front_outer: values.next().unwrap_or_default(),
-                upper_rear_outer: values.next().unwrap_or_default(),
-                lower_rear_outer: values.next().unwrap_or_default(),
-                track_rod_outer: values.next().unwrap_or_default(),
-                wheel_centre: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [
-                self.lower_front_inner,
-                self.upper_front_inner,
-                self.upper_rear_inner,
-                self.lower_rear_inner,
-                self.track_rod_inner,
-                self.lower_front_outer,
-                self.upper_front_outer,
-                self.upper_rear_outer,
-                self.lower_rear_outer,
-                self.track_rod_outer,
-                self.wheel_centre,
-            ]
-                .into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<Vector3<T>> for Points<T> {
-        const NAMES: &'static [&'static str] = &[
-            "lower_front_inner",
-            "upper_front_inner",
-            "upper_rear_inner",
-            "lower_rear_inner",
-            "track_rod_inner",
-            "lower_front_outer",
-            "upper_front_outer",
-            "upper_rear_outer",
-            "lower_rear_outer",
-            "track_rod_outer",
-            "wheel_centre",
-        ];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
-            Self {
-                lower_front_inner: value("lower_front_inner"),
-                upper_front_inner: value("upper_front_inner"),
-                upper_rear_inner: value("upper_rear_inner"),
-                lower_rear_inner: value("lower_rear_inner"),
-                track_rod_inner: value("track_rod_inner"),
-                lower_front_outer: value("lower_front_outer"),
-                upper_front_outer: value("upper_front_outer"),
-                upper_rear_outer: value("upper_rear_outer"),
-                lower_rear_outer: value("lower_rear_outer"),
-                track_rod_outer: value("track_rod_outer"),
-                wheel_centre: value("wheel_centre"),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Points<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                lower_front_inner: Default::default(),
-                upper_front_inner: Default::default(),
-                upper_rear_inner: Default::default(),
-                lower_rear_inner: Default::default(),
-                track_rod_inner: Default::default(),
-                lower_front_outer: Default::default(),
-                upper_front_outer: Default::default(),
-                upper_rear_outer: Default::default(),
-                lower_rear_outer: Default::default(),
-                track_rod_outer: Default::default(),
-                wheel_centre: Default::default(),
-            }
-        }
-    }
-
     /// Chassis points.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Fixed<T> {
         /// Chassis point `lower_front_inner`.
         pub lower_front_inner: Vector3<T>,
@@ -150,141 +61,22 @@ pub mod five_link {
         pub track_rod_inner: Vector3<T>,
     }
 
-    impl<T: Scalar> Values<Vector3<T>> for Fixed<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                lower_front_inner: values.next().unwrap_or_default(),
-                upper_front_inner: values.next().unwrap_or_default(),
-                upper_rear_inner: values.next().unwrap_or_default(),
-                lower_rear_inner: values.next().unwrap_or_default(),
-                track_rod_inner: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [
-                self.lower_front_inner,
-                self.upper_front_inner,
-                self.upper_rear_inner,
-                self.lower_rear_inner,
-                self.track_rod_inner,
-            ]
-                .into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
-        const NAMES: &'static [&'static str] = &[
-            "lower_front_inner",
-            "upper_front_inner",
-            "upper_rear_inner",
-            "lower_rear_inner",
-            "track_rod_inner",
-        ];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
-            Self {
-                lower_front_inner: value("lower_front_inner"),
-                upper_front_inner: value("upper_front_inner"),
-                upper_rear_inner: value("upper_rear_inner"),
-                lower_rear_inner: value("lower_rear_inner"),
-                track_rod_inner: value("track_rod_inner"),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Fixed<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                lower_front_inner: Default::default(),
-                upper_front_inner: Default::default(),
-                upper_rear_inner: Default::default(),
-                lower_rear_inner: Default::default(),
-                track_rod_inner: Default::default(),
-            }
-        }
-    }
-
     /// The drives' values, or rates: coordinates in the unit of the points, angles in radians.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Drives<T> {
         /// Angle of the lower leading link from the vertical, radians.
         pub theta: T,
     }
 
-    impl<T: Scalar> Values<T> for Drives<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                theta: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [self.theta].into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Drives<T> {
-        const NAMES: &'static [&'static str] = &["theta"];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { theta: value("theta") }
-        }
-    }
-
-    impl<T: Scalar> Default for Drives<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self { theta: Default::default() }
-        }
-    }
-
     /// What is measured, or its rates: coordinates and lengths in the unit of the points, angles in radians.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Measures<T> {
         /// Height of the wheel centre.
         pub height: T,
     }
 
-    impl<T: Scalar> Values<T> for Measures<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                height: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [self.height].into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Measures<T> {
-        const NAMES: &'static [&'static str] = &["height"];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { height: value("height") }
-        }
-    }
-
-    impl<T: Scalar> Default for Measures<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self { height: Default::default() }
-        }
-    }
-
     /// The constant lengths of links and bodies.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Lengths<T> {
         /// From `lower_front_inner` to `lower_front_outer`.
         pub lower_front: T,
@@ -316,143 +108,31 @@ pub mod five_link {
         pub knuckle_track_rod_outer_upper_rear_outer: T,
     }
 
-    impl<T: Scalar> Values<T> for Lengths<T> {
+    impl<T: Scalar> Points<T> {
         #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
+        fn all(fixed: &Fixed<T>, free: &Free<T>, markers: [Vector3<T>; 1]) -> Self {
             Self {
-                lower_front: values.next().unwrap_or_default(),
-                upper_front: values.next().unwrap_or_default(),
-                upper_rear: values.next().unwrap_or_default(),
-                lower_rear: values.next().unwrap_or_default(),
-                track_rod: values.next().unwrap_or_default(),
-                knuckle_lower_front_outer_upper_front_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_lower_front_outer_upper_rear_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_upper_front_outer_upper_rear_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_lower_rear_outer_lower_front_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_lower_rear_outer_upper_front_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_lower_rear_outer_upper_rear_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_track_rod_outer_lower_front_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_track_rod_outer_upper_front_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_track_rod_outer_upper_rear_outer: values
-                    .next()
-                    .unwrap_or_default(),
+                lower_front_inner: fixed.lower_front_inner,
+                upper_front_inner: fixed.upper_front_inner,
+                upper_rear_inner: fixed.upper_rear_inner,
+                lower_rear_inner: fixed.lower_rear_inner,
+                track_rod_inner: fixed.track_rod_inner,
+                lower_front_outer: free.lower_front_outer,
+                upper_front_outer: free.upper_front_outer,
+                upper_rear_outer: free.upper_rear_outer,
+                lower_rear_outer: free.lower_rear_outer,
+                track_rod_outer: free.track_rod_outer,
+                wheel_centre: markers[0],
             }
         }
 
         #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [
-                self.lower_front,
-                self.upper_front,
-                self.upper_rear,
-                self.lower_rear,
-                self.track_rod,
-                self.knuckle_lower_front_outer_upper_front_outer,
-                self.knuckle_lower_front_outer_upper_rear_outer,
-                self.knuckle_upper_front_outer_upper_rear_outer,
-                self.knuckle_lower_rear_outer_lower_front_outer,
-                self.knuckle_lower_rear_outer_upper_front_outer,
-                self.knuckle_lower_rear_outer_upper_rear_outer,
-                self.knuckle_track_rod_outer_lower_front_outer,
-                self.knuckle_track_rod_outer_upper_front_outer,
-                self.knuckle_track_rod_outer_upper_rear_outer,
-            ]
-                .into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Lengths<T> {
-        const NAMES: &'static [&'static str] = &[
-            "lower_front",
-            "upper_front",
-            "upper_rear",
-            "lower_rear",
-            "track_rod",
-            "knuckle_lower_front_outer_upper_front_outer",
-            "knuckle_lower_front_outer_upper_rear_outer",
-            "knuckle_upper_front_outer_upper_rear_outer",
-            "knuckle_lower_rear_outer_lower_front_outer",
-            "knuckle_lower_rear_outer_upper_front_outer",
-            "knuckle_lower_rear_outer_upper_rear_outer",
-            "knuckle_track_rod_outer_lower_front_outer",
-            "knuckle_track_rod_outer_upper_front_outer",
-            "knuckle_track_rod_outer_upper_rear_outer",
-        ];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self {
-                lower_front: value("lower_front"),
-                upper_front: value("upper_front"),
-                upper_rear: value("upper_rear"),
-                lower_rear: value("lower_rear"),
-                track_rod: value("track_rod"),
-                knuckle_lower_front_outer_upper_front_outer: value(
-                    "knuckle_lower_front_outer_upper_front_outer",
-                ),
-                knuckle_lower_front_outer_upper_rear_outer: value(
-                    "knuckle_lower_front_outer_upper_rear_outer",
-                ),
-                knuckle_upper_front_outer_upper_rear_outer: value(
-                    "knuckle_upper_front_outer_upper_rear_outer",
-                ),
-                knuckle_lower_rear_outer_lower_front_outer: value(
-                    "knuckle_lower_rear_outer_lower_front_outer",
-                ),
-                knuckle_lower_rear_outer_upper_front_outer: value(
-                    "knuckle_lower_rear_outer_upper_front_outer",
-                ),
-                knuckle_lower_rear_outer_upper_rear_outer: value(
-                    "knuckle_lower_rear_outer_upper_rear_outer",
-                ),
-                knuckle_track_rod_outer_lower_front_outer: value(
-                    "knuckle_track_rod_outer_lower_front_outer",
-                ),
-                knuckle_track_rod_outer_upper_front_outer: value(
-                    "knuckle_track_rod_outer_upper_front_outer",
-                ),
-                knuckle_track_rod_outer_upper_rear_outer: value(
-                    "knuckle_track_rod_outer_upper_rear_outer",
-                ),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Lengths<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                lower_front: Default::default(),
-                upper_front: Default::default(),
-                upper_rear: Default::default(),
-                lower_rear: Default::default(),
-                track_rod: Default::default(),
-                knuckle_lower_front_outer_upper_front_outer: Default::default(),
-                knuckle_lower_front_outer_upper_rear_outer: Default::default(),
-                knuckle_upper_front_outer_upper_rear_outer: Default::default(),
-                knuckle_lower_rear_outer_lower_front_outer: Default::default(),
-                knuckle_lower_rear_outer_upper_front_outer: Default::default(),
-                knuckle_lower_rear_outer_upper_rear_outer: Default::default(),
-                knuckle_track_rod_outer_lower_front_outer: Default::default(),
-                knuckle_track_rod_outer_upper_front_outer: Default::default(),
-                knuckle_track_rod_outer_upper_rear_outer: Default::default(),
-            }
+        fn knuckle_frame(&self) -> Frame<T> {
+            Frame::new(
+                self.lower_front_outer,
+                self.upper_front_outer,
+                self.upper_rear_outer,
+            )
         }
     }
 
@@ -529,6 +209,15 @@ pub mod five_link {
                 track_rod_outer.y,
                 track_rod_outer.z,
             ])
+        }
+
+        #[inline(always)]
+        fn knuckle_frame(&self) -> Frame<T> {
+            Frame::new(
+                self.lower_front_outer,
+                self.upper_front_outer,
+                self.upper_rear_outer,
+            )
         }
     }
 
@@ -621,17 +310,9 @@ pub mod five_link {
         #[inline(always)]
         fn coordinates(&self, drives: &Signal<Drives<T>>) -> Signal<Drives<T>> {
             let mut coordinates = *drives;
-            let coordinate = angle_to_coordinate(
-                self.lower_front.length(),
-                Signal {
-                    value: drives.value.theta,
-                    rate: drives.rate.theta,
-                    second_rate: drives.second_rate.theta,
-                },
-            );
-            coordinates.value.theta = coordinate.value;
-            coordinates.rate.theta = coordinate.rate;
-            coordinates.second_rate.theta = coordinate.second_rate;
+            let angle = drives.map(|drives| drives.theta);
+            let coordinate = angle_to_coordinate(self.lower_front.length(), angle);
+            coordinates.set(coordinate, |drives| &mut drives.theta);
             coordinates
         }
 
@@ -648,11 +329,7 @@ pub mod five_link {
             drives: &Drives<T>,
         ) -> SVector<T, 15> {
             let free = Free::of(q);
-            let knuckle_frame = Frame::new(
-                free.lower_front_outer,
-                free.upper_front_outer,
-                free.upper_rear_outer,
-            );
+            let knuckle_frame = free.knuckle_frame();
             let knuckle_lower_rear_outer = self
                 .knuckle_lower_rear_outer
                 .residual(free.lower_rear_outer, &knuckle_frame);
@@ -698,11 +375,7 @@ pub mod five_link {
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn jacobian(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SMatrix<T, 15, 15> {
             let free = Free::of(q);
-            let knuckle_frame = Frame::new(
-                free.lower_front_outer,
-                free.upper_front_outer,
-                free.upper_rear_outer,
-            );
+            let knuckle_frame = free.knuckle_frame();
             let mut columns = [[T::zero(); 15]; 15];
             let gradient = self
                 .lower_front
@@ -985,11 +658,7 @@ pub mod five_link {
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn factor(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Factors<T> {
             let free = Free::of(q);
-            let knuckle_frame = Frame::new(
-                free.lower_front_outer,
-                free.upper_front_outer,
-                free.upper_rear_outer,
-            );
+            let knuckle_frame = free.knuckle_frame();
             let gradient = self
                 .lower_front
                 .gradient(difference(free.lower_front_outer, fixed.lower_front_inner));
@@ -1476,16 +1145,8 @@ pub mod five_link {
         ) -> SVector<T, 15> {
             let v = Free::of(v);
             let w = Free::of(w);
-            let knuckle_frame_v = Frame::new(
-                v.lower_front_outer,
-                v.upper_front_outer,
-                v.upper_rear_outer,
-            );
-            let knuckle_frame_w = Frame::new(
-                w.lower_front_outer,
-                w.upper_front_outer,
-                w.upper_rear_outer,
-            );
+            let knuckle_frame_v = v.knuckle_frame();
+            let knuckle_frame_w = w.knuckle_frame();
             let knuckle_lower_rear_outer = self
                 .knuckle_lower_rear_outer
                 .curvature(&knuckle_frame_v, &knuckle_frame_w);
@@ -1612,27 +1273,11 @@ pub mod five_link {
 
         fn points(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Points<T> {
             let free = Free::of(q);
-            Points {
-                lower_front_inner: fixed.lower_front_inner,
-                upper_front_inner: fixed.upper_front_inner,
-                upper_rear_inner: fixed.upper_rear_inner,
-                lower_rear_inner: fixed.lower_rear_inner,
-                track_rod_inner: fixed.track_rod_inner,
-                lower_front_outer: free.lower_front_outer,
-                upper_front_outer: free.upper_front_outer,
-                upper_rear_outer: free.upper_rear_outer,
-                lower_rear_outer: free.lower_rear_outer,
-                track_rod_outer: free.track_rod_outer,
-                wheel_centre: self
-                    .wheel_centre
-                    .position(
-                        &Frame::new(
-                            free.lower_front_outer,
-                            free.upper_front_outer,
-                            free.upper_rear_outer,
-                        ),
-                    ),
-            }
+            Points::all(
+                fixed,
+                &free,
+                [self.wheel_centre.position(&free.knuckle_frame())],
+            )
         }
 
         fn velocities(
@@ -1641,33 +1286,12 @@ pub mod five_link {
             velocity: &SVector<T, 15>,
             fixed_rate: &Fixed<T>,
         ) -> Points<T> {
-            let rate = Free::of(velocity);
-            Points {
-                lower_front_inner: fixed_rate.lower_front_inner,
-                upper_front_inner: fixed_rate.upper_front_inner,
-                upper_rear_inner: fixed_rate.upper_rear_inner,
-                lower_rear_inner: fixed_rate.lower_rear_inner,
-                track_rod_inner: fixed_rate.track_rod_inner,
-                lower_front_outer: rate.lower_front_outer,
-                upper_front_outer: rate.upper_front_outer,
-                upper_rear_outer: rate.upper_rear_outer,
-                lower_rear_outer: rate.lower_rear_outer,
-                track_rod_outer: rate.track_rod_outer,
-                wheel_centre: self
-                    .wheel_centre
-                    .velocity(
-                        &Frame::new(
-                            at.lower_front_outer,
-                            at.upper_front_outer,
-                            at.upper_rear_outer,
-                        ),
-                        &Frame::new(
-                            rate.lower_front_outer,
-                            rate.upper_front_outer,
-                            rate.upper_rear_outer,
-                        ),
-                    ),
-            }
+            let free = Free::of(velocity);
+            Points::all(
+                fixed_rate,
+                &free,
+                [self.wheel_centre.velocity(&at.knuckle_frame(), &free.knuckle_frame())],
+            )
         }
 
         fn accelerations(
@@ -1677,38 +1301,20 @@ pub mod five_link {
             acceleration: &SVector<T, 15>,
             fixed_second_rate: &Fixed<T>,
         ) -> Points<T> {
-            let second_rate = Free::of(acceleration);
-            Points {
-                lower_front_inner: fixed_second_rate.lower_front_inner,
-                upper_front_inner: fixed_second_rate.upper_front_inner,
-                upper_rear_inner: fixed_second_rate.upper_rear_inner,
-                lower_rear_inner: fixed_second_rate.lower_rear_inner,
-                track_rod_inner: fixed_second_rate.track_rod_inner,
-                lower_front_outer: second_rate.lower_front_outer,
-                upper_front_outer: second_rate.upper_front_outer,
-                upper_rear_outer: second_rate.upper_rear_outer,
-                lower_rear_outer: second_rate.lower_rear_outer,
-                track_rod_outer: second_rate.track_rod_outer,
-                wheel_centre: self
-                    .wheel_centre
-                    .acceleration(
-                        &Frame::new(
-                            at.lower_front_outer,
-                            at.upper_front_outer,
-                            at.upper_rear_outer,
+            let free = Free::of(acceleration);
+            Points::all(
+                fixed_second_rate,
+                &free,
+                [
+                    self
+                        .wheel_centre
+                        .acceleration(
+                            &at.knuckle_frame(),
+                            &velocities.knuckle_frame(),
+                            &free.knuckle_frame(),
                         ),
-                        &Frame::new(
-                            velocities.lower_front_outer,
-                            velocities.upper_front_outer,
-                            velocities.upper_rear_outer,
-                        ),
-                        &Frame::new(
-                            second_rate.lower_front_outer,
-                            second_rate.upper_front_outer,
-                            second_rate.upper_rear_outer,
-                        ),
-                    ),
-            }
+                ],
+            )
         }
 
         fn unknowns(&self, points: &Points<T>) -> SVector<T, 15> {
@@ -1726,39 +1332,13 @@ pub mod five_link {
         where
             T: Real,
         {
-            let each = Measures {
-                height: points.map(|points| points.wheel_centre.z),
-            };
-            Signal {
-                value: Measures {
-                    height: each.height.value,
-                },
-                rate: Measures {
-                    height: each.height.rate,
-                },
-                second_rate: Measures {
-                    height: each.height.second_rate,
-                },
-            }
-        }
-
-        #[inline]
-        fn wheel_axis(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
-            Some([points.upper_rear_outer, points.wheel_centre])
-        }
-
-        #[inline]
-        fn wheel_carrier(&self, points: &Points<T>) -> Option<[Vector3<T>; 3]> {
-            Some([
-                points.lower_front_outer,
-                points.upper_front_outer,
-                points.upper_rear_outer,
-            ])
-        }
-
-        #[inline]
-        fn kingpin(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
-            Some([points.lower_front_outer, points.upper_rear_outer])
+            let mut measures: Signal<Measures<T>> = Signal::default();
+            measures
+                .set(
+                    points.map(|points| points.wheel_centre.z),
+                    |measures| &mut measures.height,
+                );
+            measures
         }
 
         #[inline(always)]
@@ -2713,52 +2293,16 @@ pub mod five_link {
     }
 
     impl Parts for Listing {
-        fn name(&self, part: Part) -> &str {
-            Listing::PARTS.name(part)
-        }
-
         #[inline(always)]
-        fn count(&self, kind: Kind) -> usize {
-            Listing::PARTS.count(kind)
-        }
-
-        #[inline(always)]
-        fn drive_kind(&self, drive: usize) -> DriveKind {
-            Listing::PARTS.drive_kind(drive)
-        }
-
-        #[inline(always)]
-        fn measure_kind(&self, measure: usize) -> MeasureKind {
-            Listing::PARTS.measure_kind(measure)
-        }
-
-        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
-            Listing::PARTS.wheel(wheel)
+        fn table(&self) -> &Names {
+            &Self::PARTS
         }
     }
 
     impl<T: Scalar> Parts for Model<T> {
-        fn name(&self, part: Part) -> &str {
-            Listing::PARTS.name(part)
-        }
-
         #[inline(always)]
-        fn count(&self, kind: Kind) -> usize {
-            Listing::PARTS.count(kind)
-        }
-
-        #[inline(always)]
-        fn drive_kind(&self, drive: usize) -> DriveKind {
-            Listing::PARTS.drive_kind(drive)
-        }
-
-        #[inline(always)]
-        fn measure_kind(&self, measure: usize) -> MeasureKind {
-            Listing::PARTS.measure_kind(measure)
-        }
-
-        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
-            Listing::PARTS.wheel(wheel)
+        fn table(&self) -> &Names {
+            &Listing::PARTS
         }
     }
 
@@ -2774,28 +2318,7 @@ pub mod five_link {
         ) -> Model<T> {
             let number = &number;
             Model {
-                fixed: Fixed {
-                    lower_front_inner: gather_vector(
-                        |model| model.fixed.lower_front_inner,
-                        number,
-                    ),
-                    upper_front_inner: gather_vector(
-                        |model| model.fixed.upper_front_inner,
-                        number,
-                    ),
-                    upper_rear_inner: gather_vector(
-                        |model| model.fixed.upper_rear_inner,
-                        number,
-                    ),
-                    lower_rear_inner: gather_vector(
-                        |model| model.fixed.lower_rear_inner,
-                        number,
-                    ),
-                    track_rod_inner: gather_vector(
-                        |model| model.fixed.track_rod_inner,
-                        number,
-                    ),
-                },
+                fixed: gather_vectors(|model| model.fixed, number),
                 size: number(&|model| model.size),
                 lower_front: Distance::gather(|model| model.lower_front, number),
                 upper_front: Distance::gather(|model| model.upper_front, number),
@@ -2853,14 +2376,7 @@ pub mod five_link {
         type Lengths = Lengths<T>;
         fn of(_listing: Listing, design: &Points<T>) -> Result<Self, GeometryError> {
             parts::finite(design.values())?;
-            let knuckle_frame = parts::frame(
-                7,
-                Frame::new(
-                    design.lower_front_outer,
-                    design.upper_front_outer,
-                    design.upper_rear_outer,
-                ),
-            )?;
+            let knuckle_frame = parts::frame(7, design.knuckle_frame())?;
             let model = Self {
                 fixed: Fixed {
                     lower_front_inner: design.lower_front_inner,
@@ -2924,11 +2440,7 @@ pub mod five_link {
                 wheel_centre: parts::carried(
                     10,
                     design.wheel_centre,
-                    &Frame::new(
-                        design.lower_front_outer,
-                        design.upper_front_outer,
-                        design.upper_rear_outer,
-                    ),
+                    &design.knuckle_frame(),
                 )?,
             };
             Ok(model.sized())
@@ -2995,11 +2507,7 @@ pub mod five_link {
                 wheel_centre: parts::carried(
                     10,
                     points.wheel_centre,
-                    &Frame::new(
-                        points.lower_front_outer,
-                        points.upper_front_outer,
-                        points.upper_rear_outer,
-                    ),
+                    &points.knuckle_frame(),
                 )?,
                 ..self
             })
