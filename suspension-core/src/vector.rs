@@ -14,8 +14,15 @@ pub fn difference<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
 
 /// `-a`.
 #[inline(always)]
-pub(crate) fn opposite<T: Scalar>(a: Vector3<T>) -> Vector3<T> {
+pub fn opposite<T: Scalar>(a: Vector3<T>) -> Vector3<T> {
     Vector3::new(-a.x, -a.y, -a.z)
+}
+
+/// The components.
+#[inline(always)]
+pub fn xyz<T: Scalar>(a: Vector3<T>) -> [T; 3] {
+    let [components] = a.data.0;
+    components
 }
 
 /// `a k`.

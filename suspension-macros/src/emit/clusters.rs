@@ -31,7 +31,7 @@ pub(super) fn designed(system: &System) -> [TokenStream; 2] {
     let frames = system.clusters.iter().map(|cluster| {
         let name = frame_name(&cluster.name);
         let third = point_index(system, &cluster.frame[2].name);
-        let frame = frames::among_points(system, &cluster.frame, &quote!(design));
+        let frame = frames::among_points(system, &cluster.frame, &quote!(at));
         quote!(let #name = parts::frame(#third, #frame)?;)
     });
     let names = frame_names(system);
@@ -43,7 +43,7 @@ pub(super) fn designed(system: &System) -> [TokenStream; 2] {
          }| {
             let (frame, point) = (frame_name(&cluster.name), &point.name);
             let index = point_index(system, point);
-            quote!(#constant: parts::linked(#index, design.#point, &#frame)?)
+            quote!(#constant: parts::linked(#index, at.#point, &#frame)?)
         },
     );
     [quote!(#(#frames)*), quote!(#(#names,)* #(#linked,)*)]

@@ -8,7 +8,7 @@ use super::{
     clusters, elimination, form, frames, jacobian, measures, quantity, rates, readout, written_out,
 };
 use suspension_listing::eliminate::Order;
-use suspension_listing::system::System;
+use suspension_listing::system::{Equation, System};
 
 pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
@@ -94,11 +94,21 @@ fn drive_anchors(system: &System) -> TokenStream {
     }
 }
 
+/// The equations, those first that take the frames which have just been made: what they are made of is still at
+/// hand.
+fn frames_first(system: &System) -> impl Iterator<Item = &Equation> {
+    let of = |framed| {
+        let equations = system.equations.iter();
+        equations.filter(move |equation| form::of(equation).is_framed() == framed)
+    };
+    of(true).chain(of(false))
+}
+
 fn residual(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
-    let equations = system.equations.iter();
-    let rows = equations.map(|equation| form::of(equation).residual(&equation.named.name));
+    let rows =
+        frames_first(system).map(|equation| form::of(equation).residual(&equation.named.name));
     let bindings = [Binding::free(free, "q")];
     let bindings = bindings
         .into_iter()
@@ -117,8 +127,8 @@ fn residual(system: &System) -> TokenStream {
 fn curvature(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let [v, v_fixed, w, w_fixed] = &["v", "v_fixed", "w", "w_fixed"].map(ident);
-    let equations = system.equations.iter();
-    let rows = equations.filter_map(|equation| form::of(equation).curvature(&equation.named.name));
+    let rows = frames_first(system)
+        .filter_map(|equation| form::of(equation).curvature(&equation.named.name));
     let bindings = [Binding::free(v, "v"), Binding::free(w, "w")]
         .into_iter()
         .chain(frames::bindings(system, "_v", v, v_fixed))

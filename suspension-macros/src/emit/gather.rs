@@ -6,7 +6,7 @@ use quote::quote;
 use super::quantity;
 use super::types::constants;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, System, Wheel};
+use suspension_listing::system::{System, Wheel};
 
 pub(super) fn listing(system: &System) -> TokenStream {
     let constants = constants(system)
@@ -69,9 +69,8 @@ pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
 
 fn names(system: &System) -> TokenStream {
     let equations = system.rows().into_iter().map(|row| row.to_string());
-    let free = system.free.iter();
-    let unknowns = free.flat_map(|point| AXES.map(|axis| format!("{}.{axis}", point.named.name)));
-    let unknowns = unknowns.chain(system.scalars.iter().map(ToString::to_string));
+    let free = system.free.iter().map(|point| point.named.name.as_str());
+    let scalars = system.scalars.iter().map(Name::as_str);
     let markers = Literal::usize_unsuffixed(system.markers.len());
     let drives = system.drives.iter();
     let drive_kinds = drives.map(|drive| quantity::drive_kind(&drive.quantity));
@@ -84,7 +83,7 @@ fn names(system: &System) -> TokenStream {
     quote! {
         Names {
             equations: &[#(#equations),*],
-            unknowns: &[#(#unknowns),*],
+            unknowns: unknown_names![#(#free),*; #(#scalars),*],
             chassis: <Fixed<f64> as Named<Vector3<f64>>>::NAMES,
             points: <Points<f64> as Named<Vector3<f64>>>::NAMES,
             markers: #markers,

@@ -11,7 +11,10 @@ use suspension_listing::system::System;
 pub(super) fn measures(system: &System) -> TokenStream {
     let measures = system.measures.iter().map(|measure| {
         let (name, measured) = (&measure.named.name, quantity::measured(&measure.quantity));
-        quote!(measures.set(#measured, |measures| &mut measures.#name);)
+        quote! {
+            let measured = #measured;
+            measures.set(measured, |measures| &mut measures.#name);
+        }
     });
     let measures: Vec<TokenStream> = measures.collect();
     let body = if measures.is_empty() {

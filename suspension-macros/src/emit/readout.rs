@@ -57,7 +57,8 @@ pub(super) fn points(system: &System) -> TokenStream {
     quote! {
         fn points(&self, q: &SVector<T, #n>, fixed: &Fixed<T>) -> Points<T> {
             let free = Free::of(q);
-            Points::all(fixed, &free, #points)
+            let markers = #points;
+            Points::all(fixed, &free, markers)
         }
 
         fn velocities(
@@ -67,7 +68,8 @@ pub(super) fn points(system: &System) -> TokenStream {
             fixed_rate: &Fixed<T>,
         ) -> Points<T> {
             let free = Free::of(velocity);
-            Points::all(fixed_rate, &free, #velocities)
+            let markers = #velocities;
+            Points::all(fixed_rate, &free, markers)
         }
 
         fn accelerations(
@@ -78,7 +80,8 @@ pub(super) fn points(system: &System) -> TokenStream {
             fixed_second_rate: &Fixed<T>,
         ) -> Points<T> {
             let free = Free::of(acceleration);
-            Points::all(fixed_second_rate, &free, #accelerations)
+            let markers = #accelerations;
+            Points::all(fixed_second_rate, &free, markers)
         }
 
         fn unknowns(&self, points: &Points<T>) -> SVector<T, #n> {

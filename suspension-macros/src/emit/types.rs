@@ -7,10 +7,11 @@ use syn::Ident;
 use super::fields::{
     Field, drive_fields, fixed_fields, length_fields, measure_fields, point_fields,
 };
+use super::short::ShortNames;
 use super::{clusters, form, frames, readout};
 use crate::module::Module;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, System, frame_name};
+use suspension_listing::system::{System, frame_name};
 
 pub(super) fn all(module: &Module, system: &System) -> TokenStream {
     let points = named(
@@ -93,13 +94,10 @@ fn free(system: &System) -> TokenStream {
     let n = proc_macro2::Literal::usize_unsuffixed(system.size());
     let names: Vec<&Name> = system.free.iter().map(|point| &point.named.name).collect();
     let frames = frames::of_free(system);
-    let coordinate = |axis: &'static str| {
-        names
-            .iter()
-            .map(move |name| quote::format_ident!("{}_{axis}", name))
-            .collect::<Vec<_>>()
-    };
-    let [x, y, z] = AXES.map(coordinate);
+    let columns = ShortNames::of(system).columns;
+    let points = names.iter().zip(columns.chunks(3));
+    let points = points.map(|(name, coordinates)| quote!(#name: Vector3::new(#(#coordinates),*)));
+    let short = columns.iter().skip(3 * names.len());
     let scalars = &system.scalars;
     quote! {
         /// The free points: the unknowns under their names.
@@ -112,14 +110,13 @@ fn free(system: &System) -> TokenStream {
         impl<T: Scalar> Free<T> {
             #[inline(always)]
             fn of(q: &SVector<T, #n>) -> Self {
-                let [[#(#x, #y, #z),* #(, #scalars)*]] = q.data.0;
-                Self { #(#names: Vector3::new(#x, #y, #z)),* #(, #scalars)* }
+                let [[#(#columns),*]] = q.data.0;
+                Self { #(#points),* #(, #scalars: #short)* }
             }
 
             #[inline(always)]
             fn unknowns(&self) -> SVector<T, #n> {
-                let Self { #(#names),* #(, #scalars)* } = self;
-                SVector::from([#(#names.x, #names.y, #names.z),* #(, *#scalars)*])
+                vector![#(self.#names.x, self.#names.y, self.#names.z),* #(, self.#scalars)*]
             }
 
             #frames

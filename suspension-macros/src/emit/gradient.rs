@@ -1,0 +1,54 @@
+//! The entries of the Jacobian by equations, as data.
+
+use proc_macro2::TokenStream;
+
+use suspension_listing::name::Name;
+use suspension_listing::system::{Equation, Site, System};
+
+use super::form;
+
+/// What an equation's rows are by its points and scalars, behind the statements that compute it.
+pub(super) struct Gradient<'a> {
+    pub(super) statements: TokenStream,
+    pub(super) by: Vec<By<'a>>,
+}
+
+/// An expression and what the rows are by.
+pub(super) enum By<'a> {
+    /// One row by a point: a vector.
+    Point(&'a Site, TokenStream),
+    /// One row by a coordinate of a point.
+    Coordinate(&'a Site, usize, TokenStream),
+    /// One row by a scalar.
+    Scalar(&'a Name, TokenStream),
+    /// Three rows by a point: a matrix.
+    PointOfThree(&'a Site, TokenStream),
+    /// Three rows by a point: a multiple of the identity.
+    Diagonal(&'a Site, TokenStream),
+    /// Three rows by a scalar: a vector.
+    ScalarOfThree(&'a Name, TokenStream),
+}
+
+impl By<'_> {
+    /// Whether it is by unknowns.
+    fn is_free(&self) -> bool {
+        match self {
+            Self::Point(site, _)
+            | Self::Coordinate(site, ..)
+            | Self::PointOfThree(site, _)
+            | Self::Diagonal(site, _) => site.is_free(),
+            Self::Scalar(..) | Self::ScalarOfThree(..) => true,
+        }
+    }
+}
+
+/// Each equation with its gradient by the unknowns, and the index of its first row.
+pub(super) fn gradients(system: &System) -> impl Iterator<Item = (usize, &Equation, Gradient<'_>)> {
+    system.equations.iter().scan(0, |next, equation| {
+        let first = *next;
+        *next += equation.form.equations().rows();
+        let mut gradient = form::of(equation).gradient(&equation.named.name);
+        gradient.by.retain(By::is_free);
+        Some((first, equation, gradient))
+    })
+}
