@@ -13,9 +13,6 @@ pub trait Factors<T, const N: usize> {
     /// Solves `J x = right`.
     fn solve(&self, right: &SVector<T, N>) -> SVector<T, N>;
 
-    /// Solves `J x = right`, where only the rows that [`Linkage::drive_rate`] fills are not zero.
-    fn solve_drives(&self, right: &SVector<T, N>) -> SVector<T, N>;
-
     /// Solves `J^T y = right`: how much of each equation's change each unknown's takes.
     fn solve_transposed(&self, right: &SVector<T, N>) -> SVector<T, N>;
 

@@ -2,8 +2,6 @@
 //! the frame's points in closed form: a few cross products, instead of rows of nine entries that
 //! would be stored and loaded again in every solution.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::Ident;
@@ -122,26 +120,20 @@ fn columns_by_frame(
     })
 }
 
-/// The carried points' unknowns, once those of their frames are found; only the rows of `live` are not zero, and only
-/// the unknowns of `known`.
-pub(super) fn substituted(
-    unrolled: &Unrolled<'_>,
-    live: &BTreeSet<usize>,
-    known: &BTreeSet<usize>,
-) -> TokenStream {
+/// The carried points' unknowns, once those of their frames are found.
+pub(super) fn substituted(unrolled: &Unrolled<'_>) -> TokenStream {
     let mut statements = TokenStream::new();
     let mut last_frame = None;
     for point in unrolled.system.substituted() {
         let (constants, frame) = (point.constants(), point.frame_name());
         if last_frame.as_ref() != Some(&frame) {
-            let changes = point.frame.map(|column| change(unrolled, column, known));
+            let changes = point.frame.map(|column| change(unrolled, column));
             statements.extend(quote!(let #frame = Frame::new(#(#changes),*);));
         }
         let axes = AXES.map(ident).into_iter();
         let unknowns = axes.zip(point.steps(unrolled.order)).map(|(axis, step)| {
             let (unknown, row) = (unrolled.column(step.column), unrolled.row(step.row));
-            let row = live.contains(&step.row).then(|| quote!(#row +));
-            quote!(let #unknown = #row carried.#axis;)
+            quote!(let #unknown = #row + carried.#axis;)
         });
         statements.extend(quote! {
             let carried = self.#constants.velocity(&self.#frame, &#frame);
@@ -153,11 +145,11 @@ pub(super) fn substituted(
 }
 
 /// A point's change by the column of its first coordinate; zero where it is on the chassis.
-fn change(unrolled: &Unrolled<'_>, column: Option<usize>, known: &BTreeSet<usize>) -> TokenStream {
-    let axes = [0, 1, 2].map(|axis| match column.map(|first| first + axis) {
-        Some(column) if known.contains(&column) => unrolled.column(column).into_token_stream(),
-        _ => quote!(T::zero()),
-    });
+fn change(unrolled: &Unrolled<'_>, column: Option<usize>) -> TokenStream {
+    let Some(first) = column else {
+        return quote!(Vector3::new(T::zero(), T::zero(), T::zero()));
+    };
+    let axes = [0, 1, 2].map(|axis| unrolled.column(first + axis));
     quote!(Vector3::new(#(#axes),*))
 }
 

@@ -25,7 +25,6 @@ pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
     let equations = format!(" An entry is named by its equation: {equations};");
     let unknowns = format!(" and its unknown: {unknowns}.");
     let solve = substitution::solve(&unrolled, &n);
-    let solve_drives = substitution::solve_drives(&unrolled, &n, system);
     let solve_transposed = substitution::solve_transposed(&unrolled, &n);
     quote! {
         /// The Jacobian eliminated in a fixed order, `L D U`: multipliers below each pivot, what is
@@ -45,8 +44,6 @@ pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
 
         impl<T: Scalar> JacobianFactors<T, #n> for Factors<T> {
             #solve
-
-            #solve_drives
 
             #solve_transposed
 

@@ -103,7 +103,6 @@ fn linkage_impl(system: &System) -> TokenStream {
 
         impl<T: Scalar> JacobianFactors<T, #n> for Factors<T> {
             fn solve(&self, _: &SVector<T, #n>) -> SVector<T, #n> { loop {} }
-            fn solve_drives(&self, _: &SVector<T, #n>) -> SVector<T, #n> { loop {} }
             fn solve_transposed(&self, _: &SVector<T, #n>) -> SVector<T, #n> { loop {} }
             fn determinant_sign(&self) -> T { loop {} }
             fn growth_squared(&self) -> T { loop {} }
