@@ -1,5 +1,7 @@
 //! What generated code names. Not for use by hand.
 
+mod stand_in;
+
 pub use nalgebra::{SMatrix, SVector, Vector3};
 pub use suspension_macros::{Named, linkage as expand};
 
@@ -44,6 +46,7 @@ macro_rules! unknown_names {
     };
 }
 pub use crate::unknown_names;
+pub use stand_in::stand_in;
 
 /// The product, in four chains side by side.
 #[inline(always)]

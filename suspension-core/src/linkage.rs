@@ -96,7 +96,10 @@ pub trait Linkage<const N: usize>: Parts {
 
     /// The points watched for mirror images, by index: those that links alone join to three others
     /// which links join to each other. What they make is as rigid as a body, but admits a mirror image.
-    fn linked(&self) -> impl Iterator<Item = usize>;
+    #[inline(always)]
+    fn linked(&self) -> impl Iterator<Item = usize> {
+        core::iter::empty()
+    }
 
     /// The listing.
     fn listing(&self) -> Self::Listing;
@@ -208,11 +211,14 @@ pub trait Linkage<const N: usize>: Parts {
 
     /// For each of [`linked`](Self::linked) what tells it from its mirror image: where the lengths are
     /// kept, 0 on the side of the three others where the model has it, 1 on the other.
+    #[inline(always)]
     fn mirrored(
         &self,
-        q: &SVector<Self::Scalar, N>,
-        fixed: &Self::Fixed,
-    ) -> impl Iterator<Item = Self::Scalar>;
+        _q: &SVector<Self::Scalar, N>,
+        _fixed: &Self::Fixed,
+    ) -> impl Iterator<Item = Self::Scalar> {
+        core::iter::empty()
+    }
 }
 
 /// A linkage that can be built from the positions or the lengths of its parts.

@@ -101,52 +101,41 @@ pub(super) fn constants(system: &System) -> impl Iterator<Item = (Name, TokenStr
     frames.chain(points)
 }
 
-/// `linked` of `impl Linkage`.
-pub(super) fn linked(system: &System) -> TokenStream {
-    let points = clustered(system).map(|clustered| point_index(system, &clustered.point.name));
-    quote! {
-        #[inline(always)]
-        fn linked(&self) -> impl Iterator<Item = usize> {
-            [#(#points),*].into_iter()
-        }
-    }
-}
-
-/// `mirrored` of `impl Linkage`.
-pub(super) fn mirrored(system: &System) -> TokenStream {
+/// `linked` and `mirrored` of `impl Linkage`, where there are any.
+pub(super) fn watched(system: &System) -> Option<TokenStream> {
+    clustered(system).next()?;
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
-    let bindings = system.clusters.iter().map(|cluster| {
+    let places = clustered(system).map(|clustered| point_index(system, &clustered.point.name));
+    let frames = system.clusters.iter().map(|cluster| {
         let frame = frames::among_free(system, &cluster.frame, free, fixed);
         Binding::new(&frame_name(&cluster.name), frame)
     });
-    let values: Vec<TokenStream> = clustered(system)
-        .map(
-            |Clustered {
-                 constant,
-                 point,
-                 cluster,
-             }| {
-                let (point, frame) = (value_of(point, free, fixed), frame_name(&cluster.name));
-                quote!(self.#constant.mirrored(#point, &#frame))
-            },
-        )
-        .collect();
-    let result = if values.is_empty() {
-        quote!(::core::iter::empty())
-    } else {
-        quote!([#(#values),*].into_iter())
-    };
-    let bindings = [Binding::free(free, "q")].into_iter().chain(bindings);
-    let body = bind(bindings.collect(), result);
+    let values = clustered(system).map(
+        |Clustered {
+             constant,
+             point,
+             cluster,
+         }| {
+            let (point, frame) = (value_of(point, free, fixed), frame_name(&cluster.name));
+            quote!(self.#constant.mirrored(#point, &#frame))
+        },
+    );
+    let bindings = [Binding::free(free, "q")].into_iter().chain(frames);
+    let body = bind(bindings.collect(), quote!([#(#values),*].into_iter()));
     let [q, fixed] = [
         parameter("q", &quote!(&SVector<T, #n>), &body),
         parameter("fixed", &quote!(&Fixed<T>), &body),
     ];
-    quote! {
+    Some(quote! {
+        #[inline(always)]
+        fn linked(&self) -> impl Iterator<Item = usize> {
+            [#(#places),*].into_iter()
+        }
+
         #[inline(always)]
         fn mirrored(&self, #q, #fixed) -> impl Iterator<Item = T> {
             #body
         }
-    }
+    })
 }

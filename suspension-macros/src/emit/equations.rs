@@ -12,7 +12,7 @@ use suspension_listing::system::{Equation, System};
 
 pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    let linked = clusters::linked(system);
+    let watched = clusters::watched(system);
     let methods = [
         coordinates(system),
         drive_anchors(system),
@@ -25,7 +25,6 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
         rates::chassis_rate(system),
         readout::points(system),
         measures::measures(system),
-        clusters::mirrored(system),
     ];
     quote! {
         impl<T: Scalar> Linkage<#n> for Model<T> {
@@ -36,8 +35,6 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
             type Measures = Measures<T>;
             type Points = Points<T>;
             type Factors = Factors<T>;
-
-            #linked
 
             fn listing(&self) -> Listing {
                 Listing
@@ -52,6 +49,8 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
             }
 
             #(#methods)*
+
+            #watched
         }
     }
 }

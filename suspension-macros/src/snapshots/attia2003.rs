@@ -252,11 +252,6 @@ pub mod attia2003 {
         type Measures = Measures<T>;
         type Points = Points<T>;
         type Factors = Factors<T>;
-        #[inline(always)]
-        fn linked(&self) -> impl Iterator<Item = usize> {
-            [8, 9].into_iter()
-        }
-
         fn listing(&self) -> Listing {
             Listing
         }
@@ -862,6 +857,11 @@ pub mod attia2003 {
             let measured = points.map(|points| points.p11.z);
             measures.set(measured, |measures| &mut measures.height);
             measures
+        }
+
+        #[inline(always)]
+        fn linked(&self) -> impl Iterator<Item = usize> {
+            [8, 9].into_iter()
         }
 
         #[inline(always)]

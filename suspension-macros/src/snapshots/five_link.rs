@@ -251,11 +251,6 @@ pub mod five_link {
         type Measures = Measures<T>;
         type Points = Points<T>;
         type Factors = Factors<T>;
-        #[inline(always)]
-        fn linked(&self) -> impl Iterator<Item = usize> {
-            [].into_iter()
-        }
-
         fn listing(&self) -> Listing {
             Listing
         }
@@ -772,15 +767,6 @@ pub mod five_link {
             let measured = points.map(|points| points.wheel_centre.z);
             measures.set(measured, |measures| &mut measures.height);
             measures
-        }
-
-        #[inline(always)]
-        fn mirrored(
-            &self,
-            _q: &SVector<T, 15>,
-            _fixed: &Fixed<T>,
-        ) -> impl Iterator<Item = T> {
-            ::core::iter::empty()
         }
     }
 
