@@ -1,7 +1,7 @@
 //! What a listing has, whatever its geometry: its parts, their names and kinds.
 
-/// The parts of a listing. A model has them, and so has the listing that it is made from. Where they stand in a
-/// [table](Self::table) that is all there is to implement, elsewhere all else.
+/// The parts of a listing. A model has them, and so has the listing that it is made from. A type that has them in a
+/// table implements [`table`](Self::table) alone, any other type every other method.
 pub trait Parts {
     /// The parts of a listing that `linkage!` has written.
     fn table(&self) -> &Names {

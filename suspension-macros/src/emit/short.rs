@@ -10,12 +10,13 @@ use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, System};
 
 /// Variables and functions of the elimination, and names that a pattern does not bind.
-const TAKEN: [&str; 20] = [
+const TAKEN: [&str; 22] = [
     "Err",
     "Listing",
     "None",
     "Ok",
     "Some",
+    "carried",
     "d",
     "determinant",
     "difference",
@@ -31,6 +32,7 @@ const TAKEN: [&str; 20] = [
     "right",
     "second",
     "third",
+    "xyz",
 ];
 
 /// The short names of a system's equations and unknowns.
