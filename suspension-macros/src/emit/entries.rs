@@ -3,7 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::gradient::{By, Gradient, gradients};
+use super::form::gradients;
+use super::gradient::{By, Gradient};
 use super::unrolled::Unrolled;
 use suspension_listing::system::Site;
 

@@ -14,7 +14,7 @@ use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Equation, Site, SiteMotion, System};
 
-use super::gradient::Gradient;
+use super::gradient::{By, Gradient};
 use super::operations::Operations;
 
 pub(super) use linear::{constant, sum};
@@ -75,6 +75,17 @@ pub(super) fn of(equation: &Equation) -> &dyn Emit {
         Form::Stretch(form) => form,
         Form::Product(form) => form,
     }
+}
+
+/// Each equation with its gradient by the unknowns, and the index of its first row.
+pub(super) fn gradients(system: &System) -> impl Iterator<Item = (usize, &Equation, Gradient<'_>)> {
+    system.equations.iter().scan(0, |next, equation| {
+        let first = *next;
+        *next += equation.form.equations().rows();
+        let mut gradient = of(equation).gradient(&equation.named.name);
+        gradient.by.retain(By::is_free);
+        Some((first, equation, gradient))
+    })
 }
 
 /// Sets the scalar unknowns in `free`, with each site where `place` says.

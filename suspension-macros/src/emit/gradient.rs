@@ -1,11 +1,9 @@
-//! The entries of the Jacobian by equations, as data.
+//! What an equation gives the Jacobian, as data.
 
 use proc_macro2::TokenStream;
 
 use suspension_listing::name::Name;
-use suspension_listing::system::{Equation, Site, System};
-
-use super::form;
+use suspension_listing::system::Site;
 
 /// What an equation's rows are by its points and scalars, behind the statements that compute it.
 pub(super) struct Gradient<'a> {
@@ -31,7 +29,7 @@ pub(super) enum By<'a> {
 
 impl By<'_> {
     /// Whether it is by unknowns.
-    fn is_free(&self) -> bool {
+    pub(super) fn is_free(&self) -> bool {
         match self {
             Self::Point(site, _)
             | Self::Coordinate(site, ..)
@@ -40,15 +38,4 @@ impl By<'_> {
             Self::Scalar(..) | Self::ScalarOfThree(..) => true,
         }
     }
-}
-
-/// Each equation with its gradient by the unknowns, and the index of its first row.
-pub(super) fn gradients(system: &System) -> impl Iterator<Item = (usize, &Equation, Gradient<'_>)> {
-    system.equations.iter().scan(0, |next, equation| {
-        let first = *next;
-        *next += equation.form.equations().rows();
-        let mut gradient = form::of(equation).gradient(&equation.named.name);
-        gradient.by.retain(By::is_free);
-        Some((first, equation, gradient))
-    })
 }

@@ -3,7 +3,8 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::gradient::{By, Gradient, gradients};
+use super::form::gradients;
+use super::gradient::{By, Gradient};
 use super::terms::{Binding, bind, ident, parameter};
 use super::{frames, indices, written_out};
 use suspension_listing::system::{System, coordinate_name};
