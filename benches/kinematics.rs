@@ -1,7 +1,7 @@
 //! What a configuration costs, on the published motion.
 //!
 //! Ids are `group/function/linkage/number`:
-//! - `kernel`: `residual`, `factor`, `solve` and `solve_drives` of the generated code;
+//! - `kernel`: `residual`, `factor` and `solve` of the generated code;
 //! - `newton`: one iteration with the macro's elimination (`generated`), with our dense LU
 //!   (`dense`) and with that of `nalgebra`;
 //! - `step`: the next `position`, `velocity`, `acceleration` at a fixed cost, each including the

@@ -30,12 +30,6 @@ impl<L: Linkage<15>> Instant<L> {
     fn factors(&self, model: &L) -> L::Factors {
         model.factor(&self.position, &self.prescribed.fixed.value)
     }
-
-    /// The right-hand side of the velocity.
-    fn drive_terms(&self, model: &L) -> SVector<L::Scalar, 15> {
-        let Prescribed { fixed, drives } = &self.prescribed;
-        model.drive_rate(&self.position, &fixed.value, &fixed.rate, &drives.rate)
-    }
 }
 
 fn instants<G: Listing<15>, T: Lane>(case: &Case<G, T>) -> Vec<Instant<G::Model<T>>>
@@ -82,17 +76,10 @@ fn kernels<G: Listing<15>, T: Lane>(
     });
     let systems: Vec<_> = instants
         .iter()
-        .map(|at| (at.factors(model), at.residual(model), at.drive_terms(model)))
+        .map(|at| (at.factors(model), at.residual(model)))
         .collect();
     group.bench_function(format!("solve/{}", case.name), |bencher| {
-        time(bencher, &systems, |(factors, right, _)| {
-            factors.solve(right)
-        });
-    });
-    group.bench_function(format!("solve_drives/{}", case.name), |bencher| {
-        time(bencher, &systems, |(factors, _, of_drives)| {
-            factors.solve_drives(of_drives)
-        });
+        time(bencher, &systems, |(factors, right)| factors.solve(right));
     });
 }
 

@@ -252,12 +252,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         let mut wheels = (0..).map_while(|wheel| self.model.wheel(wheel));
         let wheel = wheels.find(|wheel| wheel.name == name)?;
         let points = self.points().value;
-        let ends =
-            |places: [usize; 2]| places.map(|place| points.values().nth(place).unwrap_or_default());
-        let axis = ends(wheel.axis);
-        let kingpin = wheel
-            .kingpin
-            .map(|kingpin| Kingpin::of(ends(kingpin), axis));
+        let axis = points.at(wheel.axis);
+        let kingpin = wheel.kingpin.map(|ends| Kingpin::of(points.at(ends), axis));
         Some((Wheel::of(axis)?, kingpin))
     }
 

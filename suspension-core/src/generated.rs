@@ -1,7 +1,9 @@
 //! What generated code names. Not for use by hand.
 
+mod stand_in;
+
 pub use nalgebra::{SMatrix, SVector, Vector3};
-pub use suspension_macros::linkage as expand;
+pub use suspension_macros::{Named, linkage as expand};
 
 pub use crate::assemble::best_rigid_fit;
 pub use crate::constraint::{
@@ -14,20 +16,37 @@ pub use crate::linkage::{
     Build, Designed, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage,
     Listing as AnyNumber, Named, Values,
 };
-pub use crate::listing::{DriveKind, Kind, MeasureKind, Names, Part, Parts, WheelPlaces};
+pub use crate::listing::{DriveKind, MeasureKind, Names, Parts, WheelPlaces};
 pub use crate::magnitude::sum_of_squares;
 pub use crate::measure;
 pub use crate::parts;
 pub use crate::pivots::check as check_pivots;
+pub use crate::rows::Rows;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
-pub use crate::vector::{difference, dot, gather_vector, moved_along};
+pub use crate::vector::{difference, dot, gather_vectors, moved_along, opposite, xyz};
 
-/// A matrix from its columns.
-#[inline(always)]
-pub fn from_columns<T: Scalar, const N: usize>(columns: [[T; N]; N]) -> SMatrix<T, N, N> {
-    SMatrix::from_array_storage(nalgebra::ArrayStorage(columns))
+/// A vector of its entries.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! vector_of {
+    ($($entry:expr),*) => { $crate::nalgebra::SVector::from([$($entry),*]) };
 }
+pub use crate::vector_of as vector;
+
+/// The names of unknowns: each point's three coordinates, and scalars.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! unknown_names {
+    ($($point:literal),*; $($scalar:literal),*) => {
+        &[
+            $(concat!($point, ".x"), concat!($point, ".y"), concat!($point, ".z"),)*
+            $($scalar,)*
+        ]
+    };
+}
+pub use crate::unknown_names;
+pub use stand_in::stand_in;
 
 /// The product, in four chains side by side.
 #[inline(always)]

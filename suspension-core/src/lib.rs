@@ -81,6 +81,7 @@ pub mod parts;
 pub mod path;
 pub mod pivots;
 pub mod report;
+mod rows;
 pub mod scalar;
 pub mod series;
 pub mod signal;

@@ -13,9 +13,6 @@ pub trait Factors<T, const N: usize> {
     /// Solves `J x = right`.
     fn solve(&self, right: &SVector<T, N>) -> SVector<T, N>;
 
-    /// Solves `J x = right`, where only the rows that [`Linkage::drive_rate`] fills are not zero.
-    fn solve_drives(&self, right: &SVector<T, N>) -> SVector<T, N>;
-
     /// Solves `J^T y = right`: how much of each equation's change each unknown's takes.
     fn solve_transposed(&self, right: &SVector<T, N>) -> SVector<T, N>;
 
@@ -99,7 +96,10 @@ pub trait Linkage<const N: usize>: Parts {
 
     /// The points watched for mirror images, by index: those that links alone join to three others
     /// which links join to each other. What they make is as rigid as a body, but admits a mirror image.
-    fn linked(&self) -> impl Iterator<Item = usize>;
+    #[inline(always)]
+    fn linked(&self) -> impl Iterator<Item = usize> {
+        core::iter::empty()
+    }
 
     /// The listing.
     fn listing(&self) -> Self::Listing;
@@ -195,21 +195,30 @@ pub trait Linkage<const N: usize>: Parts {
     /// The ends of the wheel's spin axis, the wheel centre last, among positions, velocities or
     /// accelerations of points; `None` where the listing states no `wheel`, that of the first where it states
     /// several ([`Parts::wheel`]).
-    fn wheel_axis(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]>;
+    fn wheel_axis(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]> {
+        Some(points.at(self.wheel(0)?.axis))
+    }
 
     /// Three points of the body that carries the wheel, likewise.
-    fn wheel_carrier(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 3]>;
+    fn wheel_carrier(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 3]> {
+        Some(points.at(self.wheel(0)?.carrier))
+    }
 
     /// The ends of that wheel's kingpin, the lower one first, likewise; `None` where the listing states none.
-    fn kingpin(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]>;
+    fn kingpin(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]> {
+        Some(points.at(self.wheel(0)?.kingpin?))
+    }
 
     /// For each of [`linked`](Self::linked) what tells it from its mirror image: where the lengths are
     /// kept, 0 on the side of the three others where the model has it, 1 on the other.
+    #[inline(always)]
     fn mirrored(
         &self,
-        q: &SVector<Self::Scalar, N>,
-        fixed: &Self::Fixed,
-    ) -> impl Iterator<Item = Self::Scalar>;
+        _q: &SVector<Self::Scalar, N>,
+        _fixed: &Self::Fixed,
+    ) -> impl Iterator<Item = Self::Scalar> {
+        core::iter::empty()
+    }
 }
 
 /// A linkage that can be built from the positions or the lengths of its parts.

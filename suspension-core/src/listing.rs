@@ -1,22 +1,43 @@
 //! What a listing has, whatever its geometry: its parts, their names and kinds.
 
-/// The parts of a listing. A model has them, and so has the listing that it is made from.
+/// The parts of a listing. A model has them, and so has the listing that it is made from. A type that has them in a
+/// table implements [`table`](Self::table) alone, any other type every other method.
 pub trait Parts {
+    /// The parts of a listing that `linkage!` has written.
+    fn table(&self) -> &Names {
+        &Names::NONE
+    }
+
     /// The name of a part; an unknown's is that of the point and the axis, `ball.x`. `?` where there
     /// is no such part.
-    fn name(&self, part: Part) -> &str;
+    fn name(&self, part: Part) -> &str {
+        self.table().name(part)
+    }
 
     /// How many parts of a kind there are.
-    fn count(&self, kind: Kind) -> usize;
+    #[inline(always)]
+    fn count(&self, kind: Kind) -> usize {
+        self.table().count(kind)
+    }
 
     /// What the drive with this index measures.
-    fn drive_kind(&self, drive: usize) -> DriveKind;
+    #[inline(always)]
+    fn drive_kind(&self, drive: usize) -> DriveKind {
+        let kind = self.table().drive_kinds.get(drive).copied();
+        kind.unwrap_or(DriveKind::Coordinate)
+    }
 
     /// What the measure with this index is.
-    fn measure_kind(&self, measure: usize) -> MeasureKind;
+    #[inline(always)]
+    fn measure_kind(&self, measure: usize) -> MeasureKind {
+        let kind = self.table().measure_kinds.get(measure).copied();
+        kind.unwrap_or(MeasureKind::Length)
+    }
 
     /// The wheel with this index, in the order of the listing; `None` behind the last.
-    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>>;
+    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
+        self.table().wheels.get(wheel).copied()
+    }
 }
 
 impl<P: Parts + ?Sized> Parts for &P {
@@ -163,7 +184,22 @@ pub struct Names {
     pub wheels: &'static [WheelPlaces<'static>],
 }
 
-impl Parts for Names {
+impl Names {
+    /// Of nothing.
+    const NONE: Self = Self {
+        equations: &[],
+        unknowns: &[],
+        chassis: &[],
+        points: &[],
+        markers: 0,
+        drives: &[],
+        drive_kinds: &[],
+        measures: &[],
+        measure_kinds: &[],
+        lengths: &[],
+        wheels: &[],
+    };
+
     fn name(&self, part: Part) -> &str {
         let (table, index) = match part {
             Part::Equation(index) => (self.equations, index),
@@ -187,21 +223,5 @@ impl Parts for Names {
             Kind::Measure => self.measures.len(),
             Kind::Length => self.lengths.len(),
         }
-    }
-
-    #[inline(always)]
-    fn drive_kind(&self, drive: usize) -> DriveKind {
-        let kind = self.drive_kinds.get(drive).copied();
-        kind.unwrap_or(DriveKind::Coordinate)
-    }
-
-    #[inline(always)]
-    fn measure_kind(&self, measure: usize) -> MeasureKind {
-        let kind = self.measure_kinds.get(measure).copied();
-        kind.unwrap_or(MeasureKind::Length)
-    }
-
-    fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
-        self.wheels.get(wheel).copied()
     }
 }

@@ -190,10 +190,6 @@ impl<T: Real, const N: usize> Factors<T, N> for Lu<T, N> {
         Lu::solve(self, right)
     }
 
-    fn solve_drives(&self, right: &SVector<T, N>) -> SVector<T, N> {
-        Lu::solve(self, right)
-    }
-
     fn solve_transposed(&self, right: &SVector<T, N>) -> SVector<T, N> {
         Lu::solve_transposed(self, right)
     }

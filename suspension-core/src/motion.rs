@@ -190,12 +190,8 @@ where
     #[inline(always)]
     fn velocity(&self) -> SVector<T, N> {
         let Prescribed { fixed, drives } = self.prescribed;
-        let terms = self.input_terms(&fixed.rate, &drives.rate);
-        if C::MOVES {
-            self.factors.solve(&terms)
-        } else {
-            self.factors.solve_drives(&terms)
-        }
+        self.factors
+            .solve(&self.input_terms(&fixed.rate, &drives.rate))
     }
 
     #[inline(always)]

@@ -28,6 +28,14 @@ impl<V> Signal<V> {
             second_rate: linear(&self.second_rate),
         }
     }
+
+    /// Puts a quantity into a part of this one.
+    #[inline(always)]
+    pub fn set<U>(&mut self, quantity: Signal<U>, part: impl Fn(&mut V) -> &mut U) {
+        *part(&mut self.value) = quantity.value;
+        *part(&mut self.rate) = quantity.rate;
+        *part(&mut self.second_rate) = quantity.second_rate;
+    }
 }
 
 impl<V: Default> Signal<V> {

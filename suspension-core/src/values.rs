@@ -13,6 +13,15 @@ pub trait Values<V>: Copy {
     /// The values in order.
     fn values(&self) -> impl Iterator<Item = V>;
 
+    /// The values with these indices, defaults beyond the last.
+    #[inline]
+    fn at<const K: usize>(&self, indices: [usize; K]) -> [V; K]
+    where
+        V: Default,
+    {
+        indices.map(|index| self.values().nth(index).unwrap_or_default())
+    }
+
     /// Other values in the same order.
     #[inline(always)]
     fn map(&self, value: impl Fn(V) -> V) -> Self

@@ -4,6 +4,7 @@
 use nalgebra::Vector3;
 
 use crate::scalar::Scalar;
+use crate::values::Values;
 
 /// `a - b`.
 #[inline(always)]
@@ -13,8 +14,15 @@ pub fn difference<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
 
 /// `-a`.
 #[inline(always)]
-pub(crate) fn opposite<T: Scalar>(a: Vector3<T>) -> Vector3<T> {
+pub fn opposite<T: Scalar>(a: Vector3<T>) -> Vector3<T> {
     Vector3::new(-a.x, -a.y, -a.z)
+}
+
+/// The components.
+#[inline(always)]
+pub fn xyz<T: Scalar>(a: Vector3<T>) -> [T; 3] {
+    let [components] = a.data.0;
+    components
 }
 
 /// `a k`.
@@ -81,7 +89,7 @@ pub fn moved_along<T: Scalar>(
 
 /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
 #[inline(always)]
-pub fn gather_vector<M, S: Scalar, T: Scalar>(
+pub(crate) fn gather_vector<M, S: Scalar, T: Scalar>(
     of: impl Fn(&M) -> Vector3<S>,
     number: &impl Fn(&dyn Fn(&M) -> S) -> T,
 ) -> Vector3<T> {
@@ -90,4 +98,18 @@ pub fn gather_vector<M, S: Scalar, T: Scalar>(
         number(&|model| of(model).y),
         number(&|model| of(model).z),
     )
+}
+
+/// The same of all of them.
+pub fn gather_vectors<M, V, W, S: Scalar, T: Scalar>(
+    of: impl Fn(&M) -> V,
+    number: &impl Fn(&dyn Fn(&M) -> S) -> T,
+) -> W
+where
+    V: Values<Vector3<S>>,
+    W: Values<Vector3<T>>,
+{
+    let vector = |model: &M, index| of(model).values().nth(index).unwrap_or_default();
+    let vectors = (0..).map(|index| gather_vector(|model| vector(model, index), number));
+    W::from_values(vectors)
 }

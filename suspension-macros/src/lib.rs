@@ -6,6 +6,7 @@ mod emit;
 mod expand;
 mod listing_files;
 mod module;
+mod named;
 #[cfg(test)]
 mod tests;
 
@@ -14,4 +15,14 @@ mod tests;
 #[proc_macro]
 pub fn linkage(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expand::expand(input.into()).into()
+}
+
+/// Behind the structs of names that `linkage!` writes.
+#[doc(hidden)]
+#[proc_macro_derive(Named)]
+pub fn named(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    let written = named::named(input.into());
+    written
+        .unwrap_or_else(syn::Error::into_compile_error)
+        .into()
 }

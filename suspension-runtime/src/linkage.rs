@@ -166,18 +166,6 @@ where
         self.measured(points)
     }
 
-    fn wheel_axis(&self, points: &Self::Points) -> Option<[Vector3<T>; 2]> {
-        self.role(self.first_wheel().map(|wheel| wheel.axis), points)
-    }
-
-    fn wheel_carrier(&self, points: &Self::Points) -> Option<[Vector3<T>; 3]> {
-        self.role(self.first_wheel().map(|wheel| wheel.carrier), points)
-    }
-
-    fn kingpin(&self, points: &Self::Points) -> Option<[Vector3<T>; 2]> {
-        self.role(self.first_wheel().and_then(|wheel| wheel.kingpin), points)
-    }
-
     fn mirrored(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> impl Iterator<Item = T> {
         let points = self.plan().clusters.iter().flat_map(|cluster| {
             let points = cluster.points.iter();

@@ -5,7 +5,7 @@ use suspension_core::Scalar;
 use suspension_core::constraint::{
     Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch,
 };
-use suspension_core::generated::gather_vector;
+use suspension_core::generated::gather_vectors;
 use suspension_core::handedness::Linked;
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 
@@ -65,7 +65,7 @@ where
         };
         Self {
             listing,
-            fixed: each(|at| gather_vector(|model| model.fixed.get(at), number)),
+            fixed: gather_vectors(|model| model.fixed, number),
             size: number(&|model| model.size),
             distances: core::array::from_fn(distance),
             frames: each(|at| Frame::gather(|model| model.frames.get(at), number)),

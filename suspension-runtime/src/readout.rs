@@ -6,7 +6,7 @@ use suspension_core::generated::{difference, dot, moved_along};
 use suspension_core::{Real, Scalar, Signal, measure};
 
 use crate::model::Model;
-use crate::plan::{Coordinate, Measure, Wheel};
+use crate::plan::{Coordinate, Measure};
 use crate::site::{Site, Sites};
 use crate::size::{Few, Points, Room, Size};
 use crate::table::Table;
@@ -99,9 +99,7 @@ where
             if let Some(distance) = of.and_then(|distance| self.distances.get(distance)) {
                 let angle = drives.map(|each| each.get(place));
                 let coordinate = angle_to_coordinate(distance.length(), angle);
-                *coordinates.value.place(place) = coordinate.value;
-                *coordinates.rate.place(place) = coordinate.rate;
-                *coordinates.second_rate.place(place) = coordinate.second_rate;
+                coordinates.set(coordinate, |drives| drives.place(place));
             }
         }
         coordinates
@@ -132,18 +130,6 @@ where
         }
         fixed
     }
-
-    pub(crate) fn first_wheel(&self) -> Option<&Wheel> {
-        self.plan().wheels.first()
-    }
-
-    pub(crate) fn role<const K: usize>(
-        &self,
-        role: Option<[u16; K]>,
-        points: &Points<Vector3<T>, N>,
-    ) -> Option<[Vector3<T>; K]> {
-        role.map(|role| role.map(|point| points.get(point)))
-    }
 }
 
 impl<T: Real, const N: usize> Model<'_, T, N>
@@ -154,9 +140,7 @@ where
         let mut measures: Signal<Few<T, N>> = Signal::default();
         for (place, quantity) in (0..).zip(&self.plan().measures) {
             let each = measured(quantity, points);
-            *measures.value.place(place) = each.value;
-            *measures.rate.place(place) = each.rate;
-            *measures.second_rate.place(place) = each.second_rate;
+            measures.set(each, |measures| measures.place(place));
         }
         measures
     }

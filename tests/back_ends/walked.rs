@@ -223,16 +223,6 @@ impl<'a, L: Build<N, Scalar = f64> + Copy, const N: usize> At<'a, L, N> {
         );
         let sign = Factors::determinant_sign(&dense);
         assert_eq!(factors.determinant_sign() > 0.0, sign > 0.0);
-        let ones = L::Drives::from_values(self.drives.values().map(|_| 1.0));
-        let rates = self.model.drive_anchors(L::Fixed::default(), &ones);
-        let right = self.model.drive_rate(&self.q, &self.fixed, &rates, &ones);
-        let of_drives = factors.solve_drives(&right);
-        all_close(
-            "a solution for drives",
-            &of_drives,
-            &factors.solve(&right),
-            tolerance,
-        );
         true
     }
 

@@ -1,7 +1,6 @@
 //! What holds for every linkage: derivatives against differences.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::linkage::Factors as _;
 use suspension_core::listing::Part;
 use suspension_core::signal::ChassisMotion;
 use suspension_core::{Build, Inputs, Motion, Newton, Signal, Tangent, Values, assemble};
@@ -110,8 +109,6 @@ where
     let still = model.drive_rate(&q, &fixed, &none, &L::Drives::default());
     assert_eq!(still.amax(), 0.0);
 
-    drives_alone(model, &q, &fixed, &drive_rate);
-
     let curvature = model.curvature(&v, &v_fixed, &w, &w_fixed);
     let change =
         moved(1.0, 1.0, 0.0) - moved(1.0, 0.0, 0.0) - moved(0.0, 1.0, 0.0) + moved(0.0, 0.0, 0.0);
@@ -129,24 +126,6 @@ where
             model.name(Part::Unknown(column))
         );
     }
-}
-
-/// Velocities of drives that move free points, or chassis points: with the solution that leaves
-/// out the rows without a drive, and with the one that does not.
-fn drives_alone<L, const N: usize>(
-    model: &L,
-    q: &SVector<f64, N>,
-    fixed: &L::Fixed,
-    drive_rate: &L::Drives,
-) where
-    L: Build<N, Scalar = f64>,
-{
-    let fixed_rate = model.drive_anchors(L::Fixed::default(), drive_rate);
-    let terms = model.drive_rate(q, fixed, &fixed_rate, drive_rate);
-    assert!(terms.amax() > 0.0);
-    let factors = model.factor(q, fixed);
-    assert!(factors.growth_squared().is_finite());
-    assert_eq!(factors.solve_drives(&terms), factors.solve(&terms));
 }
 
 /// A quantity that swings about a value, with its rates at time `t`.

@@ -187,9 +187,6 @@ mod tests {
         fn solve(&self, right: &SVector<f64, 2>) -> SVector<f64, 2> {
             right * self.0
         }
-        fn solve_drives(&self, right: &SVector<f64, 2>) -> SVector<f64, 2> {
-            self.solve(right)
-        }
         fn solve_transposed(&self, right: &SVector<f64, 2>) -> SVector<f64, 2> {
             self.solve(right)
         }

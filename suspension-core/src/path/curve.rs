@@ -221,7 +221,7 @@ where
         let is_accurate = factors.growth_squared() <= T::constant(GROWTH * GROWTH);
         is_accurate.then(|| {
             let tangent = Configuration {
-                unknowns: factors.solve_drives(&self.minus_of_drive(at)),
+                unknowns: factors.solve(&self.minus_of_drive(at)),
                 drive: T::one(),
             };
             (factors, tangent)

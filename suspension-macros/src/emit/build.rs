@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::fields::point_index;
 use super::terms::{ident, parameter, value_of};
-use super::{clusters, form, lengths, quantity, readout};
+use super::{clusters, form, frames, lengths, quantity};
 use suspension_listing::name::Name;
 use suspension_listing::system::{System, carried_name, frame_name};
 
@@ -77,13 +77,12 @@ fn check_pivots() -> TokenStream {
 }
 
 fn new(system: &System) -> TokenStream {
-    let fixed = system.fixed.iter().map(|point| &point.named.name);
     let frames = system.bodies.iter().map(|body| {
         let name = frame_name(&body.name);
         let [.., third] = &body.frame;
         let third = point_index(system, &third.name);
-        let points = body.frame.iter().map(|site| &site.name);
-        quote!(let #name = parts::frame(#third, Frame::new(#(design.#points),*))?;)
+        let frame = frames::among_points(system, &body.frame, &quote!(at));
+        quote!(let #name = parts::frame(#third, #frame)?;)
     });
     let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
     let [stated, framed] = [false, true].map(|framed| {
@@ -94,15 +93,14 @@ fn new(system: &System) -> TokenStream {
         })
     });
     let [cluster_frames, clustered] = clusters::designed(system);
-    let design = quote!(design);
-    let markers = markers(system, &design);
+    let markers = markers(system);
     quote! {
-        fn of(_listing: Listing, design: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(design.values())?;
+        fn of(_listing: Listing, at: &Points<T>) -> Result<Self, GeometryError> {
+            parts::finite(at.values())?;
             #(#frames)*
             #cluster_frames
             let model = Self {
-                fixed: Fixed { #(#fixed: design.#fixed),* },
+                fixed: Fixed::from_values(at.values()),
                 size: T::zero(),
                 #(#stated,)*
                 #(#frame_names,)*
@@ -115,11 +113,13 @@ fn new(system: &System) -> TokenStream {
     }
 }
 
-fn markers<'a>(system: &'a System, points: &'a TokenStream) -> impl Iterator<Item = TokenStream> {
-    system.markers.iter().map(move |marker| {
-        let (name, frame) = (&marker.named.name, readout::frame_of(marker, points));
+/// The markers' constants from the points `at`.
+fn markers(system: &System) -> impl Iterator<Item = TokenStream> {
+    system.markers.iter().map(|marker| {
+        let name = &marker.named.name;
+        let frame = frames::among_points(system, &marker.frame, &quote!(at));
         let index = point_index(system, name);
-        quote!(#name: parts::carried(#index, #points.#name, &#frame)?)
+        quote!(#name: parts::carried(#index, at.#name, &#frame)?)
     })
 }
 
@@ -140,16 +140,15 @@ fn sized(system: &System) -> TokenStream {
 }
 
 fn with_markers(system: &System) -> TokenStream {
-    let points = quote!(points);
-    let markers: Vec<TokenStream> = markers(system, &points).collect();
+    let markers: Vec<TokenStream> = markers(system).collect();
     let model = if markers.is_empty() {
         quote!(self)
     } else {
         quote!(Self { #(#markers,)* ..self })
     };
     quote! {
-        fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(points.values())?;
+        fn with_markers(self, at: &Points<T>) -> Result<Self, GeometryError> {
+            parts::finite(at.values())?;
             Ok(#model)
         }
     }

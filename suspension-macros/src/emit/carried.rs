@@ -2,10 +2,9 @@
 //! the frame's points in closed form: a few cross products, instead of rows of nine entries that
 //! would be stored and loaded again in every solution.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
+use syn::Ident;
 
 use super::terms::ident;
 use super::unrolled::Unrolled;
@@ -67,16 +66,17 @@ pub(super) fn reduce(unrolled: &Unrolled<'_>, filled: &mut Vec<(usize, usize)>) 
                     quote!(T::zero())
                 }
             });
-            let (names, entries) = by_frame(point.frame, |column, value| {
-                let entry = unrolled.entry(row, column);
-                if unrolled.fills(row, column, filled) {
-                    quote!(let #entry = #value;)
-                } else {
-                    quote!(let #entry = #entry + #value;)
-                }
+            let names = by_frame(&point);
+            let vectors = columns_by_frame(&point);
+            let entries = vectors.map(|(vector, columns)| {
+                let entries = columns.map(|column| unrolled.entry(row, column));
+                let new = columns.map(|column| unrolled.fills(row, column, filled));
+                of_vector(&ident(vector), &entries, new)
             });
+            let entries: TokenStream = entries.collect();
             statements.extend(quote! {
-                let #names = self.#constants.by_frame(Vector3::new(#(#gradient),*), &#frame);
+                let gradient = Vector3::new(#(#gradient),*);
+                let #names = self.#constants.by_frame(gradient, &#frame);
                 #entries
             });
         }
@@ -84,29 +84,44 @@ pub(super) fn reduce(unrolled: &Unrolled<'_>, filled: &mut Vec<(usize, usize)>) 
     statements
 }
 
-/// The pattern for what `by_frame` gives, and what is made of each column's number.
-fn by_frame(
-    frame: [Option<usize>; 3],
-    mut write: impl FnMut(usize, TokenStream) -> TokenStream,
-) -> (TokenStream, TokenStream) {
-    let (mut names, mut entries) = (Vec::new(), TokenStream::new());
-    for (name, column) in ["origin", "second", "third"].into_iter().zip(frame) {
-        let Some(column) = column else {
-            names.push(quote!(_));
-            continue;
-        };
-        let name = ident(name);
-        for (axis, component) in AXES.map(ident).iter().enumerate() {
-            entries.extend(write(column + axis, quote!(#name.#component)));
-        }
-        names.push(quote!(#name));
+/// Variables that are components of a vector, or that they are added to.
+fn of_vector(vector: &Ident, variables: &[Ident; 3], new: [bool; 3]) -> TokenStream {
+    if new == [true; 3] {
+        return quote!(let [#(#variables),*] = xyz(#vector););
     }
-    (quote!([#(#names),*]), entries)
+    let each = variables.iter().zip(AXES.map(ident)).zip(new);
+    each.map(|((variable, axis), is_new)| {
+        let sum = (!is_new).then(|| quote!(#variable +));
+        quote!(let #variable = #sum #vector.#axis;)
+    })
+    .collect()
 }
 
-/// The carried points' unknowns, once those of their frames are found. Only the rows of `live` are
-/// not zero.
-pub(super) fn substituted(unrolled: &Unrolled<'_>, live: &BTreeSet<usize>) -> TokenStream {
+const BY_FRAME: [&str; 3] = ["origin", "second", "third"];
+
+/// The pattern for what `by_frame` gives.
+fn by_frame(point: &Substituted<'_>) -> TokenStream {
+    let names = BY_FRAME.map(ident).into_iter().zip(point.frame);
+    let names = names.map(|(name, column)| match column {
+        Some(_) => quote!(#name),
+        None => quote!(_),
+    });
+    quote!([#(#names),*])
+}
+
+/// Each of its vectors that is by a free point, with the columns of this.
+fn columns_by_frame(
+    point: &Substituted<'_>,
+) -> impl Iterator<Item = (&'static str, [usize; 3])> + use<> {
+    let columns = BY_FRAME.into_iter().zip(point.frame);
+    columns.filter_map(|(name, column)| {
+        let first = column?;
+        Some((name, [first, first + 1, first + 2]))
+    })
+}
+
+/// The carried points' unknowns, once those of their frames are found.
+pub(super) fn substituted(unrolled: &Unrolled<'_>) -> TokenStream {
     let mut statements = TokenStream::new();
     let mut last_frame = None;
     for point in unrolled.system.substituted() {
@@ -115,15 +130,11 @@ pub(super) fn substituted(unrolled: &Unrolled<'_>, live: &BTreeSet<usize>) -> To
             let changes = point.frame.map(|column| change(unrolled, column));
             statements.extend(quote!(let #frame = Frame::new(#(#changes),*);));
         }
-        let unknowns = AXES
-            .iter()
-            .zip(point.steps(unrolled.order))
-            .map(|(axis, step)| {
-                let (axis, unknown) = (ident(axis), unrolled.column(step.column));
-                let row = unrolled.row(step.row);
-                let row = live.contains(&step.row).then(|| quote!(rows[#row] +));
-                quote!(unknowns[#unknown] = #row carried.#axis;)
-            });
+        let axes = AXES.map(ident).into_iter();
+        let unknowns = axes.zip(point.steps(unrolled.order)).map(|(axis, step)| {
+            let (unknown, row) = (unrolled.column(step.column), unrolled.row(step.row));
+            quote!(let #unknown = #row + carried.#axis;)
+        });
         statements.extend(quote! {
             let carried = self.#constants.velocity(&self.#frame, &#frame);
             #(#unknowns)*
@@ -133,15 +144,12 @@ pub(super) fn substituted(unrolled: &Unrolled<'_>, live: &BTreeSet<usize>) -> To
     statements
 }
 
-/// A point's unknowns by the column of the first; zero where it is on the chassis.
+/// A point's change by the column of its first coordinate; zero where it is on the chassis.
 fn change(unrolled: &Unrolled<'_>, column: Option<usize>) -> TokenStream {
-    let axes = [0, 1, 2].map(|axis| match column {
-        Some(first) => {
-            let unknown = unrolled.column(first + axis);
-            quote!(unknowns[#unknown])
-        }
-        None => quote!(T::zero()),
-    });
+    let Some(first) = column else {
+        return quote!(Vector3::new(T::zero(), T::zero(), T::zero()));
+    };
+    let axes = [0, 1, 2].map(|axis| unrolled.column(first + axis));
     quote!(Vector3::new(#(#axes),*))
 }
 
@@ -149,20 +157,18 @@ fn change(unrolled: &Unrolled<'_>, column: Option<usize>) -> TokenStream {
 pub(super) fn transposed(unrolled: &Unrolled<'_>) -> TokenStream {
     let of_point = |point: Substituted<'_>| {
         let (constants, frame) = (point.constants(), point.frame_name());
-        let gradient = change(unrolled, Some(point.column));
-        let (names, sums) = by_frame(point.frame, |column, value| {
-            let unknown = unrolled.column(column);
-            quote!(unknowns[#unknown] += #value;)
+        let gradient = [0, 1, 2].map(|axis| unrolled.column(point.column + axis));
+        let names = by_frame(&point);
+        let sums = columns_by_frame(&point).map(|(vector, columns)| {
+            let unknowns = columns.map(|column| unrolled.column(column).clone());
+            of_vector(&ident(vector), &unknowns, [false; 3])
         });
         quote! {
-            let #names = self.#constants.by_frame(#gradient, &self.#frame);
-            #sums
+            let gradient = Vector3::new(#(#gradient),*);
+            let #names = self.#constants.by_frame(gradient, &self.#frame);
+            #(#sums)*
         }
     };
-    unrolled
-        .system
-        .substituted()
-        .into_iter()
-        .map(of_point)
-        .collect()
+    let points = unrolled.system.substituted().into_iter();
+    points.map(of_point).collect()
 }

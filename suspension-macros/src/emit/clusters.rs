@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::fields::point_index;
+use super::frames;
 use super::terms::{Binding, bind, ident, parameter, value_of};
 use suspension_listing::name::Name;
 use suspension_listing::system::{Body, Site, System, carried_name, distance_between, frame_name};
@@ -28,12 +29,10 @@ fn clustered(system: &System) -> impl Iterator<Item = Clustered<'_>> {
 /// `frame` and constants from the design: what comes before the model, and its fields.
 pub(super) fn designed(system: &System) -> [TokenStream; 2] {
     let frames = system.clusters.iter().map(|cluster| {
-        let (name, points) = (
-            frame_name(&cluster.name),
-            cluster.frame.iter().map(|site| &site.name),
-        );
+        let name = frame_name(&cluster.name);
         let third = point_index(system, &cluster.frame[2].name);
-        quote!(let #name = parts::frame(#third, Frame::new(#(design.#points),*))?;)
+        let frame = frames::among_points(system, &cluster.frame, &quote!(at));
+        quote!(let #name = parts::frame(#third, #frame)?;)
     });
     let names = frame_names(system);
     let linked = clustered(system).map(
@@ -44,7 +43,7 @@ pub(super) fn designed(system: &System) -> [TokenStream; 2] {
          }| {
             let (frame, point) = (frame_name(&cluster.name), &point.name);
             let index = point_index(system, point);
-            quote!(#constant: parts::linked(#index, design.#point, &#frame)?)
+            quote!(#constant: parts::linked(#index, at.#point, &#frame)?)
         },
     );
     [quote!(#(#frames)*), quote!(#(#names,)* #(#linked,)*)]
@@ -102,52 +101,41 @@ pub(super) fn constants(system: &System) -> impl Iterator<Item = (Name, TokenStr
     frames.chain(points)
 }
 
-/// `linked` of `impl Linkage`.
-pub(super) fn linked(system: &System) -> TokenStream {
-    let points = clustered(system).map(|clustered| point_index(system, &clustered.point.name));
-    quote! {
-        #[inline(always)]
-        fn linked(&self) -> impl Iterator<Item = usize> {
-            [#(#points),*].into_iter()
-        }
-    }
-}
-
-/// `mirrored` of `impl Linkage`.
-pub(super) fn mirrored(system: &System) -> TokenStream {
+/// `linked` and `mirrored` of `impl Linkage`, where there are any.
+pub(super) fn watched(system: &System) -> Option<TokenStream> {
+    clustered(system).next()?;
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
+    let places = clustered(system).map(|clustered| point_index(system, &clustered.point.name));
     let frames = system.clusters.iter().map(|cluster| {
-        let points = cluster.frame.iter().map(|site| value_of(site, free, fixed));
-        Binding::new(&frame_name(&cluster.name), quote!(Frame::new(#(#points),*)))
+        let frame = frames::among_free(system, &cluster.frame, free, fixed);
+        Binding::new(&frame_name(&cluster.name), frame)
     });
-    let values: Vec<TokenStream> = clustered(system)
-        .map(
-            |Clustered {
-                 constant,
-                 point,
-                 cluster,
-             }| {
-                let (point, frame) = (value_of(point, free, fixed), frame_name(&cluster.name));
-                quote!(self.#constant.mirrored(#point, &#frame))
-            },
-        )
-        .collect();
-    let result = if values.is_empty() {
-        quote!(::core::iter::empty())
-    } else {
-        quote!([#(#values),*].into_iter())
-    };
+    let values = clustered(system).map(
+        |Clustered {
+             constant,
+             point,
+             cluster,
+         }| {
+            let (point, frame) = (value_of(point, free, fixed), frame_name(&cluster.name));
+            quote!(self.#constant.mirrored(#point, &#frame))
+        },
+    );
     let bindings = [Binding::free(free, "q")].into_iter().chain(frames);
-    let body = bind(bindings.collect(), result);
+    let body = bind(bindings.collect(), quote!([#(#values),*].into_iter()));
     let [q, fixed] = [
         parameter("q", &quote!(&SVector<T, #n>), &body),
         parameter("fixed", &quote!(&Fixed<T>), &body),
     ];
-    quote! {
+    Some(quote! {
+        #[inline(always)]
+        fn linked(&self) -> impl Iterator<Item = usize> {
+            [#(#places),*].into_iter()
+        }
+
         #[inline(always)]
         fn mirrored(&self, #q, #fixed) -> impl Iterator<Item = T> {
             #body
         }
-    }
+    })
 }

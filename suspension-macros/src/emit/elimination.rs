@@ -4,9 +4,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::Ident;
 
-use super::jacobian::{entries, parameters, with_points};
-use super::unrolled::{Unrolled, entry};
-use super::{carried, indices, substitution, written_out};
+use super::jacobian::{parameters, with_points};
+use super::unrolled::Unrolled;
+use super::{carried, entries, indices, substitution, written_out};
 use suspension_listing::eliminate::Order;
 use suspension_listing::system::System;
 
@@ -16,14 +16,24 @@ pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
     let unrolled = Unrolled::new(system, order);
     let fields = unrolled.fields();
     let carried = carried::fields(system);
+    let [equations, unknowns] = unrolled.names.meanings.each_ref().map(|meanings| {
+        let each = meanings
+            .iter()
+            .map(|(short, name)| format!("`{short}` {name}"));
+        each.collect::<Vec<_>>().join(", ")
+    });
+    let equations = format!(" An entry is named by its equation: {equations};");
+    let unknowns = format!(" and its unknown: {unknowns}.");
     let solve = substitution::solve(&unrolled, &n);
-    let solve_drives = substitution::solve_drives(&unrolled, &n, system);
     let solve_transposed = substitution::solve_transposed(&unrolled, &n);
     quote! {
         /// The Jacobian eliminated in a fixed order, `L D U`: multipliers below each pivot, what is
         /// left of its row, divided by the pivot, to the right, and in its own place the pivot's
         /// inverse. Pivots that are 1 in every position are left out, and of carried points the rows:
         /// frame and constants stand for them.
+        ///
+        #[doc = #equations]
+        #[doc = #unknowns]
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Factors<T> {
             growth_squared: T,
@@ -34,8 +44,6 @@ pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
 
         impl<T: Scalar> JacobianFactors<T, #n> for Factors<T> {
             #solve
-
-            #solve_drives
 
             #solve_transposed
 
@@ -71,15 +79,7 @@ pub(super) fn pivots(system: &System, order: &Order) -> TokenStream {
 pub(super) fn factor(system: &System, order: &Order) -> TokenStream {
     let unrolled = Unrolled::new(system, order);
     let fields = unrolled.fields();
-    let entries = entries(system, &|row, column, value| {
-        let entry = entry(row, column);
-        // Pivots that are 1 in every position are no fields.
-        if fields.contains(&entry) {
-            quote!(let #entry = #value;)
-        } else {
-            TokenStream::new()
-        }
-    });
+    let entries = entries::entries(&unrolled);
     let mut filled = Vec::new();
     let substituted = carried::reduce(&unrolled, &mut filled);
     let carried = carried::values(system);
@@ -99,9 +99,10 @@ pub(super) fn factor(system: &System, order: &Order) -> TokenStream {
             #entries
             #substituted
             #(#steps)*
+            let pivots = [#(#pivots),*];
             Factors {
-                growth_squared: sum_of_squares([#(#pivots),*]),
-                determinant_sign: #sign product([#(#pivots),*]),
+                growth_squared: sum_of_squares(pivots),
+                determinant_sign: #sign product(pivots),
                 #carried
                 #(#fields,)*
             }

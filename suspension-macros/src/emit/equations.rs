@@ -3,16 +3,16 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::terms::{Binding, frames, ident, parameter, vector};
+use super::terms::{Binding, ident, parameter, vector};
 use super::{
-    clusters, elimination, form, jacobian, measures, quantity, rates, readout, written_out,
+    clusters, elimination, form, frames, jacobian, measures, quantity, rates, readout, written_out,
 };
 use suspension_listing::eliminate::Order;
-use suspension_listing::system::System;
+use suspension_listing::system::{Equation, System};
 
 pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    let linked = clusters::linked(system);
+    let watched = clusters::watched(system);
     let methods = [
         coordinates(system),
         drive_anchors(system),
@@ -25,8 +25,6 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
         rates::chassis_rate(system),
         readout::points(system),
         measures::measures(system),
-        readout::roles(system),
-        clusters::mirrored(system),
     ];
     quote! {
         impl<T: Scalar> Linkage<#n> for Model<T> {
@@ -37,8 +35,6 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
             type Measures = Measures<T>;
             type Points = Points<T>;
             type Factors = Factors<T>;
-
-            #linked
 
             fn listing(&self) -> Listing {
                 Listing
@@ -53,6 +49,8 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
             }
 
             #(#methods)*
+
+            #watched
         }
     }
 }
@@ -95,13 +93,25 @@ fn drive_anchors(system: &System) -> TokenStream {
     }
 }
 
+/// The equations, those first that take the frames which have just been made: what they are made of is still at
+/// hand.
+fn frames_first(system: &System) -> impl Iterator<Item = &Equation> {
+    let of = |framed| {
+        let equations = system.equations.iter();
+        equations.filter(move |equation| form::of(equation).is_framed() == framed)
+    };
+    of(true).chain(of(false))
+}
+
 fn residual(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
-    let equations = system.equations.iter();
-    let rows = equations.map(|equation| form::of(equation).residual(&equation.named.name));
+    let rows =
+        frames_first(system).map(|equation| form::of(equation).residual(&equation.named.name));
     let bindings = [Binding::free(free, "q")];
-    let bindings = bindings.into_iter().chain(frames(system, "", free, fixed));
+    let bindings = bindings
+        .into_iter()
+        .chain(frames::bindings(system, "", free, fixed));
     let body = vector(system, bindings, rows);
     let q = parameter("q", &quote!(&SVector<T, #n>), &body);
     let fixed = parameter("fixed", &quote!(&Fixed<T>), &body);
@@ -116,12 +126,12 @@ fn residual(system: &System) -> TokenStream {
 fn curvature(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let [v, v_fixed, w, w_fixed] = &["v", "v_fixed", "w", "w_fixed"].map(ident);
-    let equations = system.equations.iter();
-    let rows = equations.filter_map(|equation| form::of(equation).curvature(&equation.named.name));
+    let rows = frames_first(system)
+        .filter_map(|equation| form::of(equation).curvature(&equation.named.name));
     let bindings = [Binding::free(v, "v"), Binding::free(w, "w")]
         .into_iter()
-        .chain(frames(system, "_v", v, v_fixed))
-        .chain(frames(system, "_w", w, w_fixed));
+        .chain(frames::bindings(system, "_v", v, v_fixed))
+        .chain(frames::bindings(system, "_w", w, w_fixed));
     let body = vector(system, bindings, rows);
     let vectors = ["v", "w"].map(|name| parameter(name, &quote!(&SVector<T, #n>), &body));
     let fixed = ["v_fixed", "w_fixed"].map(|name| parameter(name, &quote!(&Fixed<T>), &body));

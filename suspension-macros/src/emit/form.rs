@@ -9,20 +9,15 @@ mod product;
 mod stretch;
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use suspension_listing::form::Form;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, Equation, Site, SiteMotion, System};
+use suspension_listing::system::{Equation, Site, SiteMotion, System};
 
-use super::indices;
+use super::gradient::{By, Gradient};
 use super::operations::Operations;
-use super::terms::{Rows, ident};
 
 pub(super) use linear::{constant, sum};
-
-/// Writes an entry: its row, its column, its value.
-pub(super) type Write<'a> = dyn Fn(&Name, &Name, TokenStream) -> TokenStream + 'a;
 
 /// What is written of the equations of a form, by the name of the first.
 pub(super) trait Emit {
@@ -47,24 +42,24 @@ pub(super) trait Emit {
         None
     }
 
-    /// The constant from the points `design`.
+    /// The constant from the points `at`.
     fn of_points(&self, name: &Name, system: &System) -> TokenStream;
 
     /// The constant from `lengths`.
     fn of_lengths(&self, name: &Name, system: &System) -> TokenStream;
 
     /// The rows of `F`.
-    fn residual(&self, name: &Name) -> Rows;
+    fn residual(&self, name: &Name) -> TokenStream;
 
-    /// The entries of the Jacobian, each passed through `write`.
-    fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream;
+    /// The rows of the Jacobian.
+    fn gradient(&self, name: &Name) -> Gradient<'_>;
 
     /// The rows of `C(v, w)`; `None` where they are zero.
-    fn curvature(&self, name: &Name) -> Option<Rows>;
+    fn curvature(&self, name: &Name) -> Option<TokenStream>;
 
     /// The rows of `-dF/du udot`, of the chassis points with the given motion and, with those that are
     /// driven, of the drive; `None` where they are zero.
-    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<Rows>;
+    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream>;
 
     /// Operations of residual, Jacobian and curvature, as `suspension_core::constraint` writes them.
     fn cost(&self) -> [Operations; 3];
@@ -82,15 +77,15 @@ pub(super) fn of(equation: &Equation) -> &dyn Emit {
     }
 }
 
-/// The entries `gradient` of a row by a point, with a sign.
-fn gradient_entries(site: &Site, row: &Name, sign: &TokenStream, write: &Write<'_>) -> TokenStream {
-    let columns = indices::unknown_names(&site.name);
-    let free = columns.iter().zip(AXES).filter(|_| site.is_free());
-    let entries = free.map(|(column, axis)| {
-        let axis = ident(axis);
-        write(row, column, quote!(#sign gradient.#axis))
-    });
-    quote!(#(#entries)*)
+/// Each equation with its gradient by the unknowns, and the index of its first row.
+pub(super) fn gradients(system: &System) -> impl Iterator<Item = (usize, &Equation, Gradient<'_>)> {
+    system.equations.iter().scan(0, |next, equation| {
+        let first = *next;
+        *next += equation.form.equations().rows();
+        let mut gradient = of(equation).gradient(&equation.named.name);
+        gradient.by.retain(By::is_free);
+        Some((first, equation, gradient))
+    })
 }
 
 /// Sets the scalar unknowns in `free`, with each site where `place` says.

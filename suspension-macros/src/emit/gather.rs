@@ -6,23 +6,15 @@ use quote::quote;
 use super::quantity;
 use super::types::constants;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, System, Wheel};
+use suspension_listing::system::{System, Wheel};
 
 pub(super) fn listing(system: &System) -> TokenStream {
-    let fixed = system.fixed.iter().map(|point| {
-        let name = &point.named.name;
-        quote!(#name: gather_vector(|model| model.fixed.#name, number))
-    });
-    let no_fixed = system
-        .fixed
-        .is_empty()
-        .then(|| quote!(no_fields: ::core::marker::PhantomData));
     let constants = constants(system)
         .map(|(name, kind)| quote!(#name: #kind::gather(|model| model.#name, number)));
     let model = quote! {
         let number = &number;
         Model {
-            fixed: Fixed { #(#fixed,)* #no_fixed },
+            fixed: gather_vectors(|model| model.fixed, number),
             size: number(&|model| model.size),
             #(#constants,)*
         }
@@ -34,8 +26,6 @@ pub(super) fn listing(system: &System) -> TokenStream {
 pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let names = names(system);
-    let of_listing = parts(&quote!(impl Parts for Listing));
-    let of_model = parts(&quote!(impl<T: Scalar> Parts for Model<T>));
     quote! {
         /// This listing, over any number.
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,9 +36,19 @@ pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
             pub const PARTS: Names = #names;
         }
 
-        #of_listing
+        impl Parts for Listing {
+            #[inline(always)]
+            fn table(&self) -> &Names {
+                &Self::PARTS
+            }
+        }
 
-        #of_model
+        impl<T: Scalar> Parts for Model<T> {
+            #[inline(always)]
+            fn table(&self) -> &Names {
+                &Listing::PARTS
+            }
+        }
 
         impl AnyNumber<#n> for Listing {
             type Model<T: Scalar> = Model<T>;
@@ -69,9 +69,8 @@ pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
 
 fn names(system: &System) -> TokenStream {
     let equations = system.rows().into_iter().map(|row| row.to_string());
-    let free = system.free.iter();
-    let unknowns = free.flat_map(|point| AXES.map(|axis| format!("{}.{axis}", point.named.name)));
-    let unknowns = unknowns.chain(system.scalars.iter().map(ToString::to_string));
+    let free = system.free.iter().map(|point| point.named.name.as_str());
+    let scalars = system.scalars.iter().map(Name::as_str);
     let markers = Literal::usize_unsuffixed(system.markers.len());
     let drives = system.drives.iter();
     let drive_kinds = drives.map(|drive| quantity::drive_kind(&drive.quantity));
@@ -84,7 +83,7 @@ fn names(system: &System) -> TokenStream {
     quote! {
         Names {
             equations: &[#(#equations),*],
-            unknowns: &[#(#unknowns),*],
+            unknowns: unknown_names![#(#free),*; #(#scalars),*],
             chassis: <Fixed<f64> as Named<Vector3<f64>>>::NAMES,
             points: <Points<f64> as Named<Vector3<f64>>>::NAMES,
             markers: #markers,
@@ -117,34 +116,4 @@ fn wheel_places(system: &System, wheel: &Wheel) -> TokenStream {
         None => quote!(None),
     };
     quote!(WheelPlaces { name: #name, axis: #axis, carrier: #carrier, kingpin: #kingpin })
-}
-
-/// The listing's parts are the model's too.
-fn parts(of: &TokenStream) -> TokenStream {
-    quote! {
-        #of {
-            fn name(&self, part: Part) -> &str {
-                Listing::PARTS.name(part)
-            }
-
-            #[inline(always)]
-            fn count(&self, kind: Kind) -> usize {
-                Listing::PARTS.count(kind)
-            }
-
-            #[inline(always)]
-            fn drive_kind(&self, drive: usize) -> DriveKind {
-                Listing::PARTS.drive_kind(drive)
-            }
-
-            #[inline(always)]
-            fn measure_kind(&self, measure: usize) -> MeasureKind {
-                Listing::PARTS.measure_kind(measure)
-            }
-
-            fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
-                Listing::PARTS.wheel(wheel)
-            }
-        }
-    }
 }

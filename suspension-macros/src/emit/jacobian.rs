@@ -1,33 +1,50 @@
-//! The unrolled Jacobian: each equation gives its non-zero entries under their names.
+//! The dense Jacobian: each equation puts what it is by its points into its rows.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::form::Write;
-use super::terms::{Binding, bind, frames, ident, parameter};
-use super::{form, indices, written_out};
-use suspension_listing::system::System;
+use super::form::gradients;
+use super::gradient::{By, Gradient};
+use super::terms::{Binding, bind, ident, parameter};
+use super::{frames, indices, written_out};
+use suspension_listing::system::{System, coordinate_name};
 
 pub(super) fn jacobian(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    let entries = entries(system, &|row, column, value| {
-        let (row, column) = (indices::equation(row), indices::unknown(column));
-        quote!(columns[#column][#row] = #value;)
+    let rows = gradients(system).map(|(_, equation, gradient)| {
+        let Gradient { statements, by } = gradient;
+        let row = equation.rows();
+        let row = row.first().map(indices::equation);
+        let by = by.iter().map(put);
+        (by.len() > 0).then(|| quote!(#statements rows.at(#row) #(#by)*;))
     });
-    let body = with_points(
-        system,
-        quote! {
-            let mut columns = [[T::zero(); #n]; #n];
-            #entries
-            from_columns(columns)
-        },
-    );
+    let body = quote! {
+        let mut rows = Rows::zero();
+        #(#rows)*
+        rows.matrix()
+    };
+    let body = with_points(system, body);
     let [q, fixed] = parameters(system, &body);
     written_out(&quote! {
         fn jacobian(&self, #q, #fixed) -> SMatrix<T, #n, #n> {
             #body
         }
     })
+}
+
+/// A call that puts something into the rows.
+fn put(by: &By<'_>) -> TokenStream {
+    let coordinate = |name, axis| indices::unknown(&coordinate_name(name, axis));
+    let (method, column, value) = match by {
+        By::Point(site, value) => ("by", coordinate(&site.name, 0), value),
+        By::Coordinate(site, axis, value) => ("by_one", coordinate(&site.name, *axis), value),
+        By::Scalar(scalar, value) => ("by_one", indices::unknown(scalar), value),
+        By::PointOfThree(site, value) => ("three_by", coordinate(&site.name, 0), value),
+        By::Diagonal(site, value) => ("diagonal_by", coordinate(&site.name, 0), value),
+        By::ScalarOfThree(scalar, value) => ("three_by_one", indices::unknown(scalar), value),
+    };
+    let method = ident(method);
+    quote!(.#method(#column, #value))
 }
 
 /// `q` and `fixed`.
@@ -44,15 +61,6 @@ pub(super) fn with_points(system: &System, body: TokenStream) -> TokenStream {
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let bindings = [Binding::free(free, "q")]
         .into_iter()
-        .chain(frames(system, "", free, fixed));
+        .chain(frames::bindings(system, "", free, fixed));
     bind(bindings.collect(), body)
-}
-
-/// All entries that are not always zero, each passed through `write`.
-pub(super) fn entries(system: &System, write: &Write<'_>) -> TokenStream {
-    let of_equations = system
-        .equations
-        .iter()
-        .map(|equation| form::of(equation).jacobian(equation, write));
-    quote!(#(#of_equations)*)
 }

@@ -141,17 +141,9 @@ pub(super) fn driven(drive: &Drive) -> TokenStream {
 pub(super) fn coordinate(drive: &Drive) -> Option<TokenStream> {
     let (name, distance) = (&drive.named.name, drive.angle_of.as_ref()?);
     Some(quote! {
-        let coordinate = angle_to_coordinate(
-            self.#distance.length(),
-            Signal {
-                value: drives.value.#name,
-                rate: drives.rate.#name,
-                second_rate: drives.second_rate.#name,
-            },
-        );
-        coordinates.value.#name = coordinate.value;
-        coordinates.rate.#name = coordinate.rate;
-        coordinates.second_rate.#name = coordinate.second_rate;
+        let angle = drives.map(|drives| drives.#name);
+        let coordinate = angle_to_coordinate(self.#distance.length(), angle);
+        coordinates.set(coordinate, |drives| &mut drives.#name);
     })
 }
 

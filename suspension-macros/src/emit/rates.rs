@@ -1,13 +1,11 @@
 //! What the inputs' rates contribute to velocity and acceleration: `-dF/du udot`.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::terms::{Binding, frames, ident, parameter, vector};
-use super::{form, written_out};
-use suspension_listing::system::{Equation, Site, SiteMotion, System};
+use super::terms::{Binding, ident, parameter, vector};
+use super::{form, frames, written_out};
+use suspension_listing::system::{SiteMotion, System};
 
 /// Of the drives, and of the chassis points that they move.
 pub(super) fn drive_rate(system: &System) -> TokenStream {
@@ -20,19 +18,6 @@ pub(super) fn drive_rate(system: &System) -> TokenStream {
             #body
         }
     })
-}
-
-/// The rows that `drive_rate` fills.
-pub(super) fn driven_rows(system: &System) -> BTreeSet<usize> {
-    let is_driven = |site: &Site| site.motion == SiteMotion::DrivenAnchor;
-    let of_equation = |equation: &Equation| {
-        let form = equation.form.equations();
-        let driven = form.drive().is_some() || form.sites().into_iter().any(is_driven);
-        vec![driven; form.rows()]
-    };
-    let rows = system.equations.iter().flat_map(of_equation).enumerate();
-    rows.filter_map(|(row, driven)| driven.then_some(row))
-        .collect()
 }
 
 /// Of the chassis points that no drive moves.
@@ -63,6 +48,8 @@ fn terms(system: &System, motion: SiteMotion) -> TokenStream {
     let rows = equations
         .filter_map(|equation| form::of(equation).input_rate(&equation.named.name, motion));
     let bindings = [Binding::free(free, "q")];
-    let bindings = bindings.into_iter().chain(frames(system, "", free, fixed));
+    let bindings = bindings
+        .into_iter()
+        .chain(frames::bindings(system, "", free, fixed));
     vector(system, bindings, rows)
 }

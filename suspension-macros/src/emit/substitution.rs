@@ -1,135 +1,89 @@
-//! Unrolled solutions with the factors: for any right-hand side, for one that is mostly zero, and
-//! with the transpose.
-
-use std::collections::BTreeSet;
+//! Unrolled solutions with the factors, and with their transpose.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::unrolled::Unrolled;
-use super::{carried, rates, written_out};
+use super::{carried, written_out};
 use suspension_listing::eliminate::Step;
-use suspension_listing::system::System;
 
-/// For any right-hand side.
+/// `J x = right`: first with the lower factor, then with the upper one.
 pub(super) fn solve(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStream {
-    let all_rows = unrolled.order.steps.iter().map(|step| step.row).collect();
-    let statements = down_and_up(unrolled, all_rows);
+    let (rows, unknowns) = (&unrolled.names.rows, &unrolled.names.columns);
+    let lower = unrolled.order.steps.iter().flat_map(|step| {
+        let pivot = unrolled.row(step.row);
+        step.below.iter().map(move |&below| {
+            let (multiplier, below) = (unrolled.entry(below, step.column), unrolled.row(below));
+            quote!(let #below = #below.minus_product(self.#multiplier, #pivot);)
+        })
+    });
+    let steps = unrolled.order.steps.iter().filter(|step| !step.carried);
+    let upper = steps.rev().map(|step| {
+        let (unknown, value) = (
+            unrolled.column(step.column),
+            back_substituted(unrolled, step),
+        );
+        quote!(let #unknown = #value;)
+    });
+    let substituted = carried::substituted(unrolled);
     written_out(&quote! {
         fn solve(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
-            let [mut rows] = right.data.0;
-            let mut unknowns = [T::zero(); #n];
-            #(#statements)*
-            SVector::from(unknowns)
+            let [[#(#rows),*]] = right.data.0;
+            #(#lower)*
+            #(#upper)*
+            #substituted
+            vector![#(#unknowns),*]
         }
     })
 }
 
-/// For one that is zero but in the rows that drives change.
-pub(super) fn solve_drives(unrolled: &Unrolled<'_>, n: &Literal, system: &System) -> TokenStream {
-    let driven = rates::driven_rows(system);
-    let statements = down_and_up(unrolled, driven);
-    written_out(&quote! {
-        fn solve_drives(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
-            let [mut rows] = right.data.0;
-            let mut unknowns = [T::zero(); #n];
-            #(#statements)*
-            SVector::from(unknowns)
-        }
+/// A row divided by its pivot, less the unknowns found so far.
+fn back_substituted(unrolled: &Unrolled<'_>, step: &Step) -> TokenStream {
+    let row = unrolled.row(step.row);
+    let start = match unrolled.inverse(step) {
+        Some(inverse) if step.right.is_empty() => quote!(#row * self.#inverse),
+        Some(inverse) => quote!((#row * self.#inverse)),
+        None => quote!(#row),
+    };
+    step.right.iter().fold(start, |sum, &column| {
+        let (entry, column) = (unrolled.entry(step.row, column), unrolled.column(column));
+        quote!(#sum.minus_product(self.#entry, #column))
     })
 }
 
 /// `J^T y = right`: first with the transposed upper factor, then with the lower one.
 pub(super) fn solve_transposed(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStream {
+    let (rows, columns) = (&unrolled.names.rows, &unrolled.names.columns);
     let substituted = carried::transposed(unrolled);
     let steps = unrolled.order.steps.iter().filter(|step| !step.carried);
     let upper = steps.flat_map(|step| {
         let column = unrolled.column(step.column);
         step.right.iter().map(move |&right| {
             let (entry, right) = (unrolled.entry(step.row, right), unrolled.column(right));
-            quote!(unknowns[#right] = unknowns[#right].minus_product(self.#entry, unknowns[#column]);)
+            quote!(let #right = #right.minus_product(self.#entry, #column);)
         })
     });
     let diagonal = unrolled.order.steps.iter().map(|step| {
         let (row, column) = (unrolled.row(step.row), unrolled.column(step.column));
-        let scaled = unrolled
-            .inverse(step)
-            .map(|inverse| quote!(* self.#inverse));
-        quote!(rows[#row] = unknowns[#column] #scaled;)
+        let inverse = unrolled.inverse(step);
+        let scaled = inverse.map(|inverse| quote!(* self.#inverse));
+        quote!(let #row = #column #scaled;)
     });
     let lower = unrolled.order.steps.iter().rev().flat_map(|step| {
         let pivot = unrolled.row(step.row);
         step.below.iter().map(move |&below| {
             let (multiplier, below) = (unrolled.entry(below, step.column), unrolled.row(below));
-            quote!(rows[#pivot] = rows[#pivot].minus_product(self.#multiplier, rows[#below]);)
+            quote!(let #pivot = #pivot.minus_product(self.#multiplier, #below);)
         })
     });
     written_out(&quote! {
         fn solve_transposed(&self, right: &SVector<T, #n>) -> SVector<T, #n> {
-            let [mut unknowns] = right.data.0;
-            let mut rows = [T::zero(); #n];
+            let [[#(#columns),*]] = right.data.0;
             #substituted
             #(#upper)*
             #(#diagonal)*
             #(#lower)*
-            SVector::from(rows)
+            vector![#(#rows),*]
         }
-    })
-}
-
-/// The statements of both substitutions, where only the rows of `live` are not zero at first.
-fn down_and_up(unrolled: &Unrolled<'_>, mut live: BTreeSet<usize>) -> Vec<TokenStream> {
-    let steps = &unrolled.order.steps;
-    let mut statements = Vec::new();
-    for step in steps {
-        if !live.contains(&step.row) {
-            continue;
-        }
-        let pivot = unrolled.row(step.row);
-        for &row in &step.below {
-            let multiplier = unrolled.entry(row, step.column);
-            let is_live = !live.insert(row);
-            let row = unrolled.row(row);
-            statements.push(if is_live {
-                quote!(rows[#row] = rows[#row].minus_product(self.#multiplier, rows[#pivot]);)
-            } else {
-                quote!(rows[#row] = -(self.#multiplier * rows[#pivot]);)
-            });
-        }
-    }
-    let mut known = BTreeSet::new();
-    for step in steps.iter().rev().filter(|step| !step.carried) {
-        let start = live.contains(&step.row).then(|| unrolled.row(step.row));
-        if let Some(sum) = back_substituted(unrolled, step, start, &known) {
-            known.insert(step.column);
-            let unknown = unrolled.column(step.column);
-            statements.push(quote!(unknowns[#unknown] = #sum;));
-        }
-    }
-    statements.push(carried::substituted(unrolled, &live));
-    statements
-}
-
-/// A row divided by its pivot, less the unknowns found so far; `None` where that is zero.
-fn back_substituted(
-    unrolled: &Unrolled<'_>,
-    step: &Step,
-    start: Option<TokenStream>,
-    known: &BTreeSet<usize>,
-) -> Option<TokenStream> {
-    let scaled = unrolled
-        .inverse(step)
-        .map(|inverse| quote!(* self.#inverse));
-    let start = start.map(|row| match &scaled {
-        Some(scaled) if !step.right.is_empty() => quote!((rows[#row] #scaled)),
-        _ => quote!(rows[#row] #scaled),
-    });
-    let terms = step.right.iter().filter(|column| known.contains(column));
-    terms.fold(start, |sum, &column| {
-        let (entry, column) = (unrolled.entry(step.row, column), unrolled.column(column));
-        Some(match sum {
-            Some(sum) => quote!(#sum.minus_product(self.#entry, unknowns[#column])),
-            None => quote!((-(self.#entry * unknowns[#column]))),
-        })
     })
 }

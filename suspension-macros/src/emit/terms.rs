@@ -6,7 +6,7 @@ use syn::Ident;
 
 use super::indices;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, Site, System, coordinate_name, frame_name};
+use suspension_listing::system::{AXES, Site, System, coordinate_name};
 
 pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, proc_macro2::Span::call_site())
@@ -97,58 +97,23 @@ pub(super) fn assign_vector(name: &Name, term: &impl ToTokens) -> TokenStream {
     quote!(#(#entries)*)
 }
 
-/// A vector whose rows are zero but for those given, behind the variables that they and `bindings`
-/// read. The zeros are negative: a compiler that keeps to the rules of arithmetic leaves out their
+/// A vector whose rows are zero but for those that are set, behind the variables that this reads. The zeros are negative: a compiler that keeps to the rules of arithmetic leaves out their
 /// addition, but not that of positive ones.
 pub(super) fn vector(
     system: &System,
     bindings: impl IntoIterator<Item = Binding>,
-    rows: impl Iterator<Item = Rows>,
+    rows: impl Iterator<Item = TokenStream>,
 ) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    let (mut bindings, mut assignments) = (Vec::from_iter(bindings), TokenStream::new());
-    for of_equation in rows {
-        bindings.extend(of_equation.variable);
-        assignments.extend(of_equation.assignments);
-    }
-    let vector = if assignments.is_empty() {
+    let rows = TokenStream::from_iter(rows);
+    let vector = if rows.is_empty() {
         quote!(SVector::zeros())
     } else {
         quote! {
             let mut rows = [-T::zero(); #n];
-            #assignments
+            #rows
             SVector::from(rows)
         }
     };
-    bind(bindings, vector)
-}
-
-/// `body_frame = Frame::new(..)` for each body that carries points.
-pub(super) fn frames<'a>(
-    system: &'a System,
-    suffix: &'a str,
-    free: &'a Ident,
-    fixed: &'a Ident,
-) -> impl Iterator<Item = Binding> {
-    let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
-    bodies.map(move |body| {
-        let points = body.frame.iter().map(|site| value_of(site, free, fixed));
-        let name = Name::made(format!("{}{suffix}", frame_name(&body.name)));
-        Binding::new(&name, quote!(Frame::new(#(#points),*)))
-    })
-}
-
-/// Rows of a vector, and a variable that they are read off.
-pub(super) struct Rows {
-    pub(super) variable: Option<Binding>,
-    pub(super) assignments: TokenStream,
-}
-
-impl From<TokenStream> for Rows {
-    fn from(assignments: TokenStream) -> Self {
-        Self {
-            variable: None,
-            assignments,
-        }
-    }
+    bind(Vec::from_iter(bindings), vector)
 }

@@ -7,10 +7,11 @@ use syn::Ident;
 use super::fields::{
     Field, drive_fields, fixed_fields, length_fields, measure_fields, point_fields,
 };
-use super::{clusters, form};
+use super::short::ShortNames;
+use super::{clusters, form, frames, readout};
 use crate::module::Module;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, System, frame_name};
+use suspension_listing::system::{System, frame_name};
 
 pub(super) fn all(module: &Module, system: &System) -> TokenStream {
     let points = named(
@@ -49,10 +50,11 @@ pub(super) fn all(module: &Module, system: &System) -> TokenStream {
         module,
         &length_fields(system),
     );
+    let points_impl = readout::points_impl(system);
     let free = free(system);
     let model = model(system);
     let corner = corner(system);
-    quote!(#points #fixed #drives #measures #lengths #free #model #corner)
+    quote!(#points #fixed #drives #measures #lengths #points_impl #free #model #corner)
 }
 
 /// The model with its motion and drives.
@@ -75,55 +77,14 @@ pub(super) fn named(
     let name = Ident::new(name, proc_macro2::Span::call_site());
     let docs = fields.iter().map(Field::docs);
     let declared = |field: &Field| field.name.at(module.place_of(&field.name));
-    let names: Vec<Ident> = fields.iter().map(declared).collect();
-    let strings: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
-    let none = fields
-        .is_empty()
-        .then(|| quote!(no_fields: ::core::marker::PhantomData<T>));
-    let no_value = none
-        .is_some()
-        .then(|| quote!(no_fields: ::core::marker::PhantomData));
-    let [from, values] = if fields.is_empty() {
-        [quote!(_value), quote!(_values)]
-    } else {
-        [quote!(mut value), quote!(values)]
-    };
-    let start = (!fields.is_empty()).then(|| quote!(let mut values = values.into_iter();));
+    let names = fields.iter().map(declared);
+    let none = fields.is_empty().then(|| quote!(no_names: [#value; 0]));
     quote! {
         #[doc = #doc]
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Copy, Debug, PartialEq, Named)]
         pub struct #name<T> {
             #(#docs pub #names: #value,)*
             #none
-        }
-
-        impl<T: Scalar> Values<#value> for #name<T> {
-            #[inline(always)]
-            fn from_values(#values: impl IntoIterator<Item = #value>) -> Self {
-                #start
-                Self { #(#names: values.next().unwrap_or_default(),)* #no_value }
-            }
-
-            #[inline(always)]
-            fn values(&self) -> impl Iterator<Item = #value> {
-                [#(self.#names),*].into_iter()
-            }
-        }
-
-        impl<T: Scalar> Named<#value> for #name<T> {
-            const NAMES: &'static [&'static str] = &[#(#strings),*];
-
-            #[inline(always)]
-            fn from_fn(#from: impl FnMut(&'static str) -> #value) -> Self {
-                Self { #(#names: value(#strings),)* #no_value }
-            }
-        }
-
-        impl<T: Scalar> Default for #name<T> {
-            #[inline(always)]
-            fn default() -> Self {
-                Self { #(#names: Default::default(),)* #no_value }
-            }
         }
     }
 }
@@ -132,13 +93,11 @@ pub(super) fn named(
 fn free(system: &System) -> TokenStream {
     let n = proc_macro2::Literal::usize_unsuffixed(system.size());
     let names: Vec<&Name> = system.free.iter().map(|point| &point.named.name).collect();
-    let coordinate = |axis: &'static str| {
-        names
-            .iter()
-            .map(move |name| quote::format_ident!("{}_{axis}", name))
-            .collect::<Vec<_>>()
-    };
-    let [x, y, z] = AXES.map(coordinate);
+    let frames = frames::of_free(system);
+    let columns = ShortNames::of(system).columns;
+    let points = names.iter().zip(columns.chunks(3));
+    let points = points.map(|(name, coordinates)| quote!(#name: Vector3::new(#(#coordinates),*)));
+    let short = columns.iter().skip(3 * names.len());
     let scalars = &system.scalars;
     quote! {
         /// The free points: the unknowns under their names.
@@ -151,15 +110,16 @@ fn free(system: &System) -> TokenStream {
         impl<T: Scalar> Free<T> {
             #[inline(always)]
             fn of(q: &SVector<T, #n>) -> Self {
-                let [[#(#x, #y, #z),* #(, #scalars)*]] = q.data.0;
-                Self { #(#names: Vector3::new(#x, #y, #z)),* #(, #scalars)* }
+                let [[#(#columns),*]] = q.data.0;
+                Self { #(#points),* #(, #scalars: #short)* }
             }
 
             #[inline(always)]
             fn unknowns(&self) -> SVector<T, #n> {
-                let Self { #(#names),* #(, #scalars)* } = self;
-                SVector::from([#(#names.x, #names.y, #names.z),* #(, *#scalars)*])
+                vector![#(self.#names.x, self.#names.y, self.#names.z),* #(, self.#scalars)*]
             }
+
+            #frames
         }
     }
 }

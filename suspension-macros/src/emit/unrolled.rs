@@ -4,22 +4,16 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::Ident;
 
-use super::indices;
+use super::short::ShortNames;
 use suspension_listing::eliminate::{Order, Step};
-use suspension_listing::name::Name;
 use suspension_listing::system::System;
 
 /// Rows, columns and order of an elimination under their names.
 pub(super) struct Unrolled<'a> {
     pub(super) system: &'a System,
     pub(super) order: &'a Order,
-    rows: Vec<Name>,
-    columns: Vec<Name>,
-}
-
-/// An entry of the Jacobian, later of its factors: `row_by_column`.
-pub(super) fn entry(row: &Name, column: &Name) -> Ident {
-    format_ident!("{row}_by_{column}")
+    pub(super) names: ShortNames,
+    stored: Vec<(usize, usize)>,
 }
 
 impl<'a> Unrolled<'a> {
@@ -27,23 +21,23 @@ impl<'a> Unrolled<'a> {
         Self {
             system,
             order,
-            rows: system.rows(),
-            columns: indices::unknowns(system),
+            names: ShortNames::of(system),
+            stored: stored(order),
         }
     }
 
+    /// An entry of the Jacobian, later of its factors.
     pub(super) fn entry(&self, row: usize, column: usize) -> Ident {
-        entry(&self.rows[row], &self.columns[column])
+        format_ident!("{}_{}", self.row(row), self.column(column))
     }
 
-    /// `equation::ROW`.
-    pub(super) fn row(&self, row: usize) -> TokenStream {
-        indices::equation(&self.rows[row])
+    /// An entry of a right-hand side.
+    pub(super) fn row(&self, row: usize) -> &Ident {
+        &self.names.rows[row]
     }
 
-    /// `unknown::COLUMN`.
-    pub(super) fn column(&self, column: usize) -> TokenStream {
-        indices::unknown(&self.columns[column])
+    pub(super) fn column(&self, column: usize) -> &Ident {
+        &self.names.columns[column]
     }
 
     /// The inverse of a step's pivot; `None` where that is 1.
@@ -53,14 +47,14 @@ impl<'a> Unrolled<'a> {
 
     /// Entries in the order of elimination, each once.
     pub(super) fn fields(&self) -> Vec<Ident> {
-        let mut fields = Vec::new();
-        for step in &self.order.steps {
-            fields.extend(self.inverse(step));
-            let right = step.right.iter().filter(|_| !step.carried);
-            fields.extend(right.map(|&column| self.entry(step.row, column)));
-            fields.extend(step.below.iter().map(|&row| self.entry(row, step.column)));
-        }
-        fields
+        let stored = self.stored.iter();
+        stored
+            .map(|(row, column)| self.entry(*row, *column))
+            .collect()
+    }
+
+    pub(super) fn is_stored(&self, row: usize, column: usize) -> bool {
+        self.stored.contains(&(row, column))
     }
 
     /// Whether an entry starts from nothing here.
@@ -108,4 +102,16 @@ impl<'a> Unrolled<'a> {
         }));
         quote!(#(#statements)*)
     }
+}
+
+/// Entries in the order of elimination, each once: of each step the pivot's inverse, its row, the multipliers.
+fn stored(order: &Order) -> Vec<(usize, usize)> {
+    let mut stored = Vec::new();
+    for step in &order.steps {
+        stored.extend((!step.unit).then_some((step.row, step.column)));
+        let right = step.right.iter().filter(|_| !step.carried);
+        stored.extend(right.map(|&column| (step.row, column)));
+        stored.extend(step.below.iter().map(|&row| (row, step.column)));
+    }
+    stored
 }

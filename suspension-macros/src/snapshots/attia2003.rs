@@ -26,7 +26,7 @@
 pub mod attia2003 {
     use ::suspension_core::generated::*;
     /// Every point, with a position, velocity or acceleration each.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Points<T> {
         /// Chassis point `p1`.
         pub p1: Vector3<T>,
@@ -52,97 +52,8 @@ pub mod attia2003 {
         pub p11: Vector3<T>,
     }
 
-    impl<T: Scalar> Values<Vector3<T>> for Points<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                p1: values.next().unwrap_or_default(),
-                p2: values.next().unwrap_or_default(),
-                p3: values.next().unwrap_or_default(),
-                p4: values.next().unwrap_or_default(),
-                p5: values.next().unwrap_or_default(),
-                p6: values.next().unwrap_or_default(),
-                p7: values.next().unwrap_or_default(),
-                p8: values.next().unwrap_or_default(),
-                p9: values.next().unwrap_or_default(),
-                p10: values.next().unwrap_or_default(),
-                p11: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [
-                self.p1,
-                self.p2,
-                self.p3,
-                self.p4,
-                self.p5,
-                self.p6,
-                self.p7,
-                self.p8,
-                self.p9,
-                self.p10,
-                self.p11,
-            ]
-                .into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<Vector3<T>> for Points<T> {
-        const NAMES: &'static [&'static str] = &[
-            "p1",
-            "p2",
-            "p3",
-            "p4",
-            "p5",
-            "p6",
-            "p7",
-            "p8",
-            "p9",
-            "p10",
-            "p11",
-        ];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
-            Self {
-                p1: value("p1"),
-                p2: value("p2"),
-                p3: value("p3"),
-                p4: value("p4"),
-                p5: value("p5"),
-                p6: value("p6"),
-                p7: value("p7"),
-                p8: value("p8"),
-                p9: value("p9"),
-                p10: value("p10"),
-                p11: value("p11"),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Points<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                p1: Default::default(),
-                p2: Default::default(),
-                p3: Default::default(),
-                p4: Default::default(),
-                p5: Default::default(),
-                p6: Default::default(),
-                p7: Default::default(),
-                p8: Default::default(),
-                p9: Default::default(),
-                p10: Default::default(),
-                p11: Default::default(),
-            }
-        }
-    }
-
     /// Chassis points.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Fixed<T> {
         /// Chassis point `p1`.
         pub p1: Vector3<T>,
@@ -156,128 +67,22 @@ pub mod attia2003 {
         pub p5: Vector3<T>,
     }
 
-    impl<T: Scalar> Values<Vector3<T>> for Fixed<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                p1: values.next().unwrap_or_default(),
-                p2: values.next().unwrap_or_default(),
-                p3: values.next().unwrap_or_default(),
-                p4: values.next().unwrap_or_default(),
-                p5: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [self.p1, self.p2, self.p3, self.p4, self.p5].into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
-        const NAMES: &'static [&'static str] = &["p1", "p2", "p3", "p4", "p5"];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
-            Self {
-                p1: value("p1"),
-                p2: value("p2"),
-                p3: value("p3"),
-                p4: value("p4"),
-                p5: value("p5"),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Fixed<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                p1: Default::default(),
-                p2: Default::default(),
-                p3: Default::default(),
-                p4: Default::default(),
-                p5: Default::default(),
-            }
-        }
-    }
-
     /// The drives' values, or rates: coordinates in the unit of the points, angles in radians.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Drives<T> {
         /// Eq. (1.15): `z6 - z1 = d6_1 cos(theta)`.
         pub theta: T,
     }
 
-    impl<T: Scalar> Values<T> for Drives<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                theta: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [self.theta].into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Drives<T> {
-        const NAMES: &'static [&'static str] = &["theta"];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { theta: value("theta") }
-        }
-    }
-
-    impl<T: Scalar> Default for Drives<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self { theta: Default::default() }
-        }
-    }
-
     /// What is measured, or its rates: coordinates and lengths in the unit of the points, angles in radians.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Measures<T> {
         /// Height of the wheel centre.
         pub height: T,
     }
 
-    impl<T: Scalar> Values<T> for Measures<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                height: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [self.height].into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Measures<T> {
-        const NAMES: &'static [&'static str] = &["height"];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { height: value("height") }
-        }
-    }
-
-    impl<T: Scalar> Default for Measures<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self { height: Default::default() }
-        }
-    }
-
     /// The constant lengths of links and bodies.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Lengths<T> {
         /// Eq. (1.1)
         pub d6_1: T,
@@ -309,107 +114,27 @@ pub mod attia2003 {
         pub d10_8: T,
     }
 
-    impl<T: Scalar> Values<T> for Lengths<T> {
+    impl<T: Scalar> Points<T> {
         #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
+        fn all(fixed: &Fixed<T>, free: &Free<T>, markers: [Vector3<T>; 1]) -> Self {
             Self {
-                d6_1: values.next().unwrap_or_default(),
-                d7_2: values.next().unwrap_or_default(),
-                d8_3: values.next().unwrap_or_default(),
-                d9_4: values.next().unwrap_or_default(),
-                d10_5: values.next().unwrap_or_default(),
-                d7_6: values.next().unwrap_or_default(),
-                d8_6: values.next().unwrap_or_default(),
-                d9_6: values.next().unwrap_or_default(),
-                d10_6: values.next().unwrap_or_default(),
-                d8_7: values.next().unwrap_or_default(),
-                d9_7: values.next().unwrap_or_default(),
-                d10_7: values.next().unwrap_or_default(),
-                d9_8: values.next().unwrap_or_default(),
-                d10_8: values.next().unwrap_or_default(),
+                p1: fixed.p1,
+                p2: fixed.p2,
+                p3: fixed.p3,
+                p4: fixed.p4,
+                p5: fixed.p5,
+                p6: free.p6,
+                p7: free.p7,
+                p8: free.p8,
+                p9: free.p9,
+                p10: free.p10,
+                p11: markers[0],
             }
         }
 
         #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [
-                self.d6_1,
-                self.d7_2,
-                self.d8_3,
-                self.d9_4,
-                self.d10_5,
-                self.d7_6,
-                self.d8_6,
-                self.d9_6,
-                self.d10_6,
-                self.d8_7,
-                self.d9_7,
-                self.d10_7,
-                self.d9_8,
-                self.d10_8,
-            ]
-                .into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Lengths<T> {
-        const NAMES: &'static [&'static str] = &[
-            "d6_1",
-            "d7_2",
-            "d8_3",
-            "d9_4",
-            "d10_5",
-            "d7_6",
-            "d8_6",
-            "d9_6",
-            "d10_6",
-            "d8_7",
-            "d9_7",
-            "d10_7",
-            "d9_8",
-            "d10_8",
-        ];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self {
-                d6_1: value("d6_1"),
-                d7_2: value("d7_2"),
-                d8_3: value("d8_3"),
-                d9_4: value("d9_4"),
-                d10_5: value("d10_5"),
-                d7_6: value("d7_6"),
-                d8_6: value("d8_6"),
-                d9_6: value("d9_6"),
-                d10_6: value("d10_6"),
-                d8_7: value("d8_7"),
-                d9_7: value("d9_7"),
-                d10_7: value("d10_7"),
-                d9_8: value("d9_8"),
-                d10_8: value("d10_8"),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Lengths<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                d6_1: Default::default(),
-                d7_2: Default::default(),
-                d8_3: Default::default(),
-                d9_4: Default::default(),
-                d10_5: Default::default(),
-                d7_6: Default::default(),
-                d8_6: Default::default(),
-                d9_6: Default::default(),
-                d10_6: Default::default(),
-                d8_7: Default::default(),
-                d9_7: Default::default(),
-                d10_7: Default::default(),
-                d9_8: Default::default(),
-                d10_8: Default::default(),
-            }
+        fn p6_p7_p8_frame(&self) -> Frame<T> {
+            Frame::new(self.p6, self.p7, self.p8)
         }
     }
 
@@ -439,24 +164,16 @@ pub mod attia2003 {
 
         #[inline(always)]
         fn unknowns(&self) -> SVector<T, 15> {
-            let Self { p6, p7, p8, p9, p10 } = self;
-            SVector::from([
-                p6.x,
-                p6.y,
-                p6.z,
-                p7.x,
-                p7.y,
-                p7.z,
-                p8.x,
-                p8.y,
-                p8.z,
-                p9.x,
-                p9.y,
-                p9.z,
-                p10.x,
-                p10.y,
-                p10.z,
-            ])
+            vector![
+                self.p6.x, self.p6.y, self.p6.z, self.p7.x, self.p7.y, self.p7.z, self.p8
+                .x, self.p8.y, self.p8.z, self.p9.x, self.p9.y, self.p9.z, self.p10.x,
+                self.p10.y, self.p10.z
+            ]
+        }
+
+        #[inline(always)]
+        fn p6_p7_p8_frame(&self) -> Frame<T> {
+            Frame::new(self.p6, self.p7, self.p8)
         }
     }
 
@@ -535,11 +252,6 @@ pub mod attia2003 {
         type Measures = Measures<T>;
         type Points = Points<T>;
         type Factors = Factors<T>;
-        #[inline(always)]
-        fn linked(&self) -> impl Iterator<Item = usize> {
-            [8, 9].into_iter()
-        }
-
         fn listing(&self) -> Listing {
             Listing
         }
@@ -555,17 +267,9 @@ pub mod attia2003 {
         #[inline(always)]
         fn coordinates(&self, drives: &Signal<Drives<T>>) -> Signal<Drives<T>> {
             let mut coordinates = *drives;
-            let coordinate = angle_to_coordinate(
-                self.d6_1.length(),
-                Signal {
-                    value: drives.value.theta,
-                    rate: drives.rate.theta,
-                    second_rate: drives.second_rate.theta,
-                },
-            );
-            coordinates.value.theta = coordinate.value;
-            coordinates.rate.theta = coordinate.rate;
-            coordinates.second_rate.theta = coordinate.second_rate;
+            let angle = drives.map(|drives| drives.theta);
+            let coordinate = angle_to_coordinate(self.d6_1.length(), angle);
+            coordinates.set(coordinate, |drives| &mut drives.theta);
             coordinates
         }
 
@@ -583,20 +287,34 @@ pub mod attia2003 {
         ) -> SVector<T, 15> {
             let free = Free::of(q);
             let mut rows = [-T::zero(); 15];
-            rows[equation::D6_1] = self.d6_1.residual(difference(free.p6, fixed.p1));
-            rows[equation::D7_2] = self.d7_2.residual(difference(free.p7, fixed.p2));
-            rows[equation::D8_3] = self.d8_3.residual(difference(free.p8, fixed.p3));
-            rows[equation::D9_4] = self.d9_4.residual(difference(free.p9, fixed.p4));
-            rows[equation::D10_5] = self.d10_5.residual(difference(free.p10, fixed.p5));
-            rows[equation::D7_6] = self.d7_6.residual(difference(free.p7, free.p6));
-            rows[equation::D8_6] = self.d8_6.residual(difference(free.p8, free.p6));
-            rows[equation::D9_6] = self.d9_6.residual(difference(free.p9, free.p6));
-            rows[equation::D10_6] = self.d10_6.residual(difference(free.p10, free.p6));
-            rows[equation::D8_7] = self.d8_7.residual(difference(free.p8, free.p7));
-            rows[equation::D9_7] = self.d9_7.residual(difference(free.p9, free.p7));
-            rows[equation::D10_7] = self.d10_7.residual(difference(free.p10, free.p7));
-            rows[equation::D9_8] = self.d9_8.residual(difference(free.p9, free.p8));
-            rows[equation::D10_8] = self.d10_8.residual(difference(free.p10, free.p8));
+            let d = difference(free.p6, fixed.p1);
+            rows[equation::D6_1] = self.d6_1.residual(d);
+            let d = difference(free.p7, fixed.p2);
+            rows[equation::D7_2] = self.d7_2.residual(d);
+            let d = difference(free.p8, fixed.p3);
+            rows[equation::D8_3] = self.d8_3.residual(d);
+            let d = difference(free.p9, fixed.p4);
+            rows[equation::D9_4] = self.d9_4.residual(d);
+            let d = difference(free.p10, fixed.p5);
+            rows[equation::D10_5] = self.d10_5.residual(d);
+            let d = difference(free.p7, free.p6);
+            rows[equation::D7_6] = self.d7_6.residual(d);
+            let d = difference(free.p8, free.p6);
+            rows[equation::D8_6] = self.d8_6.residual(d);
+            let d = difference(free.p9, free.p6);
+            rows[equation::D9_6] = self.d9_6.residual(d);
+            let d = difference(free.p10, free.p6);
+            rows[equation::D10_6] = self.d10_6.residual(d);
+            let d = difference(free.p8, free.p7);
+            rows[equation::D8_7] = self.d8_7.residual(d);
+            let d = difference(free.p9, free.p7);
+            rows[equation::D9_7] = self.d9_7.residual(d);
+            let d = difference(free.p10, free.p7);
+            rows[equation::D10_7] = self.d10_7.residual(d);
+            let d = difference(free.p9, free.p8);
+            rows[equation::D9_8] = self.d9_8.residual(d);
+            let d = difference(free.p10, free.p8);
+            rows[equation::D10_8] = self.d10_8.residual(d);
             rows[equation::THETA] = free.p6.z - fixed.p1.z - drives.theta;
             SVector::from(rows)
         }
@@ -604,92 +322,69 @@ pub mod attia2003 {
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn jacobian(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SMatrix<T, 15, 15> {
             let free = Free::of(q);
-            let mut columns = [[T::zero(); 15]; 15];
-            let gradient = self.d6_1.gradient(difference(free.p6, fixed.p1));
-            columns[unknown::P6_X][equation::D6_1] = gradient.x;
-            columns[unknown::P6_Y][equation::D6_1] = gradient.y;
-            columns[unknown::P6_Z][equation::D6_1] = gradient.z;
-            let gradient = self.d7_2.gradient(difference(free.p7, fixed.p2));
-            columns[unknown::P7_X][equation::D7_2] = gradient.x;
-            columns[unknown::P7_Y][equation::D7_2] = gradient.y;
-            columns[unknown::P7_Z][equation::D7_2] = gradient.z;
-            let gradient = self.d8_3.gradient(difference(free.p8, fixed.p3));
-            columns[unknown::P8_X][equation::D8_3] = gradient.x;
-            columns[unknown::P8_Y][equation::D8_3] = gradient.y;
-            columns[unknown::P8_Z][equation::D8_3] = gradient.z;
-            let gradient = self.d9_4.gradient(difference(free.p9, fixed.p4));
-            columns[unknown::P9_X][equation::D9_4] = gradient.x;
-            columns[unknown::P9_Y][equation::D9_4] = gradient.y;
-            columns[unknown::P9_Z][equation::D9_4] = gradient.z;
-            let gradient = self.d10_5.gradient(difference(free.p10, fixed.p5));
-            columns[unknown::P10_X][equation::D10_5] = gradient.x;
-            columns[unknown::P10_Y][equation::D10_5] = gradient.y;
-            columns[unknown::P10_Z][equation::D10_5] = gradient.z;
-            let gradient = self.d7_6.gradient(difference(free.p7, free.p6));
-            columns[unknown::P7_X][equation::D7_6] = gradient.x;
-            columns[unknown::P7_Y][equation::D7_6] = gradient.y;
-            columns[unknown::P7_Z][equation::D7_6] = gradient.z;
-            columns[unknown::P6_X][equation::D7_6] = -gradient.x;
-            columns[unknown::P6_Y][equation::D7_6] = -gradient.y;
-            columns[unknown::P6_Z][equation::D7_6] = -gradient.z;
-            let gradient = self.d8_6.gradient(difference(free.p8, free.p6));
-            columns[unknown::P8_X][equation::D8_6] = gradient.x;
-            columns[unknown::P8_Y][equation::D8_6] = gradient.y;
-            columns[unknown::P8_Z][equation::D8_6] = gradient.z;
-            columns[unknown::P6_X][equation::D8_6] = -gradient.x;
-            columns[unknown::P6_Y][equation::D8_6] = -gradient.y;
-            columns[unknown::P6_Z][equation::D8_6] = -gradient.z;
-            let gradient = self.d9_6.gradient(difference(free.p9, free.p6));
-            columns[unknown::P9_X][equation::D9_6] = gradient.x;
-            columns[unknown::P9_Y][equation::D9_6] = gradient.y;
-            columns[unknown::P9_Z][equation::D9_6] = gradient.z;
-            columns[unknown::P6_X][equation::D9_6] = -gradient.x;
-            columns[unknown::P6_Y][equation::D9_6] = -gradient.y;
-            columns[unknown::P6_Z][equation::D9_6] = -gradient.z;
-            let gradient = self.d10_6.gradient(difference(free.p10, free.p6));
-            columns[unknown::P10_X][equation::D10_6] = gradient.x;
-            columns[unknown::P10_Y][equation::D10_6] = gradient.y;
-            columns[unknown::P10_Z][equation::D10_6] = gradient.z;
-            columns[unknown::P6_X][equation::D10_6] = -gradient.x;
-            columns[unknown::P6_Y][equation::D10_6] = -gradient.y;
-            columns[unknown::P6_Z][equation::D10_6] = -gradient.z;
-            let gradient = self.d8_7.gradient(difference(free.p8, free.p7));
-            columns[unknown::P8_X][equation::D8_7] = gradient.x;
-            columns[unknown::P8_Y][equation::D8_7] = gradient.y;
-            columns[unknown::P8_Z][equation::D8_7] = gradient.z;
-            columns[unknown::P7_X][equation::D8_7] = -gradient.x;
-            columns[unknown::P7_Y][equation::D8_7] = -gradient.y;
-            columns[unknown::P7_Z][equation::D8_7] = -gradient.z;
-            let gradient = self.d9_7.gradient(difference(free.p9, free.p7));
-            columns[unknown::P9_X][equation::D9_7] = gradient.x;
-            columns[unknown::P9_Y][equation::D9_7] = gradient.y;
-            columns[unknown::P9_Z][equation::D9_7] = gradient.z;
-            columns[unknown::P7_X][equation::D9_7] = -gradient.x;
-            columns[unknown::P7_Y][equation::D9_7] = -gradient.y;
-            columns[unknown::P7_Z][equation::D9_7] = -gradient.z;
-            let gradient = self.d10_7.gradient(difference(free.p10, free.p7));
-            columns[unknown::P10_X][equation::D10_7] = gradient.x;
-            columns[unknown::P10_Y][equation::D10_7] = gradient.y;
-            columns[unknown::P10_Z][equation::D10_7] = gradient.z;
-            columns[unknown::P7_X][equation::D10_7] = -gradient.x;
-            columns[unknown::P7_Y][equation::D10_7] = -gradient.y;
-            columns[unknown::P7_Z][equation::D10_7] = -gradient.z;
-            let gradient = self.d9_8.gradient(difference(free.p9, free.p8));
-            columns[unknown::P9_X][equation::D9_8] = gradient.x;
-            columns[unknown::P9_Y][equation::D9_8] = gradient.y;
-            columns[unknown::P9_Z][equation::D9_8] = gradient.z;
-            columns[unknown::P8_X][equation::D9_8] = -gradient.x;
-            columns[unknown::P8_Y][equation::D9_8] = -gradient.y;
-            columns[unknown::P8_Z][equation::D9_8] = -gradient.z;
-            let gradient = self.d10_8.gradient(difference(free.p10, free.p8));
-            columns[unknown::P10_X][equation::D10_8] = gradient.x;
-            columns[unknown::P10_Y][equation::D10_8] = gradient.y;
-            columns[unknown::P10_Z][equation::D10_8] = gradient.z;
-            columns[unknown::P8_X][equation::D10_8] = -gradient.x;
-            columns[unknown::P8_Y][equation::D10_8] = -gradient.y;
-            columns[unknown::P8_Z][equation::D10_8] = -gradient.z;
-            columns[unknown::P6_Z][equation::THETA] = T::one();
-            from_columns(columns)
+            let mut rows = Rows::zero();
+            let d = difference(free.p6, fixed.p1);
+            let gradient = self.d6_1.gradient(d);
+            rows.at(equation::D6_1).by(unknown::P6_X, gradient);
+            let d = difference(free.p7, fixed.p2);
+            let gradient = self.d7_2.gradient(d);
+            rows.at(equation::D7_2).by(unknown::P7_X, gradient);
+            let d = difference(free.p8, fixed.p3);
+            let gradient = self.d8_3.gradient(d);
+            rows.at(equation::D8_3).by(unknown::P8_X, gradient);
+            let d = difference(free.p9, fixed.p4);
+            let gradient = self.d9_4.gradient(d);
+            rows.at(equation::D9_4).by(unknown::P9_X, gradient);
+            let d = difference(free.p10, fixed.p5);
+            let gradient = self.d10_5.gradient(d);
+            rows.at(equation::D10_5).by(unknown::P10_X, gradient);
+            let d = difference(free.p7, free.p6);
+            let gradient = self.d7_6.gradient(d);
+            rows.at(equation::D7_6)
+                .by(unknown::P7_X, gradient)
+                .by(unknown::P6_X, opposite(gradient));
+            let d = difference(free.p8, free.p6);
+            let gradient = self.d8_6.gradient(d);
+            rows.at(equation::D8_6)
+                .by(unknown::P8_X, gradient)
+                .by(unknown::P6_X, opposite(gradient));
+            let d = difference(free.p9, free.p6);
+            let gradient = self.d9_6.gradient(d);
+            rows.at(equation::D9_6)
+                .by(unknown::P9_X, gradient)
+                .by(unknown::P6_X, opposite(gradient));
+            let d = difference(free.p10, free.p6);
+            let gradient = self.d10_6.gradient(d);
+            rows.at(equation::D10_6)
+                .by(unknown::P10_X, gradient)
+                .by(unknown::P6_X, opposite(gradient));
+            let d = difference(free.p8, free.p7);
+            let gradient = self.d8_7.gradient(d);
+            rows.at(equation::D8_7)
+                .by(unknown::P8_X, gradient)
+                .by(unknown::P7_X, opposite(gradient));
+            let d = difference(free.p9, free.p7);
+            let gradient = self.d9_7.gradient(d);
+            rows.at(equation::D9_7)
+                .by(unknown::P9_X, gradient)
+                .by(unknown::P7_X, opposite(gradient));
+            let d = difference(free.p10, free.p7);
+            let gradient = self.d10_7.gradient(d);
+            rows.at(equation::D10_7)
+                .by(unknown::P10_X, gradient)
+                .by(unknown::P7_X, opposite(gradient));
+            let d = difference(free.p9, free.p8);
+            let gradient = self.d9_8.gradient(d);
+            rows.at(equation::D9_8)
+                .by(unknown::P9_X, gradient)
+                .by(unknown::P8_X, opposite(gradient));
+            let d = difference(free.p10, free.p8);
+            let gradient = self.d10_8.gradient(d);
+            rows.at(equation::D10_8)
+                .by(unknown::P10_X, gradient)
+                .by(unknown::P8_X, opposite(gradient));
+            rows.at(equation::THETA).by_one(unknown::P6_Z, T::one());
+            rows.matrix()
         }
 
         fn pivots(&self) -> &[[usize; 2]] {
@@ -715,352 +410,295 @@ pub mod attia2003 {
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn factor(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Factors<T> {
             let free = Free::of(q);
-            let gradient = self.d6_1.gradient(difference(free.p6, fixed.p1));
-            let d6_1_by_p6_x = gradient.x;
-            let d6_1_by_p6_y = gradient.y;
-            let d6_1_by_p6_z = gradient.z;
-            let gradient = self.d7_2.gradient(difference(free.p7, fixed.p2));
-            let d7_2_by_p7_x = gradient.x;
-            let d7_2_by_p7_y = gradient.y;
-            let d7_2_by_p7_z = gradient.z;
-            let gradient = self.d8_3.gradient(difference(free.p8, fixed.p3));
-            let d8_3_by_p8_x = gradient.x;
-            let d8_3_by_p8_y = gradient.y;
-            let d8_3_by_p8_z = gradient.z;
-            let gradient = self.d9_4.gradient(difference(free.p9, fixed.p4));
-            let d9_4_by_p9_x = gradient.x;
-            let d9_4_by_p9_y = gradient.y;
-            let d9_4_by_p9_z = gradient.z;
-            let gradient = self.d10_5.gradient(difference(free.p10, fixed.p5));
-            let d10_5_by_p10_x = gradient.x;
-            let d10_5_by_p10_y = gradient.y;
-            let d10_5_by_p10_z = gradient.z;
-            let gradient = self.d7_6.gradient(difference(free.p7, free.p6));
-            let d7_6_by_p7_x = gradient.x;
-            let d7_6_by_p7_y = gradient.y;
-            let d7_6_by_p7_z = gradient.z;
-            let d7_6_by_p6_x = -gradient.x;
-            let d7_6_by_p6_y = -gradient.y;
-            let d7_6_by_p6_z = -gradient.z;
-            let gradient = self.d8_6.gradient(difference(free.p8, free.p6));
-            let d8_6_by_p8_x = gradient.x;
-            let d8_6_by_p8_y = gradient.y;
-            let d8_6_by_p8_z = gradient.z;
-            let d8_6_by_p6_x = -gradient.x;
-            let d8_6_by_p6_y = -gradient.y;
-            let d8_6_by_p6_z = -gradient.z;
-            let gradient = self.d9_6.gradient(difference(free.p9, free.p6));
-            let d9_6_by_p9_x = gradient.x;
-            let d9_6_by_p9_y = gradient.y;
-            let d9_6_by_p9_z = gradient.z;
-            let d9_6_by_p6_x = -gradient.x;
-            let d9_6_by_p6_y = -gradient.y;
-            let d9_6_by_p6_z = -gradient.z;
-            let gradient = self.d10_6.gradient(difference(free.p10, free.p6));
-            let d10_6_by_p10_x = gradient.x;
-            let d10_6_by_p10_y = gradient.y;
-            let d10_6_by_p10_z = gradient.z;
-            let d10_6_by_p6_x = -gradient.x;
-            let d10_6_by_p6_y = -gradient.y;
-            let d10_6_by_p6_z = -gradient.z;
-            let gradient = self.d8_7.gradient(difference(free.p8, free.p7));
-            let d8_7_by_p8_x = gradient.x;
-            let d8_7_by_p8_y = gradient.y;
-            let d8_7_by_p8_z = gradient.z;
-            let d8_7_by_p7_x = -gradient.x;
-            let d8_7_by_p7_y = -gradient.y;
-            let d8_7_by_p7_z = -gradient.z;
-            let gradient = self.d9_7.gradient(difference(free.p9, free.p7));
-            let d9_7_by_p9_x = gradient.x;
-            let d9_7_by_p9_y = gradient.y;
-            let d9_7_by_p9_z = gradient.z;
-            let d9_7_by_p7_x = -gradient.x;
-            let d9_7_by_p7_y = -gradient.y;
-            let d9_7_by_p7_z = -gradient.z;
-            let gradient = self.d10_7.gradient(difference(free.p10, free.p7));
-            let d10_7_by_p10_x = gradient.x;
-            let d10_7_by_p10_y = gradient.y;
-            let d10_7_by_p10_z = gradient.z;
-            let d10_7_by_p7_x = -gradient.x;
-            let d10_7_by_p7_y = -gradient.y;
-            let d10_7_by_p7_z = -gradient.z;
-            let gradient = self.d9_8.gradient(difference(free.p9, free.p8));
-            let d9_8_by_p9_x = gradient.x;
-            let d9_8_by_p9_y = gradient.y;
-            let d9_8_by_p9_z = gradient.z;
-            let d9_8_by_p8_x = -gradient.x;
-            let d9_8_by_p8_y = -gradient.y;
-            let d9_8_by_p8_z = -gradient.z;
-            let gradient = self.d10_8.gradient(difference(free.p10, free.p8));
-            let d10_8_by_p10_x = gradient.x;
-            let d10_8_by_p10_y = gradient.y;
-            let d10_8_by_p10_z = gradient.z;
-            let d10_8_by_p8_x = -gradient.x;
-            let d10_8_by_p8_y = -gradient.y;
-            let d10_8_by_p8_z = -gradient.z;
-            let d6_1_by_p6_y = T::one() / d6_1_by_p6_y;
-            let d7_6_by_p6_y = d7_6_by_p6_y * d6_1_by_p6_y;
-            let d7_6_by_p6_x = d7_6_by_p6_x.minus_product(d7_6_by_p6_y, d6_1_by_p6_x);
-            let d8_6_by_p6_y = d8_6_by_p6_y * d6_1_by_p6_y;
-            let d8_6_by_p6_x = d8_6_by_p6_x.minus_product(d8_6_by_p6_y, d6_1_by_p6_x);
-            let d9_6_by_p6_y = d9_6_by_p6_y * d6_1_by_p6_y;
-            let d9_6_by_p6_x = d9_6_by_p6_x.minus_product(d9_6_by_p6_y, d6_1_by_p6_x);
-            let d10_6_by_p6_y = d10_6_by_p6_y * d6_1_by_p6_y;
-            let d10_6_by_p6_x = d10_6_by_p6_x.minus_product(d10_6_by_p6_y, d6_1_by_p6_x);
-            let d6_1_by_p6_x = d6_1_by_p6_x * d6_1_by_p6_y;
-            let d10_6_by_p10_z = T::one() / d10_6_by_p10_z;
-            let d10_5_by_p10_z = d10_5_by_p10_z * d10_6_by_p10_z;
-            let d10_5_by_p6_x = -(d10_5_by_p10_z * d10_6_by_p6_x);
-            let d10_5_by_p10_x = d10_5_by_p10_x
-                .minus_product(d10_5_by_p10_z, d10_6_by_p10_x);
-            let d10_5_by_p10_y = d10_5_by_p10_y
-                .minus_product(d10_5_by_p10_z, d10_6_by_p10_y);
-            let d10_7_by_p10_z = d10_7_by_p10_z * d10_6_by_p10_z;
-            let d10_7_by_p6_x = -(d10_7_by_p10_z * d10_6_by_p6_x);
-            let d10_7_by_p10_x = d10_7_by_p10_x
-                .minus_product(d10_7_by_p10_z, d10_6_by_p10_x);
-            let d10_7_by_p10_y = d10_7_by_p10_y
-                .minus_product(d10_7_by_p10_z, d10_6_by_p10_y);
-            let d10_8_by_p10_z = d10_8_by_p10_z * d10_6_by_p10_z;
-            let d10_8_by_p6_x = -(d10_8_by_p10_z * d10_6_by_p6_x);
-            let d10_8_by_p10_x = d10_8_by_p10_x
-                .minus_product(d10_8_by_p10_z, d10_6_by_p10_x);
-            let d10_8_by_p10_y = d10_8_by_p10_y
-                .minus_product(d10_8_by_p10_z, d10_6_by_p10_y);
-            let d10_6_by_p6_x = d10_6_by_p6_x * d10_6_by_p10_z;
-            let d10_6_by_p10_x = d10_6_by_p10_x * d10_6_by_p10_z;
-            let d10_6_by_p10_y = d10_6_by_p10_y * d10_6_by_p10_z;
-            let d8_3_by_p8_x = T::one() / d8_3_by_p8_x;
-            let d8_6_by_p8_x = d8_6_by_p8_x * d8_3_by_p8_x;
-            let d8_6_by_p8_y = d8_6_by_p8_y.minus_product(d8_6_by_p8_x, d8_3_by_p8_y);
-            let d8_6_by_p8_z = d8_6_by_p8_z.minus_product(d8_6_by_p8_x, d8_3_by_p8_z);
-            let d8_7_by_p8_x = d8_7_by_p8_x * d8_3_by_p8_x;
-            let d8_7_by_p8_y = d8_7_by_p8_y.minus_product(d8_7_by_p8_x, d8_3_by_p8_y);
-            let d8_7_by_p8_z = d8_7_by_p8_z.minus_product(d8_7_by_p8_x, d8_3_by_p8_z);
-            let d9_8_by_p8_x = d9_8_by_p8_x * d8_3_by_p8_x;
-            let d9_8_by_p8_y = d9_8_by_p8_y.minus_product(d9_8_by_p8_x, d8_3_by_p8_y);
-            let d9_8_by_p8_z = d9_8_by_p8_z.minus_product(d9_8_by_p8_x, d8_3_by_p8_z);
-            let d10_8_by_p8_x = d10_8_by_p8_x * d8_3_by_p8_x;
-            let d10_8_by_p8_y = d10_8_by_p8_y.minus_product(d10_8_by_p8_x, d8_3_by_p8_y);
-            let d10_8_by_p8_z = d10_8_by_p8_z.minus_product(d10_8_by_p8_x, d8_3_by_p8_z);
-            let d8_3_by_p8_y = d8_3_by_p8_y * d8_3_by_p8_x;
-            let d8_3_by_p8_z = d8_3_by_p8_z * d8_3_by_p8_x;
-            let d9_4_by_p9_x = T::one() / d9_4_by_p9_x;
-            let d9_6_by_p9_x = d9_6_by_p9_x * d9_4_by_p9_x;
-            let d9_6_by_p9_y = d9_6_by_p9_y.minus_product(d9_6_by_p9_x, d9_4_by_p9_y);
-            let d9_6_by_p9_z = d9_6_by_p9_z.minus_product(d9_6_by_p9_x, d9_4_by_p9_z);
-            let d9_7_by_p9_x = d9_7_by_p9_x * d9_4_by_p9_x;
-            let d9_7_by_p9_y = d9_7_by_p9_y.minus_product(d9_7_by_p9_x, d9_4_by_p9_y);
-            let d9_7_by_p9_z = d9_7_by_p9_z.minus_product(d9_7_by_p9_x, d9_4_by_p9_z);
-            let d9_8_by_p9_x = d9_8_by_p9_x * d9_4_by_p9_x;
-            let d9_8_by_p9_y = d9_8_by_p9_y.minus_product(d9_8_by_p9_x, d9_4_by_p9_y);
-            let d9_8_by_p9_z = d9_8_by_p9_z.minus_product(d9_8_by_p9_x, d9_4_by_p9_z);
-            let d9_4_by_p9_y = d9_4_by_p9_y * d9_4_by_p9_x;
-            let d9_4_by_p9_z = d9_4_by_p9_z * d9_4_by_p9_x;
-            let d9_6_by_p9_z = T::one() / d9_6_by_p9_z;
-            let d9_7_by_p9_z = d9_7_by_p9_z * d9_6_by_p9_z;
-            let d9_7_by_p6_x = -(d9_7_by_p9_z * d9_6_by_p6_x);
-            let d9_7_by_p9_y = d9_7_by_p9_y.minus_product(d9_7_by_p9_z, d9_6_by_p9_y);
-            let d9_8_by_p9_z = d9_8_by_p9_z * d9_6_by_p9_z;
-            let d9_8_by_p6_x = -(d9_8_by_p9_z * d9_6_by_p6_x);
-            let d9_8_by_p9_y = d9_8_by_p9_y.minus_product(d9_8_by_p9_z, d9_6_by_p9_y);
-            let d9_6_by_p6_x = d9_6_by_p6_x * d9_6_by_p9_z;
-            let d9_6_by_p9_y = d9_6_by_p9_y * d9_6_by_p9_z;
-            let d10_5_by_p10_y = T::one() / d10_5_by_p10_y;
-            let d10_7_by_p10_y = d10_7_by_p10_y * d10_5_by_p10_y;
-            let d10_7_by_p6_x = d10_7_by_p6_x
-                .minus_product(d10_7_by_p10_y, d10_5_by_p6_x);
-            let d10_7_by_p10_x = d10_7_by_p10_x
-                .minus_product(d10_7_by_p10_y, d10_5_by_p10_x);
-            let d10_8_by_p10_y = d10_8_by_p10_y * d10_5_by_p10_y;
-            let d10_8_by_p6_x = d10_8_by_p6_x
-                .minus_product(d10_8_by_p10_y, d10_5_by_p6_x);
-            let d10_8_by_p10_x = d10_8_by_p10_x
-                .minus_product(d10_8_by_p10_y, d10_5_by_p10_x);
-            let d10_5_by_p6_x = d10_5_by_p6_x * d10_5_by_p10_y;
-            let d10_5_by_p10_x = d10_5_by_p10_x * d10_5_by_p10_y;
-            let d7_6_by_p7_z = T::one() / d7_6_by_p7_z;
-            let d7_2_by_p7_z = d7_2_by_p7_z * d7_6_by_p7_z;
-            let d7_2_by_p6_x = -(d7_2_by_p7_z * d7_6_by_p6_x);
-            let d7_2_by_p7_x = d7_2_by_p7_x.minus_product(d7_2_by_p7_z, d7_6_by_p7_x);
-            let d7_2_by_p7_y = d7_2_by_p7_y.minus_product(d7_2_by_p7_z, d7_6_by_p7_y);
-            let d8_7_by_p7_z = d8_7_by_p7_z * d7_6_by_p7_z;
-            let d8_7_by_p6_x = -(d8_7_by_p7_z * d7_6_by_p6_x);
-            let d8_7_by_p7_x = d8_7_by_p7_x.minus_product(d8_7_by_p7_z, d7_6_by_p7_x);
-            let d8_7_by_p7_y = d8_7_by_p7_y.minus_product(d8_7_by_p7_z, d7_6_by_p7_y);
-            let d9_7_by_p7_z = d9_7_by_p7_z * d7_6_by_p7_z;
-            let d9_7_by_p6_x = d9_7_by_p6_x.minus_product(d9_7_by_p7_z, d7_6_by_p6_x);
-            let d9_7_by_p7_x = d9_7_by_p7_x.minus_product(d9_7_by_p7_z, d7_6_by_p7_x);
-            let d9_7_by_p7_y = d9_7_by_p7_y.minus_product(d9_7_by_p7_z, d7_6_by_p7_y);
-            let d10_7_by_p7_z = d10_7_by_p7_z * d7_6_by_p7_z;
-            let d10_7_by_p6_x = d10_7_by_p6_x.minus_product(d10_7_by_p7_z, d7_6_by_p6_x);
-            let d10_7_by_p7_x = d10_7_by_p7_x.minus_product(d10_7_by_p7_z, d7_6_by_p7_x);
-            let d10_7_by_p7_y = d10_7_by_p7_y.minus_product(d10_7_by_p7_z, d7_6_by_p7_y);
-            let d7_6_by_p6_x = d7_6_by_p6_x * d7_6_by_p7_z;
-            let d7_6_by_p7_x = d7_6_by_p7_x * d7_6_by_p7_z;
-            let d7_6_by_p7_y = d7_6_by_p7_y * d7_6_by_p7_z;
-            let d7_2_by_p7_y = T::one() / d7_2_by_p7_y;
-            let d8_7_by_p7_y = d8_7_by_p7_y * d7_2_by_p7_y;
-            let d8_7_by_p6_x = d8_7_by_p6_x.minus_product(d8_7_by_p7_y, d7_2_by_p6_x);
-            let d8_7_by_p7_x = d8_7_by_p7_x.minus_product(d8_7_by_p7_y, d7_2_by_p7_x);
-            let d9_7_by_p7_y = d9_7_by_p7_y * d7_2_by_p7_y;
-            let d9_7_by_p6_x = d9_7_by_p6_x.minus_product(d9_7_by_p7_y, d7_2_by_p6_x);
-            let d9_7_by_p7_x = d9_7_by_p7_x.minus_product(d9_7_by_p7_y, d7_2_by_p7_x);
-            let d10_7_by_p7_y = d10_7_by_p7_y * d7_2_by_p7_y;
-            let d10_7_by_p6_x = d10_7_by_p6_x.minus_product(d10_7_by_p7_y, d7_2_by_p6_x);
-            let d10_7_by_p7_x = d10_7_by_p7_x.minus_product(d10_7_by_p7_y, d7_2_by_p7_x);
-            let d7_2_by_p6_x = d7_2_by_p6_x * d7_2_by_p7_y;
-            let d7_2_by_p7_x = d7_2_by_p7_x * d7_2_by_p7_y;
-            let d8_6_by_p8_z = T::one() / d8_6_by_p8_z;
-            let d8_7_by_p8_z = d8_7_by_p8_z * d8_6_by_p8_z;
-            let d8_7_by_p6_x = d8_7_by_p6_x.minus_product(d8_7_by_p8_z, d8_6_by_p6_x);
-            let d8_7_by_p8_y = d8_7_by_p8_y.minus_product(d8_7_by_p8_z, d8_6_by_p8_y);
-            let d9_8_by_p8_z = d9_8_by_p8_z * d8_6_by_p8_z;
-            let d9_8_by_p6_x = d9_8_by_p6_x.minus_product(d9_8_by_p8_z, d8_6_by_p6_x);
-            let d9_8_by_p8_y = d9_8_by_p8_y.minus_product(d9_8_by_p8_z, d8_6_by_p8_y);
-            let d10_8_by_p8_z = d10_8_by_p8_z * d8_6_by_p8_z;
-            let d10_8_by_p6_x = d10_8_by_p6_x.minus_product(d10_8_by_p8_z, d8_6_by_p6_x);
-            let d10_8_by_p8_y = d10_8_by_p8_y.minus_product(d10_8_by_p8_z, d8_6_by_p8_y);
-            let d8_6_by_p6_x = d8_6_by_p6_x * d8_6_by_p8_z;
-            let d8_6_by_p8_y = d8_6_by_p8_y * d8_6_by_p8_z;
-            let d9_7_by_p9_y = T::one() / d9_7_by_p9_y;
-            let d9_8_by_p9_y = d9_8_by_p9_y * d9_7_by_p9_y;
-            let d9_8_by_p6_x = d9_8_by_p6_x.minus_product(d9_8_by_p9_y, d9_7_by_p6_x);
-            let d9_8_by_p7_x = -(d9_8_by_p9_y * d9_7_by_p7_x);
-            let d9_7_by_p6_x = d9_7_by_p6_x * d9_7_by_p9_y;
-            let d9_7_by_p7_x = d9_7_by_p7_x * d9_7_by_p9_y;
-            let d10_7_by_p10_x = T::one() / d10_7_by_p10_x;
-            let d10_8_by_p10_x = d10_8_by_p10_x * d10_7_by_p10_x;
-            let d10_8_by_p6_x = d10_8_by_p6_x
-                .minus_product(d10_8_by_p10_x, d10_7_by_p6_x);
-            let d10_8_by_p7_x = -(d10_8_by_p10_x * d10_7_by_p7_x);
-            let d10_7_by_p6_x = d10_7_by_p6_x * d10_7_by_p10_x;
-            let d10_7_by_p7_x = d10_7_by_p7_x * d10_7_by_p10_x;
-            let d10_8_by_p8_y = T::one() / d10_8_by_p8_y;
-            let d8_7_by_p8_y = d8_7_by_p8_y * d10_8_by_p8_y;
-            let d8_7_by_p6_x = d8_7_by_p6_x.minus_product(d8_7_by_p8_y, d10_8_by_p6_x);
-            let d8_7_by_p7_x = d8_7_by_p7_x.minus_product(d8_7_by_p8_y, d10_8_by_p7_x);
-            let d9_8_by_p8_y = d9_8_by_p8_y * d10_8_by_p8_y;
-            let d9_8_by_p6_x = d9_8_by_p6_x.minus_product(d9_8_by_p8_y, d10_8_by_p6_x);
-            let d9_8_by_p7_x = d9_8_by_p7_x.minus_product(d9_8_by_p8_y, d10_8_by_p7_x);
-            let d10_8_by_p6_x = d10_8_by_p6_x * d10_8_by_p8_y;
-            let d10_8_by_p7_x = d10_8_by_p7_x * d10_8_by_p8_y;
-            let d9_8_by_p7_x = T::one() / d9_8_by_p7_x;
-            let d8_7_by_p7_x = d8_7_by_p7_x * d9_8_by_p7_x;
-            let d8_7_by_p6_x = d8_7_by_p6_x.minus_product(d8_7_by_p7_x, d9_8_by_p6_x);
-            let d9_8_by_p6_x = d9_8_by_p6_x * d9_8_by_p7_x;
-            let d8_7_by_p6_x = T::one() / d8_7_by_p6_x;
+            let d = difference(free.p6, fixed.p1);
+            let gradient = self.d6_1.gradient(d);
+            let [d1_p6_x, d1_p6_y, d1_p6_z] = xyz(gradient);
+            let d = difference(free.p7, fixed.p2);
+            let gradient = self.d7_2.gradient(d);
+            let [d2_p7_x, d2_p7_y, d2_p7_z] = xyz(gradient);
+            let d = difference(free.p8, fixed.p3);
+            let gradient = self.d8_3.gradient(d);
+            let [d3_p8_x, d3_p8_y, d3_p8_z] = xyz(gradient);
+            let d = difference(free.p9, fixed.p4);
+            let gradient = self.d9_4.gradient(d);
+            let [d4_p9_x, d4_p9_y, d4_p9_z] = xyz(gradient);
+            let d = difference(free.p10, fixed.p5);
+            let gradient = self.d10_5.gradient(d);
+            let [d5_p10_x, d5_p10_y, d5_p10_z] = xyz(gradient);
+            let d = difference(free.p7, free.p6);
+            let gradient = self.d7_6.gradient(d);
+            let [d76_p7_x, d76_p7_y, d76_p7_z] = xyz(gradient);
+            let [d76_p6_x, d76_p6_y, d76_p6_z] = xyz(opposite(gradient));
+            let d = difference(free.p8, free.p6);
+            let gradient = self.d8_6.gradient(d);
+            let [d86_p8_x, d86_p8_y, d86_p8_z] = xyz(gradient);
+            let [d86_p6_x, d86_p6_y, d86_p6_z] = xyz(opposite(gradient));
+            let d = difference(free.p9, free.p6);
+            let gradient = self.d9_6.gradient(d);
+            let [d96_p9_x, d96_p9_y, d96_p9_z] = xyz(gradient);
+            let [d96_p6_x, d96_p6_y, d96_p6_z] = xyz(opposite(gradient));
+            let d = difference(free.p10, free.p6);
+            let gradient = self.d10_6.gradient(d);
+            let [d16_p10_x, d16_p10_y, d16_p10_z] = xyz(gradient);
+            let [d16_p6_x, d16_p6_y, d16_p6_z] = xyz(opposite(gradient));
+            let d = difference(free.p8, free.p7);
+            let gradient = self.d8_7.gradient(d);
+            let [d87_p8_x, d87_p8_y, d87_p8_z] = xyz(gradient);
+            let [d87_p7_x, d87_p7_y, d87_p7_z] = xyz(opposite(gradient));
+            let d = difference(free.p9, free.p7);
+            let gradient = self.d9_7.gradient(d);
+            let [d97_p9_x, d97_p9_y, d97_p9_z] = xyz(gradient);
+            let [d97_p7_x, d97_p7_y, d97_p7_z] = xyz(opposite(gradient));
+            let d = difference(free.p10, free.p7);
+            let gradient = self.d10_7.gradient(d);
+            let [d17_p10_x, d17_p10_y, d17_p10_z] = xyz(gradient);
+            let [d17_p7_x, d17_p7_y, d17_p7_z] = xyz(opposite(gradient));
+            let d = difference(free.p9, free.p8);
+            let gradient = self.d9_8.gradient(d);
+            let [d98_p9_x, d98_p9_y, d98_p9_z] = xyz(gradient);
+            let [d98_p8_x, d98_p8_y, d98_p8_z] = xyz(opposite(gradient));
+            let d = difference(free.p10, free.p8);
+            let gradient = self.d10_8.gradient(d);
+            let [d18_p10_x, d18_p10_y, d18_p10_z] = xyz(gradient);
+            let [d18_p8_x, d18_p8_y, d18_p8_z] = xyz(opposite(gradient));
+            let d1_p6_y = T::one() / d1_p6_y;
+            let d76_p6_y = d76_p6_y * d1_p6_y;
+            let d76_p6_x = d76_p6_x.minus_product(d76_p6_y, d1_p6_x);
+            let d86_p6_y = d86_p6_y * d1_p6_y;
+            let d86_p6_x = d86_p6_x.minus_product(d86_p6_y, d1_p6_x);
+            let d96_p6_y = d96_p6_y * d1_p6_y;
+            let d96_p6_x = d96_p6_x.minus_product(d96_p6_y, d1_p6_x);
+            let d16_p6_y = d16_p6_y * d1_p6_y;
+            let d16_p6_x = d16_p6_x.minus_product(d16_p6_y, d1_p6_x);
+            let d1_p6_x = d1_p6_x * d1_p6_y;
+            let d16_p10_z = T::one() / d16_p10_z;
+            let d5_p10_z = d5_p10_z * d16_p10_z;
+            let d5_p6_x = -(d5_p10_z * d16_p6_x);
+            let d5_p10_x = d5_p10_x.minus_product(d5_p10_z, d16_p10_x);
+            let d5_p10_y = d5_p10_y.minus_product(d5_p10_z, d16_p10_y);
+            let d17_p10_z = d17_p10_z * d16_p10_z;
+            let d17_p6_x = -(d17_p10_z * d16_p6_x);
+            let d17_p10_x = d17_p10_x.minus_product(d17_p10_z, d16_p10_x);
+            let d17_p10_y = d17_p10_y.minus_product(d17_p10_z, d16_p10_y);
+            let d18_p10_z = d18_p10_z * d16_p10_z;
+            let d18_p6_x = -(d18_p10_z * d16_p6_x);
+            let d18_p10_x = d18_p10_x.minus_product(d18_p10_z, d16_p10_x);
+            let d18_p10_y = d18_p10_y.minus_product(d18_p10_z, d16_p10_y);
+            let d16_p6_x = d16_p6_x * d16_p10_z;
+            let d16_p10_x = d16_p10_x * d16_p10_z;
+            let d16_p10_y = d16_p10_y * d16_p10_z;
+            let d3_p8_x = T::one() / d3_p8_x;
+            let d86_p8_x = d86_p8_x * d3_p8_x;
+            let d86_p8_y = d86_p8_y.minus_product(d86_p8_x, d3_p8_y);
+            let d86_p8_z = d86_p8_z.minus_product(d86_p8_x, d3_p8_z);
+            let d87_p8_x = d87_p8_x * d3_p8_x;
+            let d87_p8_y = d87_p8_y.minus_product(d87_p8_x, d3_p8_y);
+            let d87_p8_z = d87_p8_z.minus_product(d87_p8_x, d3_p8_z);
+            let d98_p8_x = d98_p8_x * d3_p8_x;
+            let d98_p8_y = d98_p8_y.minus_product(d98_p8_x, d3_p8_y);
+            let d98_p8_z = d98_p8_z.minus_product(d98_p8_x, d3_p8_z);
+            let d18_p8_x = d18_p8_x * d3_p8_x;
+            let d18_p8_y = d18_p8_y.minus_product(d18_p8_x, d3_p8_y);
+            let d18_p8_z = d18_p8_z.minus_product(d18_p8_x, d3_p8_z);
+            let d3_p8_y = d3_p8_y * d3_p8_x;
+            let d3_p8_z = d3_p8_z * d3_p8_x;
+            let d4_p9_x = T::one() / d4_p9_x;
+            let d96_p9_x = d96_p9_x * d4_p9_x;
+            let d96_p9_y = d96_p9_y.minus_product(d96_p9_x, d4_p9_y);
+            let d96_p9_z = d96_p9_z.minus_product(d96_p9_x, d4_p9_z);
+            let d97_p9_x = d97_p9_x * d4_p9_x;
+            let d97_p9_y = d97_p9_y.minus_product(d97_p9_x, d4_p9_y);
+            let d97_p9_z = d97_p9_z.minus_product(d97_p9_x, d4_p9_z);
+            let d98_p9_x = d98_p9_x * d4_p9_x;
+            let d98_p9_y = d98_p9_y.minus_product(d98_p9_x, d4_p9_y);
+            let d98_p9_z = d98_p9_z.minus_product(d98_p9_x, d4_p9_z);
+            let d4_p9_y = d4_p9_y * d4_p9_x;
+            let d4_p9_z = d4_p9_z * d4_p9_x;
+            let d96_p9_z = T::one() / d96_p9_z;
+            let d97_p9_z = d97_p9_z * d96_p9_z;
+            let d97_p6_x = -(d97_p9_z * d96_p6_x);
+            let d97_p9_y = d97_p9_y.minus_product(d97_p9_z, d96_p9_y);
+            let d98_p9_z = d98_p9_z * d96_p9_z;
+            let d98_p6_x = -(d98_p9_z * d96_p6_x);
+            let d98_p9_y = d98_p9_y.minus_product(d98_p9_z, d96_p9_y);
+            let d96_p6_x = d96_p6_x * d96_p9_z;
+            let d96_p9_y = d96_p9_y * d96_p9_z;
+            let d5_p10_y = T::one() / d5_p10_y;
+            let d17_p10_y = d17_p10_y * d5_p10_y;
+            let d17_p6_x = d17_p6_x.minus_product(d17_p10_y, d5_p6_x);
+            let d17_p10_x = d17_p10_x.minus_product(d17_p10_y, d5_p10_x);
+            let d18_p10_y = d18_p10_y * d5_p10_y;
+            let d18_p6_x = d18_p6_x.minus_product(d18_p10_y, d5_p6_x);
+            let d18_p10_x = d18_p10_x.minus_product(d18_p10_y, d5_p10_x);
+            let d5_p6_x = d5_p6_x * d5_p10_y;
+            let d5_p10_x = d5_p10_x * d5_p10_y;
+            let d76_p7_z = T::one() / d76_p7_z;
+            let d2_p7_z = d2_p7_z * d76_p7_z;
+            let d2_p6_x = -(d2_p7_z * d76_p6_x);
+            let d2_p7_x = d2_p7_x.minus_product(d2_p7_z, d76_p7_x);
+            let d2_p7_y = d2_p7_y.minus_product(d2_p7_z, d76_p7_y);
+            let d87_p7_z = d87_p7_z * d76_p7_z;
+            let d87_p6_x = -(d87_p7_z * d76_p6_x);
+            let d87_p7_x = d87_p7_x.minus_product(d87_p7_z, d76_p7_x);
+            let d87_p7_y = d87_p7_y.minus_product(d87_p7_z, d76_p7_y);
+            let d97_p7_z = d97_p7_z * d76_p7_z;
+            let d97_p6_x = d97_p6_x.minus_product(d97_p7_z, d76_p6_x);
+            let d97_p7_x = d97_p7_x.minus_product(d97_p7_z, d76_p7_x);
+            let d97_p7_y = d97_p7_y.minus_product(d97_p7_z, d76_p7_y);
+            let d17_p7_z = d17_p7_z * d76_p7_z;
+            let d17_p6_x = d17_p6_x.minus_product(d17_p7_z, d76_p6_x);
+            let d17_p7_x = d17_p7_x.minus_product(d17_p7_z, d76_p7_x);
+            let d17_p7_y = d17_p7_y.minus_product(d17_p7_z, d76_p7_y);
+            let d76_p6_x = d76_p6_x * d76_p7_z;
+            let d76_p7_x = d76_p7_x * d76_p7_z;
+            let d76_p7_y = d76_p7_y * d76_p7_z;
+            let d2_p7_y = T::one() / d2_p7_y;
+            let d87_p7_y = d87_p7_y * d2_p7_y;
+            let d87_p6_x = d87_p6_x.minus_product(d87_p7_y, d2_p6_x);
+            let d87_p7_x = d87_p7_x.minus_product(d87_p7_y, d2_p7_x);
+            let d97_p7_y = d97_p7_y * d2_p7_y;
+            let d97_p6_x = d97_p6_x.minus_product(d97_p7_y, d2_p6_x);
+            let d97_p7_x = d97_p7_x.minus_product(d97_p7_y, d2_p7_x);
+            let d17_p7_y = d17_p7_y * d2_p7_y;
+            let d17_p6_x = d17_p6_x.minus_product(d17_p7_y, d2_p6_x);
+            let d17_p7_x = d17_p7_x.minus_product(d17_p7_y, d2_p7_x);
+            let d2_p6_x = d2_p6_x * d2_p7_y;
+            let d2_p7_x = d2_p7_x * d2_p7_y;
+            let d86_p8_z = T::one() / d86_p8_z;
+            let d87_p8_z = d87_p8_z * d86_p8_z;
+            let d87_p6_x = d87_p6_x.minus_product(d87_p8_z, d86_p6_x);
+            let d87_p8_y = d87_p8_y.minus_product(d87_p8_z, d86_p8_y);
+            let d98_p8_z = d98_p8_z * d86_p8_z;
+            let d98_p6_x = d98_p6_x.minus_product(d98_p8_z, d86_p6_x);
+            let d98_p8_y = d98_p8_y.minus_product(d98_p8_z, d86_p8_y);
+            let d18_p8_z = d18_p8_z * d86_p8_z;
+            let d18_p6_x = d18_p6_x.minus_product(d18_p8_z, d86_p6_x);
+            let d18_p8_y = d18_p8_y.minus_product(d18_p8_z, d86_p8_y);
+            let d86_p6_x = d86_p6_x * d86_p8_z;
+            let d86_p8_y = d86_p8_y * d86_p8_z;
+            let d97_p9_y = T::one() / d97_p9_y;
+            let d98_p9_y = d98_p9_y * d97_p9_y;
+            let d98_p6_x = d98_p6_x.minus_product(d98_p9_y, d97_p6_x);
+            let d98_p7_x = -(d98_p9_y * d97_p7_x);
+            let d97_p6_x = d97_p6_x * d97_p9_y;
+            let d97_p7_x = d97_p7_x * d97_p9_y;
+            let d17_p10_x = T::one() / d17_p10_x;
+            let d18_p10_x = d18_p10_x * d17_p10_x;
+            let d18_p6_x = d18_p6_x.minus_product(d18_p10_x, d17_p6_x);
+            let d18_p7_x = -(d18_p10_x * d17_p7_x);
+            let d17_p6_x = d17_p6_x * d17_p10_x;
+            let d17_p7_x = d17_p7_x * d17_p10_x;
+            let d18_p8_y = T::one() / d18_p8_y;
+            let d87_p8_y = d87_p8_y * d18_p8_y;
+            let d87_p6_x = d87_p6_x.minus_product(d87_p8_y, d18_p6_x);
+            let d87_p7_x = d87_p7_x.minus_product(d87_p8_y, d18_p7_x);
+            let d98_p8_y = d98_p8_y * d18_p8_y;
+            let d98_p6_x = d98_p6_x.minus_product(d98_p8_y, d18_p6_x);
+            let d98_p7_x = d98_p7_x.minus_product(d98_p8_y, d18_p7_x);
+            let d18_p6_x = d18_p6_x * d18_p8_y;
+            let d18_p7_x = d18_p7_x * d18_p8_y;
+            let d98_p7_x = T::one() / d98_p7_x;
+            let d87_p7_x = d87_p7_x * d98_p7_x;
+            let d87_p6_x = d87_p6_x.minus_product(d87_p7_x, d98_p6_x);
+            let d98_p6_x = d98_p6_x * d98_p7_x;
+            let d87_p6_x = T::one() / d87_p6_x;
+            let pivots = [
+                d1_p6_y,
+                d16_p10_z,
+                d3_p8_x,
+                d4_p9_x,
+                d96_p9_z,
+                d5_p10_y,
+                d76_p7_z,
+                d2_p7_y,
+                d86_p8_z,
+                d97_p9_y,
+                d17_p10_x,
+                d18_p8_y,
+                d98_p7_x,
+                d87_p6_x,
+            ];
             Factors {
-                growth_squared: sum_of_squares([
-                    d6_1_by_p6_y,
-                    d10_6_by_p10_z,
-                    d8_3_by_p8_x,
-                    d9_4_by_p9_x,
-                    d9_6_by_p9_z,
-                    d10_5_by_p10_y,
-                    d7_6_by_p7_z,
-                    d7_2_by_p7_y,
-                    d8_6_by_p8_z,
-                    d9_7_by_p9_y,
-                    d10_7_by_p10_x,
-                    d10_8_by_p8_y,
-                    d9_8_by_p7_x,
-                    d8_7_by_p6_x,
-                ]),
-                determinant_sign: -product([
-                    d6_1_by_p6_y,
-                    d10_6_by_p10_z,
-                    d8_3_by_p8_x,
-                    d9_4_by_p9_x,
-                    d9_6_by_p9_z,
-                    d10_5_by_p10_y,
-                    d7_6_by_p7_z,
-                    d7_2_by_p7_y,
-                    d8_6_by_p8_z,
-                    d9_7_by_p9_y,
-                    d10_7_by_p10_x,
-                    d10_8_by_p8_y,
-                    d9_8_by_p7_x,
-                    d8_7_by_p6_x,
-                ]),
-                d6_1_by_p6_z,
-                d7_6_by_p6_z,
-                d8_6_by_p6_z,
-                d9_6_by_p6_z,
-                d10_6_by_p6_z,
-                d6_1_by_p6_y,
-                d6_1_by_p6_x,
-                d7_6_by_p6_y,
-                d8_6_by_p6_y,
-                d9_6_by_p6_y,
-                d10_6_by_p6_y,
-                d10_6_by_p10_z,
-                d10_6_by_p6_x,
-                d10_6_by_p10_x,
-                d10_6_by_p10_y,
-                d10_5_by_p10_z,
-                d10_7_by_p10_z,
-                d10_8_by_p10_z,
-                d8_3_by_p8_x,
-                d8_3_by_p8_y,
-                d8_3_by_p8_z,
-                d8_6_by_p8_x,
-                d8_7_by_p8_x,
-                d9_8_by_p8_x,
-                d10_8_by_p8_x,
-                d9_4_by_p9_x,
-                d9_4_by_p9_y,
-                d9_4_by_p9_z,
-                d9_6_by_p9_x,
-                d9_7_by_p9_x,
-                d9_8_by_p9_x,
-                d9_6_by_p9_z,
-                d9_6_by_p6_x,
-                d9_6_by_p9_y,
-                d9_7_by_p9_z,
-                d9_8_by_p9_z,
-                d10_5_by_p10_y,
-                d10_5_by_p6_x,
-                d10_5_by_p10_x,
-                d10_7_by_p10_y,
-                d10_8_by_p10_y,
-                d7_6_by_p7_z,
-                d7_6_by_p6_x,
-                d7_6_by_p7_x,
-                d7_6_by_p7_y,
-                d7_2_by_p7_z,
-                d8_7_by_p7_z,
-                d9_7_by_p7_z,
-                d10_7_by_p7_z,
-                d7_2_by_p7_y,
-                d7_2_by_p6_x,
-                d7_2_by_p7_x,
-                d8_7_by_p7_y,
-                d9_7_by_p7_y,
-                d10_7_by_p7_y,
-                d8_6_by_p8_z,
-                d8_6_by_p6_x,
-                d8_6_by_p8_y,
-                d8_7_by_p8_z,
-                d9_8_by_p8_z,
-                d10_8_by_p8_z,
-                d9_7_by_p9_y,
-                d9_7_by_p6_x,
-                d9_7_by_p7_x,
-                d9_8_by_p9_y,
-                d10_7_by_p10_x,
-                d10_7_by_p6_x,
-                d10_7_by_p7_x,
-                d10_8_by_p10_x,
-                d10_8_by_p8_y,
-                d10_8_by_p6_x,
-                d10_8_by_p7_x,
-                d8_7_by_p8_y,
-                d9_8_by_p8_y,
-                d9_8_by_p7_x,
-                d9_8_by_p6_x,
-                d8_7_by_p7_x,
-                d8_7_by_p6_x,
+                growth_squared: sum_of_squares(pivots),
+                determinant_sign: -product(pivots),
+                d1_p6_z,
+                d76_p6_z,
+                d86_p6_z,
+                d96_p6_z,
+                d16_p6_z,
+                d1_p6_y,
+                d1_p6_x,
+                d76_p6_y,
+                d86_p6_y,
+                d96_p6_y,
+                d16_p6_y,
+                d16_p10_z,
+                d16_p6_x,
+                d16_p10_x,
+                d16_p10_y,
+                d5_p10_z,
+                d17_p10_z,
+                d18_p10_z,
+                d3_p8_x,
+                d3_p8_y,
+                d3_p8_z,
+                d86_p8_x,
+                d87_p8_x,
+                d98_p8_x,
+                d18_p8_x,
+                d4_p9_x,
+                d4_p9_y,
+                d4_p9_z,
+                d96_p9_x,
+                d97_p9_x,
+                d98_p9_x,
+                d96_p9_z,
+                d96_p6_x,
+                d96_p9_y,
+                d97_p9_z,
+                d98_p9_z,
+                d5_p10_y,
+                d5_p6_x,
+                d5_p10_x,
+                d17_p10_y,
+                d18_p10_y,
+                d76_p7_z,
+                d76_p6_x,
+                d76_p7_x,
+                d76_p7_y,
+                d2_p7_z,
+                d87_p7_z,
+                d97_p7_z,
+                d17_p7_z,
+                d2_p7_y,
+                d2_p6_x,
+                d2_p7_x,
+                d87_p7_y,
+                d97_p7_y,
+                d17_p7_y,
+                d86_p8_z,
+                d86_p6_x,
+                d86_p8_y,
+                d87_p8_z,
+                d98_p8_z,
+                d18_p8_z,
+                d97_p9_y,
+                d97_p6_x,
+                d97_p7_x,
+                d98_p9_y,
+                d17_p10_x,
+                d17_p6_x,
+                d17_p7_x,
+                d18_p10_x,
+                d18_p8_y,
+                d18_p6_x,
+                d18_p7_x,
+                d87_p8_y,
+                d98_p8_y,
+                d98_p7_x,
+                d98_p6_x,
+                d87_p7_x,
+                d87_p6_x,
             }
         }
 
@@ -1075,48 +713,48 @@ pub mod attia2003 {
             let v = Free::of(v);
             let w = Free::of(w);
             let mut rows = [-T::zero(); 15];
-            rows[equation::D6_1] = self
-                .d6_1
-                .curvature(difference(v.p6, v_fixed.p1), difference(w.p6, w_fixed.p1));
-            rows[equation::D7_2] = self
-                .d7_2
-                .curvature(difference(v.p7, v_fixed.p2), difference(w.p7, w_fixed.p2));
-            rows[equation::D8_3] = self
-                .d8_3
-                .curvature(difference(v.p8, v_fixed.p3), difference(w.p8, w_fixed.p3));
-            rows[equation::D9_4] = self
-                .d9_4
-                .curvature(difference(v.p9, v_fixed.p4), difference(w.p9, w_fixed.p4));
-            rows[equation::D10_5] = self
-                .d10_5
-                .curvature(difference(v.p10, v_fixed.p5), difference(w.p10, w_fixed.p5));
-            rows[equation::D7_6] = self
-                .d7_6
-                .curvature(difference(v.p7, v.p6), difference(w.p7, w.p6));
-            rows[equation::D8_6] = self
-                .d8_6
-                .curvature(difference(v.p8, v.p6), difference(w.p8, w.p6));
-            rows[equation::D9_6] = self
-                .d9_6
-                .curvature(difference(v.p9, v.p6), difference(w.p9, w.p6));
-            rows[equation::D10_6] = self
-                .d10_6
-                .curvature(difference(v.p10, v.p6), difference(w.p10, w.p6));
-            rows[equation::D8_7] = self
-                .d8_7
-                .curvature(difference(v.p8, v.p7), difference(w.p8, w.p7));
-            rows[equation::D9_7] = self
-                .d9_7
-                .curvature(difference(v.p9, v.p7), difference(w.p9, w.p7));
-            rows[equation::D10_7] = self
-                .d10_7
-                .curvature(difference(v.p10, v.p7), difference(w.p10, w.p7));
-            rows[equation::D9_8] = self
-                .d9_8
-                .curvature(difference(v.p9, v.p8), difference(w.p9, w.p8));
-            rows[equation::D10_8] = self
-                .d10_8
-                .curvature(difference(v.p10, v.p8), difference(w.p10, w.p8));
+            let v_d = difference(v.p6, v_fixed.p1);
+            let w_d = difference(w.p6, w_fixed.p1);
+            rows[equation::D6_1] = self.d6_1.curvature(v_d, w_d);
+            let v_d = difference(v.p7, v_fixed.p2);
+            let w_d = difference(w.p7, w_fixed.p2);
+            rows[equation::D7_2] = self.d7_2.curvature(v_d, w_d);
+            let v_d = difference(v.p8, v_fixed.p3);
+            let w_d = difference(w.p8, w_fixed.p3);
+            rows[equation::D8_3] = self.d8_3.curvature(v_d, w_d);
+            let v_d = difference(v.p9, v_fixed.p4);
+            let w_d = difference(w.p9, w_fixed.p4);
+            rows[equation::D9_4] = self.d9_4.curvature(v_d, w_d);
+            let v_d = difference(v.p10, v_fixed.p5);
+            let w_d = difference(w.p10, w_fixed.p5);
+            rows[equation::D10_5] = self.d10_5.curvature(v_d, w_d);
+            let v_d = difference(v.p7, v.p6);
+            let w_d = difference(w.p7, w.p6);
+            rows[equation::D7_6] = self.d7_6.curvature(v_d, w_d);
+            let v_d = difference(v.p8, v.p6);
+            let w_d = difference(w.p8, w.p6);
+            rows[equation::D8_6] = self.d8_6.curvature(v_d, w_d);
+            let v_d = difference(v.p9, v.p6);
+            let w_d = difference(w.p9, w.p6);
+            rows[equation::D9_6] = self.d9_6.curvature(v_d, w_d);
+            let v_d = difference(v.p10, v.p6);
+            let w_d = difference(w.p10, w.p6);
+            rows[equation::D10_6] = self.d10_6.curvature(v_d, w_d);
+            let v_d = difference(v.p8, v.p7);
+            let w_d = difference(w.p8, w.p7);
+            rows[equation::D8_7] = self.d8_7.curvature(v_d, w_d);
+            let v_d = difference(v.p9, v.p7);
+            let w_d = difference(w.p9, w.p7);
+            rows[equation::D9_7] = self.d9_7.curvature(v_d, w_d);
+            let v_d = difference(v.p10, v.p7);
+            let w_d = difference(w.p10, w.p7);
+            rows[equation::D10_7] = self.d10_7.curvature(v_d, w_d);
+            let v_d = difference(v.p9, v.p8);
+            let w_d = difference(w.p9, w.p8);
+            rows[equation::D9_8] = self.d9_8.curvature(v_d, w_d);
+            let v_d = difference(v.p10, v.p8);
+            let w_d = difference(w.p10, w.p8);
+            rows[equation::D10_8] = self.d10_8.curvature(v_d, w_d);
             SVector::from(rows)
         }
 
@@ -1142,45 +780,29 @@ pub mod attia2003 {
         ) -> SVector<T, 15> {
             let free = Free::of(q);
             let mut rows = [-T::zero(); 15];
-            rows[equation::D6_1] = dot(
-                self.d6_1.gradient(difference(free.p6, fixed.p1)),
-                fixed_rate.p1,
-            );
-            rows[equation::D7_2] = dot(
-                self.d7_2.gradient(difference(free.p7, fixed.p2)),
-                fixed_rate.p2,
-            );
-            rows[equation::D8_3] = dot(
-                self.d8_3.gradient(difference(free.p8, fixed.p3)),
-                fixed_rate.p3,
-            );
-            rows[equation::D9_4] = dot(
-                self.d9_4.gradient(difference(free.p9, fixed.p4)),
-                fixed_rate.p4,
-            );
-            rows[equation::D10_5] = dot(
-                self.d10_5.gradient(difference(free.p10, fixed.p5)),
-                fixed_rate.p5,
-            );
+            let d = difference(free.p6, fixed.p1);
+            let gradient = self.d6_1.gradient(d);
+            rows[equation::D6_1] = dot(gradient, fixed_rate.p1);
+            let d = difference(free.p7, fixed.p2);
+            let gradient = self.d7_2.gradient(d);
+            rows[equation::D7_2] = dot(gradient, fixed_rate.p2);
+            let d = difference(free.p8, fixed.p3);
+            let gradient = self.d8_3.gradient(d);
+            rows[equation::D8_3] = dot(gradient, fixed_rate.p3);
+            let d = difference(free.p9, fixed.p4);
+            let gradient = self.d9_4.gradient(d);
+            rows[equation::D9_4] = dot(gradient, fixed_rate.p4);
+            let d = difference(free.p10, fixed.p5);
+            let gradient = self.d10_5.gradient(d);
+            rows[equation::D10_5] = dot(gradient, fixed_rate.p5);
             rows[equation::THETA] = fixed_rate.p1.z;
             SVector::from(rows)
         }
 
         fn points(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Points<T> {
             let free = Free::of(q);
-            Points {
-                p1: fixed.p1,
-                p2: fixed.p2,
-                p3: fixed.p3,
-                p4: fixed.p4,
-                p5: fixed.p5,
-                p6: free.p6,
-                p7: free.p7,
-                p8: free.p8,
-                p9: free.p9,
-                p10: free.p10,
-                p11: self.p11.position(&Frame::new(free.p6, free.p7, free.p8)),
-            }
+            let markers = [self.p11.position(&free.p6_p7_p8_frame())];
+            Points::all(fixed, &free, markers)
         }
 
         fn velocities(
@@ -1189,25 +811,11 @@ pub mod attia2003 {
             velocity: &SVector<T, 15>,
             fixed_rate: &Fixed<T>,
         ) -> Points<T> {
-            let rate = Free::of(velocity);
-            Points {
-                p1: fixed_rate.p1,
-                p2: fixed_rate.p2,
-                p3: fixed_rate.p3,
-                p4: fixed_rate.p4,
-                p5: fixed_rate.p5,
-                p6: rate.p6,
-                p7: rate.p7,
-                p8: rate.p8,
-                p9: rate.p9,
-                p10: rate.p10,
-                p11: self
-                    .p11
-                    .velocity(
-                        &Frame::new(at.p6, at.p7, at.p8),
-                        &Frame::new(rate.p6, rate.p7, rate.p8),
-                    ),
-            }
+            let free = Free::of(velocity);
+            let markers = [
+                self.p11.velocity(&at.p6_p7_p8_frame(), &free.p6_p7_p8_frame()),
+            ];
+            Points::all(fixed_rate, &free, markers)
         }
 
         fn accelerations(
@@ -1217,26 +825,17 @@ pub mod attia2003 {
             acceleration: &SVector<T, 15>,
             fixed_second_rate: &Fixed<T>,
         ) -> Points<T> {
-            let second_rate = Free::of(acceleration);
-            Points {
-                p1: fixed_second_rate.p1,
-                p2: fixed_second_rate.p2,
-                p3: fixed_second_rate.p3,
-                p4: fixed_second_rate.p4,
-                p5: fixed_second_rate.p5,
-                p6: second_rate.p6,
-                p7: second_rate.p7,
-                p8: second_rate.p8,
-                p9: second_rate.p9,
-                p10: second_rate.p10,
-                p11: self
+            let free = Free::of(acceleration);
+            let markers = [
+                self
                     .p11
                     .acceleration(
-                        &Frame::new(at.p6, at.p7, at.p8),
-                        &Frame::new(velocities.p6, velocities.p7, velocities.p8),
-                        &Frame::new(second_rate.p6, second_rate.p7, second_rate.p8),
+                        &at.p6_p7_p8_frame(),
+                        &velocities.p6_p7_p8_frame(),
+                        &free.p6_p7_p8_frame(),
                     ),
-            }
+            ];
+            Points::all(fixed_second_rate, &free, markers)
         }
 
         fn unknowns(&self, points: &Points<T>) -> SVector<T, 15> {
@@ -1254,35 +853,15 @@ pub mod attia2003 {
         where
             T: Real,
         {
-            let each = Measures {
-                height: points.map(|points| points.p11.z),
-            };
-            Signal {
-                value: Measures {
-                    height: each.height.value,
-                },
-                rate: Measures {
-                    height: each.height.rate,
-                },
-                second_rate: Measures {
-                    height: each.height.second_rate,
-                },
-            }
+            let mut measures: Signal<Measures<T>> = Signal::default();
+            let measured = points.map(|points| points.p11.z);
+            measures.set(measured, |measures| &mut measures.height);
+            measures
         }
 
-        #[inline]
-        fn wheel_axis(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
-            Some([points.p8, points.p11])
-        }
-
-        #[inline]
-        fn wheel_carrier(&self, points: &Points<T>) -> Option<[Vector3<T>; 3]> {
-            Some([points.p6, points.p7, points.p8])
-        }
-
-        #[inline]
-        fn kingpin(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
-            Some([points.p6, points.p8])
+        #[inline(always)]
+        fn linked(&self) -> impl Iterator<Item = usize> {
+            [8, 9].into_iter()
         }
 
         #[inline(always)]
@@ -1292,7 +871,7 @@ pub mod attia2003 {
             _fixed: &Fixed<T>,
         ) -> impl Iterator<Item = T> {
             let free = Free::of(q);
-            let p6_p7_p8_frame = Frame::new(free.p6, free.p7, free.p8);
+            let p6_p7_p8_frame = free.p6_p7_p8_frame();
             [
                 self.p6_p7_p8_p9.mirrored(free.p9, &p6_p7_p8_frame),
                 self.p6_p7_p8_p10.mirrored(free.p10, &p6_p7_p8_frame),
@@ -1305,459 +884,267 @@ pub mod attia2003 {
     /// left of its row, divided by the pivot, to the right, and in its own place the pivot's
     /// inverse. Pivots that are 1 in every position are left out, and of carried points the rows:
     /// frame and constants stand for them.
+    ///
+    /// An entry is named by its equation: `d1` d6_1, `d2` d7_2, `d3` d8_3, `d4` d9_4, `d5` d10_5, `d76` d7_6, `d86` d8_6, `d96` d9_6, `d16` d10_6, `d87` d8_7, `d97` d9_7, `d17` d10_7, `d98` d9_8, `d18` d10_8, `theta` theta;
+    /// and its unknown: `p6` p6, `p7` p7, `p8` p8, `p9` p9, `p10` p10.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Factors<T> {
         growth_squared: T,
         determinant_sign: T,
-        d6_1_by_p6_z: T,
-        d7_6_by_p6_z: T,
-        d8_6_by_p6_z: T,
-        d9_6_by_p6_z: T,
-        d10_6_by_p6_z: T,
-        d6_1_by_p6_y: T,
-        d6_1_by_p6_x: T,
-        d7_6_by_p6_y: T,
-        d8_6_by_p6_y: T,
-        d9_6_by_p6_y: T,
-        d10_6_by_p6_y: T,
-        d10_6_by_p10_z: T,
-        d10_6_by_p6_x: T,
-        d10_6_by_p10_x: T,
-        d10_6_by_p10_y: T,
-        d10_5_by_p10_z: T,
-        d10_7_by_p10_z: T,
-        d10_8_by_p10_z: T,
-        d8_3_by_p8_x: T,
-        d8_3_by_p8_y: T,
-        d8_3_by_p8_z: T,
-        d8_6_by_p8_x: T,
-        d8_7_by_p8_x: T,
-        d9_8_by_p8_x: T,
-        d10_8_by_p8_x: T,
-        d9_4_by_p9_x: T,
-        d9_4_by_p9_y: T,
-        d9_4_by_p9_z: T,
-        d9_6_by_p9_x: T,
-        d9_7_by_p9_x: T,
-        d9_8_by_p9_x: T,
-        d9_6_by_p9_z: T,
-        d9_6_by_p6_x: T,
-        d9_6_by_p9_y: T,
-        d9_7_by_p9_z: T,
-        d9_8_by_p9_z: T,
-        d10_5_by_p10_y: T,
-        d10_5_by_p6_x: T,
-        d10_5_by_p10_x: T,
-        d10_7_by_p10_y: T,
-        d10_8_by_p10_y: T,
-        d7_6_by_p7_z: T,
-        d7_6_by_p6_x: T,
-        d7_6_by_p7_x: T,
-        d7_6_by_p7_y: T,
-        d7_2_by_p7_z: T,
-        d8_7_by_p7_z: T,
-        d9_7_by_p7_z: T,
-        d10_7_by_p7_z: T,
-        d7_2_by_p7_y: T,
-        d7_2_by_p6_x: T,
-        d7_2_by_p7_x: T,
-        d8_7_by_p7_y: T,
-        d9_7_by_p7_y: T,
-        d10_7_by_p7_y: T,
-        d8_6_by_p8_z: T,
-        d8_6_by_p6_x: T,
-        d8_6_by_p8_y: T,
-        d8_7_by_p8_z: T,
-        d9_8_by_p8_z: T,
-        d10_8_by_p8_z: T,
-        d9_7_by_p9_y: T,
-        d9_7_by_p6_x: T,
-        d9_7_by_p7_x: T,
-        d9_8_by_p9_y: T,
-        d10_7_by_p10_x: T,
-        d10_7_by_p6_x: T,
-        d10_7_by_p7_x: T,
-        d10_8_by_p10_x: T,
-        d10_8_by_p8_y: T,
-        d10_8_by_p6_x: T,
-        d10_8_by_p7_x: T,
-        d8_7_by_p8_y: T,
-        d9_8_by_p8_y: T,
-        d9_8_by_p7_x: T,
-        d9_8_by_p6_x: T,
-        d8_7_by_p7_x: T,
-        d8_7_by_p6_x: T,
+        d1_p6_z: T,
+        d76_p6_z: T,
+        d86_p6_z: T,
+        d96_p6_z: T,
+        d16_p6_z: T,
+        d1_p6_y: T,
+        d1_p6_x: T,
+        d76_p6_y: T,
+        d86_p6_y: T,
+        d96_p6_y: T,
+        d16_p6_y: T,
+        d16_p10_z: T,
+        d16_p6_x: T,
+        d16_p10_x: T,
+        d16_p10_y: T,
+        d5_p10_z: T,
+        d17_p10_z: T,
+        d18_p10_z: T,
+        d3_p8_x: T,
+        d3_p8_y: T,
+        d3_p8_z: T,
+        d86_p8_x: T,
+        d87_p8_x: T,
+        d98_p8_x: T,
+        d18_p8_x: T,
+        d4_p9_x: T,
+        d4_p9_y: T,
+        d4_p9_z: T,
+        d96_p9_x: T,
+        d97_p9_x: T,
+        d98_p9_x: T,
+        d96_p9_z: T,
+        d96_p6_x: T,
+        d96_p9_y: T,
+        d97_p9_z: T,
+        d98_p9_z: T,
+        d5_p10_y: T,
+        d5_p6_x: T,
+        d5_p10_x: T,
+        d17_p10_y: T,
+        d18_p10_y: T,
+        d76_p7_z: T,
+        d76_p6_x: T,
+        d76_p7_x: T,
+        d76_p7_y: T,
+        d2_p7_z: T,
+        d87_p7_z: T,
+        d97_p7_z: T,
+        d17_p7_z: T,
+        d2_p7_y: T,
+        d2_p6_x: T,
+        d2_p7_x: T,
+        d87_p7_y: T,
+        d97_p7_y: T,
+        d17_p7_y: T,
+        d86_p8_z: T,
+        d86_p6_x: T,
+        d86_p8_y: T,
+        d87_p8_z: T,
+        d98_p8_z: T,
+        d18_p8_z: T,
+        d97_p9_y: T,
+        d97_p6_x: T,
+        d97_p7_x: T,
+        d98_p9_y: T,
+        d17_p10_x: T,
+        d17_p6_x: T,
+        d17_p7_x: T,
+        d18_p10_x: T,
+        d18_p8_y: T,
+        d18_p6_x: T,
+        d18_p7_x: T,
+        d87_p8_y: T,
+        d98_p8_y: T,
+        d98_p7_x: T,
+        d98_p6_x: T,
+        d87_p7_x: T,
+        d87_p6_x: T,
     }
 
     impl<T: Scalar> JacobianFactors<T, 15> for Factors<T> {
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn solve(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
-            let [mut rows] = right.data.0;
-            let mut unknowns = [T::zero(); 15];
-            rows[equation::D6_1] = rows[equation::D6_1]
-                .minus_product(self.d6_1_by_p6_z, rows[equation::THETA]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d7_6_by_p6_z, rows[equation::THETA]);
-            rows[equation::D8_6] = rows[equation::D8_6]
-                .minus_product(self.d8_6_by_p6_z, rows[equation::THETA]);
-            rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_6_by_p6_z, rows[equation::THETA]);
-            rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_6_by_p6_z, rows[equation::THETA]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d7_6_by_p6_y, rows[equation::D6_1]);
-            rows[equation::D8_6] = rows[equation::D8_6]
-                .minus_product(self.d8_6_by_p6_y, rows[equation::D6_1]);
-            rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_6_by_p6_y, rows[equation::D6_1]);
-            rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_6_by_p6_y, rows[equation::D6_1]);
-            rows[equation::D10_5] = rows[equation::D10_5]
-                .minus_product(self.d10_5_by_p10_z, rows[equation::D10_6]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p10_z, rows[equation::D10_6]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_8_by_p10_z, rows[equation::D10_6]);
-            rows[equation::D8_6] = rows[equation::D8_6]
-                .minus_product(self.d8_6_by_p8_x, rows[equation::D8_3]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p8_x, rows[equation::D8_3]);
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p8_x, rows[equation::D8_3]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_8_by_p8_x, rows[equation::D8_3]);
-            rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_6_by_p9_x, rows[equation::D9_4]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p9_x, rows[equation::D9_4]);
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p9_x, rows[equation::D9_4]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p9_z, rows[equation::D9_6]);
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p9_z, rows[equation::D9_6]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p10_y, rows[equation::D10_5]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_8_by_p10_y, rows[equation::D10_5]);
-            rows[equation::D7_2] = rows[equation::D7_2]
-                .minus_product(self.d7_2_by_p7_z, rows[equation::D7_6]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p7_z, rows[equation::D7_6]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p7_z, rows[equation::D7_6]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p7_z, rows[equation::D7_6]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p7_y, rows[equation::D7_2]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p7_y, rows[equation::D7_2]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p7_y, rows[equation::D7_2]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p8_z, rows[equation::D8_6]);
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p8_z, rows[equation::D8_6]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_8_by_p8_z, rows[equation::D8_6]);
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_7]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_8_by_p10_x, rows[equation::D10_7]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p8_y, rows[equation::D10_8]);
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p8_y, rows[equation::D10_8]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p7_x, rows[equation::D9_8]);
-            unknowns[unknown::P6_X] = rows[equation::D8_7] * self.d8_7_by_p6_x;
-            unknowns[unknown::P7_X] = (rows[equation::D9_8] * self.d9_8_by_p7_x)
-                .minus_product(self.d9_8_by_p6_x, unknowns[unknown::P6_X]);
-            unknowns[unknown::P8_Y] = (rows[equation::D10_8] * self.d10_8_by_p8_y)
-                .minus_product(self.d10_8_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d10_8_by_p7_x, unknowns[unknown::P7_X]);
-            unknowns[unknown::P10_X] = (rows[equation::D10_7] * self.d10_7_by_p10_x)
-                .minus_product(self.d10_7_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d10_7_by_p7_x, unknowns[unknown::P7_X]);
-            unknowns[unknown::P9_Y] = (rows[equation::D9_7] * self.d9_7_by_p9_y)
-                .minus_product(self.d9_7_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d9_7_by_p7_x, unknowns[unknown::P7_X]);
-            unknowns[unknown::P8_Z] = (rows[equation::D8_6] * self.d8_6_by_p8_z)
-                .minus_product(self.d8_6_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d8_6_by_p8_y, unknowns[unknown::P8_Y]);
-            unknowns[unknown::P7_Y] = (rows[equation::D7_2] * self.d7_2_by_p7_y)
-                .minus_product(self.d7_2_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d7_2_by_p7_x, unknowns[unknown::P7_X]);
-            unknowns[unknown::P7_Z] = (rows[equation::D7_6] * self.d7_6_by_p7_z)
-                .minus_product(self.d7_6_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_X])
-                .minus_product(self.d7_6_by_p7_y, unknowns[unknown::P7_Y]);
-            unknowns[unknown::P10_Y] = (rows[equation::D10_5] * self.d10_5_by_p10_y)
-                .minus_product(self.d10_5_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d10_5_by_p10_x, unknowns[unknown::P10_X]);
-            unknowns[unknown::P9_Z] = (rows[equation::D9_6] * self.d9_6_by_p9_z)
-                .minus_product(self.d9_6_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d9_6_by_p9_y, unknowns[unknown::P9_Y]);
-            unknowns[unknown::P9_X] = (rows[equation::D9_4] * self.d9_4_by_p9_x)
-                .minus_product(self.d9_4_by_p9_y, unknowns[unknown::P9_Y])
-                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_Z]);
-            unknowns[unknown::P8_X] = (rows[equation::D8_3] * self.d8_3_by_p8_x)
-                .minus_product(self.d8_3_by_p8_y, unknowns[unknown::P8_Y])
-                .minus_product(self.d8_3_by_p8_z, unknowns[unknown::P8_Z]);
-            unknowns[unknown::P10_Z] = (rows[equation::D10_6] * self.d10_6_by_p10_z)
-                .minus_product(self.d10_6_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_X])
-                .minus_product(self.d10_6_by_p10_y, unknowns[unknown::P10_Y]);
-            unknowns[unknown::P6_Y] = (rows[equation::D6_1] * self.d6_1_by_p6_y)
-                .minus_product(self.d6_1_by_p6_x, unknowns[unknown::P6_X]);
-            unknowns[unknown::P6_Z] = rows[equation::THETA];
-            SVector::from(unknowns)
-        }
-
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        fn solve_drives(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
-            let [mut rows] = right.data.0;
-            let mut unknowns = [T::zero(); 15];
-            rows[equation::D6_1] = -(self.d6_1_by_p6_z * rows[equation::THETA]);
-            rows[equation::D7_6] = -(self.d7_6_by_p6_z * rows[equation::THETA]);
-            rows[equation::D8_6] = -(self.d8_6_by_p6_z * rows[equation::THETA]);
-            rows[equation::D9_6] = -(self.d9_6_by_p6_z * rows[equation::THETA]);
-            rows[equation::D10_6] = -(self.d10_6_by_p6_z * rows[equation::THETA]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d7_6_by_p6_y, rows[equation::D6_1]);
-            rows[equation::D8_6] = rows[equation::D8_6]
-                .minus_product(self.d8_6_by_p6_y, rows[equation::D6_1]);
-            rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_6_by_p6_y, rows[equation::D6_1]);
-            rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_6_by_p6_y, rows[equation::D6_1]);
-            rows[equation::D10_5] = -(self.d10_5_by_p10_z * rows[equation::D10_6]);
-            rows[equation::D10_7] = -(self.d10_7_by_p10_z * rows[equation::D10_6]);
-            rows[equation::D10_8] = -(self.d10_8_by_p10_z * rows[equation::D10_6]);
-            rows[equation::D9_7] = -(self.d9_7_by_p9_z * rows[equation::D9_6]);
-            rows[equation::D9_8] = -(self.d9_8_by_p9_z * rows[equation::D9_6]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p10_y, rows[equation::D10_5]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_8_by_p10_y, rows[equation::D10_5]);
-            rows[equation::D7_2] = -(self.d7_2_by_p7_z * rows[equation::D7_6]);
-            rows[equation::D8_7] = -(self.d8_7_by_p7_z * rows[equation::D7_6]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p7_z, rows[equation::D7_6]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p7_z, rows[equation::D7_6]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p7_y, rows[equation::D7_2]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_7_by_p7_y, rows[equation::D7_2]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_7_by_p7_y, rows[equation::D7_2]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p8_z, rows[equation::D8_6]);
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p8_z, rows[equation::D8_6]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_8_by_p8_z, rows[equation::D8_6]);
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_7]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d10_8_by_p10_x, rows[equation::D10_7]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p8_y, rows[equation::D10_8]);
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d9_8_by_p8_y, rows[equation::D10_8]);
-            rows[equation::D8_7] = rows[equation::D8_7]
-                .minus_product(self.d8_7_by_p7_x, rows[equation::D9_8]);
-            unknowns[unknown::P6_X] = rows[equation::D8_7] * self.d8_7_by_p6_x;
-            unknowns[unknown::P7_X] = (rows[equation::D9_8] * self.d9_8_by_p7_x)
-                .minus_product(self.d9_8_by_p6_x, unknowns[unknown::P6_X]);
-            unknowns[unknown::P8_Y] = (rows[equation::D10_8] * self.d10_8_by_p8_y)
-                .minus_product(self.d10_8_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d10_8_by_p7_x, unknowns[unknown::P7_X]);
-            unknowns[unknown::P10_X] = (rows[equation::D10_7] * self.d10_7_by_p10_x)
-                .minus_product(self.d10_7_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d10_7_by_p7_x, unknowns[unknown::P7_X]);
-            unknowns[unknown::P9_Y] = (rows[equation::D9_7] * self.d9_7_by_p9_y)
-                .minus_product(self.d9_7_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d9_7_by_p7_x, unknowns[unknown::P7_X]);
-            unknowns[unknown::P8_Z] = (rows[equation::D8_6] * self.d8_6_by_p8_z)
-                .minus_product(self.d8_6_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d8_6_by_p8_y, unknowns[unknown::P8_Y]);
-            unknowns[unknown::P7_Y] = (rows[equation::D7_2] * self.d7_2_by_p7_y)
-                .minus_product(self.d7_2_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d7_2_by_p7_x, unknowns[unknown::P7_X]);
-            unknowns[unknown::P7_Z] = (rows[equation::D7_6] * self.d7_6_by_p7_z)
-                .minus_product(self.d7_6_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_X])
-                .minus_product(self.d7_6_by_p7_y, unknowns[unknown::P7_Y]);
-            unknowns[unknown::P10_Y] = (rows[equation::D10_5] * self.d10_5_by_p10_y)
-                .minus_product(self.d10_5_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d10_5_by_p10_x, unknowns[unknown::P10_X]);
-            unknowns[unknown::P9_Z] = (rows[equation::D9_6] * self.d9_6_by_p9_z)
-                .minus_product(self.d9_6_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d9_6_by_p9_y, unknowns[unknown::P9_Y]);
-            unknowns[unknown::P9_X] = (-(self.d9_4_by_p9_y * unknowns[unknown::P9_Y]))
-                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_Z]);
-            unknowns[unknown::P8_X] = (-(self.d8_3_by_p8_y * unknowns[unknown::P8_Y]))
-                .minus_product(self.d8_3_by_p8_z, unknowns[unknown::P8_Z]);
-            unknowns[unknown::P10_Z] = (rows[equation::D10_6] * self.d10_6_by_p10_z)
-                .minus_product(self.d10_6_by_p6_x, unknowns[unknown::P6_X])
-                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_X])
-                .minus_product(self.d10_6_by_p10_y, unknowns[unknown::P10_Y]);
-            unknowns[unknown::P6_Y] = (rows[equation::D6_1] * self.d6_1_by_p6_y)
-                .minus_product(self.d6_1_by_p6_x, unknowns[unknown::P6_X]);
-            unknowns[unknown::P6_Z] = rows[equation::THETA];
-            SVector::from(unknowns)
+            let [[d1, d2, d3, d4, d5, d76, d86, d96, d16, d87, d97, d17, d98, d18, theta],
+            ] = right.data.0;
+            let d1 = d1.minus_product(self.d1_p6_z, theta);
+            let d76 = d76.minus_product(self.d76_p6_z, theta);
+            let d86 = d86.minus_product(self.d86_p6_z, theta);
+            let d96 = d96.minus_product(self.d96_p6_z, theta);
+            let d16 = d16.minus_product(self.d16_p6_z, theta);
+            let d76 = d76.minus_product(self.d76_p6_y, d1);
+            let d86 = d86.minus_product(self.d86_p6_y, d1);
+            let d96 = d96.minus_product(self.d96_p6_y, d1);
+            let d16 = d16.minus_product(self.d16_p6_y, d1);
+            let d5 = d5.minus_product(self.d5_p10_z, d16);
+            let d17 = d17.minus_product(self.d17_p10_z, d16);
+            let d18 = d18.minus_product(self.d18_p10_z, d16);
+            let d86 = d86.minus_product(self.d86_p8_x, d3);
+            let d87 = d87.minus_product(self.d87_p8_x, d3);
+            let d98 = d98.minus_product(self.d98_p8_x, d3);
+            let d18 = d18.minus_product(self.d18_p8_x, d3);
+            let d96 = d96.minus_product(self.d96_p9_x, d4);
+            let d97 = d97.minus_product(self.d97_p9_x, d4);
+            let d98 = d98.minus_product(self.d98_p9_x, d4);
+            let d97 = d97.minus_product(self.d97_p9_z, d96);
+            let d98 = d98.minus_product(self.d98_p9_z, d96);
+            let d17 = d17.minus_product(self.d17_p10_y, d5);
+            let d18 = d18.minus_product(self.d18_p10_y, d5);
+            let d2 = d2.minus_product(self.d2_p7_z, d76);
+            let d87 = d87.minus_product(self.d87_p7_z, d76);
+            let d97 = d97.minus_product(self.d97_p7_z, d76);
+            let d17 = d17.minus_product(self.d17_p7_z, d76);
+            let d87 = d87.minus_product(self.d87_p7_y, d2);
+            let d97 = d97.minus_product(self.d97_p7_y, d2);
+            let d17 = d17.minus_product(self.d17_p7_y, d2);
+            let d87 = d87.minus_product(self.d87_p8_z, d86);
+            let d98 = d98.minus_product(self.d98_p8_z, d86);
+            let d18 = d18.minus_product(self.d18_p8_z, d86);
+            let d98 = d98.minus_product(self.d98_p9_y, d97);
+            let d18 = d18.minus_product(self.d18_p10_x, d17);
+            let d87 = d87.minus_product(self.d87_p8_y, d18);
+            let d98 = d98.minus_product(self.d98_p8_y, d18);
+            let d87 = d87.minus_product(self.d87_p7_x, d98);
+            let p6_x = d87 * self.d87_p6_x;
+            let p7_x = (d98 * self.d98_p7_x).minus_product(self.d98_p6_x, p6_x);
+            let p8_y = (d18 * self.d18_p8_y)
+                .minus_product(self.d18_p6_x, p6_x)
+                .minus_product(self.d18_p7_x, p7_x);
+            let p10_x = (d17 * self.d17_p10_x)
+                .minus_product(self.d17_p6_x, p6_x)
+                .minus_product(self.d17_p7_x, p7_x);
+            let p9_y = (d97 * self.d97_p9_y)
+                .minus_product(self.d97_p6_x, p6_x)
+                .minus_product(self.d97_p7_x, p7_x);
+            let p8_z = (d86 * self.d86_p8_z)
+                .minus_product(self.d86_p6_x, p6_x)
+                .minus_product(self.d86_p8_y, p8_y);
+            let p7_y = (d2 * self.d2_p7_y)
+                .minus_product(self.d2_p6_x, p6_x)
+                .minus_product(self.d2_p7_x, p7_x);
+            let p7_z = (d76 * self.d76_p7_z)
+                .minus_product(self.d76_p6_x, p6_x)
+                .minus_product(self.d76_p7_x, p7_x)
+                .minus_product(self.d76_p7_y, p7_y);
+            let p10_y = (d5 * self.d5_p10_y)
+                .minus_product(self.d5_p6_x, p6_x)
+                .minus_product(self.d5_p10_x, p10_x);
+            let p9_z = (d96 * self.d96_p9_z)
+                .minus_product(self.d96_p6_x, p6_x)
+                .minus_product(self.d96_p9_y, p9_y);
+            let p9_x = (d4 * self.d4_p9_x)
+                .minus_product(self.d4_p9_y, p9_y)
+                .minus_product(self.d4_p9_z, p9_z);
+            let p8_x = (d3 * self.d3_p8_x)
+                .minus_product(self.d3_p8_y, p8_y)
+                .minus_product(self.d3_p8_z, p8_z);
+            let p10_z = (d16 * self.d16_p10_z)
+                .minus_product(self.d16_p6_x, p6_x)
+                .minus_product(self.d16_p10_x, p10_x)
+                .minus_product(self.d16_p10_y, p10_y);
+            let p6_y = (d1 * self.d1_p6_y).minus_product(self.d1_p6_x, p6_x);
+            let p6_z = theta;
+            vector![
+                p6_x, p6_y, p6_z, p7_x, p7_y, p7_z, p8_x, p8_y, p8_z, p9_x, p9_y, p9_z,
+                p10_x, p10_y, p10_z
+            ]
         }
 
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn solve_transposed(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
-            let [mut unknowns] = right.data.0;
-            let mut rows = [T::zero(); 15];
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d6_1_by_p6_x, unknowns[unknown::P6_Y]);
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d10_6_by_p6_x, unknowns[unknown::P10_Z]);
-            unknowns[unknown::P10_X] = unknowns[unknown::P10_X]
-                .minus_product(self.d10_6_by_p10_x, unknowns[unknown::P10_Z]);
-            unknowns[unknown::P10_Y] = unknowns[unknown::P10_Y]
-                .minus_product(self.d10_6_by_p10_y, unknowns[unknown::P10_Z]);
-            unknowns[unknown::P8_Y] = unknowns[unknown::P8_Y]
-                .minus_product(self.d8_3_by_p8_y, unknowns[unknown::P8_X]);
-            unknowns[unknown::P8_Z] = unknowns[unknown::P8_Z]
-                .minus_product(self.d8_3_by_p8_z, unknowns[unknown::P8_X]);
-            unknowns[unknown::P9_Y] = unknowns[unknown::P9_Y]
-                .minus_product(self.d9_4_by_p9_y, unknowns[unknown::P9_X]);
-            unknowns[unknown::P9_Z] = unknowns[unknown::P9_Z]
-                .minus_product(self.d9_4_by_p9_z, unknowns[unknown::P9_X]);
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d9_6_by_p6_x, unknowns[unknown::P9_Z]);
-            unknowns[unknown::P9_Y] = unknowns[unknown::P9_Y]
-                .minus_product(self.d9_6_by_p9_y, unknowns[unknown::P9_Z]);
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d10_5_by_p6_x, unknowns[unknown::P10_Y]);
-            unknowns[unknown::P10_X] = unknowns[unknown::P10_X]
-                .minus_product(self.d10_5_by_p10_x, unknowns[unknown::P10_Y]);
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d7_6_by_p6_x, unknowns[unknown::P7_Z]);
-            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
-                .minus_product(self.d7_6_by_p7_x, unknowns[unknown::P7_Z]);
-            unknowns[unknown::P7_Y] = unknowns[unknown::P7_Y]
-                .minus_product(self.d7_6_by_p7_y, unknowns[unknown::P7_Z]);
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d7_2_by_p6_x, unknowns[unknown::P7_Y]);
-            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
-                .minus_product(self.d7_2_by_p7_x, unknowns[unknown::P7_Y]);
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d8_6_by_p6_x, unknowns[unknown::P8_Z]);
-            unknowns[unknown::P8_Y] = unknowns[unknown::P8_Y]
-                .minus_product(self.d8_6_by_p8_y, unknowns[unknown::P8_Z]);
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d9_7_by_p6_x, unknowns[unknown::P9_Y]);
-            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
-                .minus_product(self.d9_7_by_p7_x, unknowns[unknown::P9_Y]);
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d10_7_by_p6_x, unknowns[unknown::P10_X]);
-            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
-                .minus_product(self.d10_7_by_p7_x, unknowns[unknown::P10_X]);
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d10_8_by_p6_x, unknowns[unknown::P8_Y]);
-            unknowns[unknown::P7_X] = unknowns[unknown::P7_X]
-                .minus_product(self.d10_8_by_p7_x, unknowns[unknown::P8_Y]);
-            unknowns[unknown::P6_X] = unknowns[unknown::P6_X]
-                .minus_product(self.d9_8_by_p6_x, unknowns[unknown::P7_X]);
-            rows[equation::THETA] = unknowns[unknown::P6_Z];
-            rows[equation::D6_1] = unknowns[unknown::P6_Y] * self.d6_1_by_p6_y;
-            rows[equation::D10_6] = unknowns[unknown::P10_Z] * self.d10_6_by_p10_z;
-            rows[equation::D8_3] = unknowns[unknown::P8_X] * self.d8_3_by_p8_x;
-            rows[equation::D9_4] = unknowns[unknown::P9_X] * self.d9_4_by_p9_x;
-            rows[equation::D9_6] = unknowns[unknown::P9_Z] * self.d9_6_by_p9_z;
-            rows[equation::D10_5] = unknowns[unknown::P10_Y] * self.d10_5_by_p10_y;
-            rows[equation::D7_6] = unknowns[unknown::P7_Z] * self.d7_6_by_p7_z;
-            rows[equation::D7_2] = unknowns[unknown::P7_Y] * self.d7_2_by_p7_y;
-            rows[equation::D8_6] = unknowns[unknown::P8_Z] * self.d8_6_by_p8_z;
-            rows[equation::D9_7] = unknowns[unknown::P9_Y] * self.d9_7_by_p9_y;
-            rows[equation::D10_7] = unknowns[unknown::P10_X] * self.d10_7_by_p10_x;
-            rows[equation::D10_8] = unknowns[unknown::P8_Y] * self.d10_8_by_p8_y;
-            rows[equation::D9_8] = unknowns[unknown::P7_X] * self.d9_8_by_p7_x;
-            rows[equation::D8_7] = unknowns[unknown::P6_X] * self.d8_7_by_p6_x;
-            rows[equation::D9_8] = rows[equation::D9_8]
-                .minus_product(self.d8_7_by_p7_x, rows[equation::D8_7]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d8_7_by_p8_y, rows[equation::D8_7]);
-            rows[equation::D10_8] = rows[equation::D10_8]
-                .minus_product(self.d9_8_by_p8_y, rows[equation::D9_8]);
-            rows[equation::D10_7] = rows[equation::D10_7]
-                .minus_product(self.d10_8_by_p10_x, rows[equation::D10_8]);
-            rows[equation::D9_7] = rows[equation::D9_7]
-                .minus_product(self.d9_8_by_p9_y, rows[equation::D9_8]);
-            rows[equation::D8_6] = rows[equation::D8_6]
-                .minus_product(self.d8_7_by_p8_z, rows[equation::D8_7]);
-            rows[equation::D8_6] = rows[equation::D8_6]
-                .minus_product(self.d9_8_by_p8_z, rows[equation::D9_8]);
-            rows[equation::D8_6] = rows[equation::D8_6]
-                .minus_product(self.d10_8_by_p8_z, rows[equation::D10_8]);
-            rows[equation::D7_2] = rows[equation::D7_2]
-                .minus_product(self.d8_7_by_p7_y, rows[equation::D8_7]);
-            rows[equation::D7_2] = rows[equation::D7_2]
-                .minus_product(self.d9_7_by_p7_y, rows[equation::D9_7]);
-            rows[equation::D7_2] = rows[equation::D7_2]
-                .minus_product(self.d10_7_by_p7_y, rows[equation::D10_7]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d7_2_by_p7_z, rows[equation::D7_2]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d8_7_by_p7_z, rows[equation::D8_7]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d9_7_by_p7_z, rows[equation::D9_7]);
-            rows[equation::D7_6] = rows[equation::D7_6]
-                .minus_product(self.d10_7_by_p7_z, rows[equation::D10_7]);
-            rows[equation::D10_5] = rows[equation::D10_5]
-                .minus_product(self.d10_7_by_p10_y, rows[equation::D10_7]);
-            rows[equation::D10_5] = rows[equation::D10_5]
-                .minus_product(self.d10_8_by_p10_y, rows[equation::D10_8]);
-            rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_7_by_p9_z, rows[equation::D9_7]);
-            rows[equation::D9_6] = rows[equation::D9_6]
-                .minus_product(self.d9_8_by_p9_z, rows[equation::D9_8]);
-            rows[equation::D9_4] = rows[equation::D9_4]
-                .minus_product(self.d9_6_by_p9_x, rows[equation::D9_6]);
-            rows[equation::D9_4] = rows[equation::D9_4]
-                .minus_product(self.d9_7_by_p9_x, rows[equation::D9_7]);
-            rows[equation::D9_4] = rows[equation::D9_4]
-                .minus_product(self.d9_8_by_p9_x, rows[equation::D9_8]);
-            rows[equation::D8_3] = rows[equation::D8_3]
-                .minus_product(self.d8_6_by_p8_x, rows[equation::D8_6]);
-            rows[equation::D8_3] = rows[equation::D8_3]
-                .minus_product(self.d8_7_by_p8_x, rows[equation::D8_7]);
-            rows[equation::D8_3] = rows[equation::D8_3]
-                .minus_product(self.d9_8_by_p8_x, rows[equation::D9_8]);
-            rows[equation::D8_3] = rows[equation::D8_3]
-                .minus_product(self.d10_8_by_p8_x, rows[equation::D10_8]);
-            rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_5_by_p10_z, rows[equation::D10_5]);
-            rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_7_by_p10_z, rows[equation::D10_7]);
-            rows[equation::D10_6] = rows[equation::D10_6]
-                .minus_product(self.d10_8_by_p10_z, rows[equation::D10_8]);
-            rows[equation::D6_1] = rows[equation::D6_1]
-                .minus_product(self.d7_6_by_p6_y, rows[equation::D7_6]);
-            rows[equation::D6_1] = rows[equation::D6_1]
-                .minus_product(self.d8_6_by_p6_y, rows[equation::D8_6]);
-            rows[equation::D6_1] = rows[equation::D6_1]
-                .minus_product(self.d9_6_by_p6_y, rows[equation::D9_6]);
-            rows[equation::D6_1] = rows[equation::D6_1]
-                .minus_product(self.d10_6_by_p6_y, rows[equation::D10_6]);
-            rows[equation::THETA] = rows[equation::THETA]
-                .minus_product(self.d6_1_by_p6_z, rows[equation::D6_1]);
-            rows[equation::THETA] = rows[equation::THETA]
-                .minus_product(self.d7_6_by_p6_z, rows[equation::D7_6]);
-            rows[equation::THETA] = rows[equation::THETA]
-                .minus_product(self.d8_6_by_p6_z, rows[equation::D8_6]);
-            rows[equation::THETA] = rows[equation::THETA]
-                .minus_product(self.d9_6_by_p6_z, rows[equation::D9_6]);
-            rows[equation::THETA] = rows[equation::THETA]
-                .minus_product(self.d10_6_by_p6_z, rows[equation::D10_6]);
-            SVector::from(rows)
+            let [[p6_x, p6_y, p6_z, p7_x, p7_y, p7_z, p8_x, p8_y, p8_z, p9_x, p9_y, p9_z,
+            p10_x, p10_y, p10_z]] = right.data.0;
+            let p6_x = p6_x.minus_product(self.d1_p6_x, p6_y);
+            let p6_x = p6_x.minus_product(self.d16_p6_x, p10_z);
+            let p10_x = p10_x.minus_product(self.d16_p10_x, p10_z);
+            let p10_y = p10_y.minus_product(self.d16_p10_y, p10_z);
+            let p8_y = p8_y.minus_product(self.d3_p8_y, p8_x);
+            let p8_z = p8_z.minus_product(self.d3_p8_z, p8_x);
+            let p9_y = p9_y.minus_product(self.d4_p9_y, p9_x);
+            let p9_z = p9_z.minus_product(self.d4_p9_z, p9_x);
+            let p6_x = p6_x.minus_product(self.d96_p6_x, p9_z);
+            let p9_y = p9_y.minus_product(self.d96_p9_y, p9_z);
+            let p6_x = p6_x.minus_product(self.d5_p6_x, p10_y);
+            let p10_x = p10_x.minus_product(self.d5_p10_x, p10_y);
+            let p6_x = p6_x.minus_product(self.d76_p6_x, p7_z);
+            let p7_x = p7_x.minus_product(self.d76_p7_x, p7_z);
+            let p7_y = p7_y.minus_product(self.d76_p7_y, p7_z);
+            let p6_x = p6_x.minus_product(self.d2_p6_x, p7_y);
+            let p7_x = p7_x.minus_product(self.d2_p7_x, p7_y);
+            let p6_x = p6_x.minus_product(self.d86_p6_x, p8_z);
+            let p8_y = p8_y.minus_product(self.d86_p8_y, p8_z);
+            let p6_x = p6_x.minus_product(self.d97_p6_x, p9_y);
+            let p7_x = p7_x.minus_product(self.d97_p7_x, p9_y);
+            let p6_x = p6_x.minus_product(self.d17_p6_x, p10_x);
+            let p7_x = p7_x.minus_product(self.d17_p7_x, p10_x);
+            let p6_x = p6_x.minus_product(self.d18_p6_x, p8_y);
+            let p7_x = p7_x.minus_product(self.d18_p7_x, p8_y);
+            let p6_x = p6_x.minus_product(self.d98_p6_x, p7_x);
+            let theta = p6_z;
+            let d1 = p6_y * self.d1_p6_y;
+            let d16 = p10_z * self.d16_p10_z;
+            let d3 = p8_x * self.d3_p8_x;
+            let d4 = p9_x * self.d4_p9_x;
+            let d96 = p9_z * self.d96_p9_z;
+            let d5 = p10_y * self.d5_p10_y;
+            let d76 = p7_z * self.d76_p7_z;
+            let d2 = p7_y * self.d2_p7_y;
+            let d86 = p8_z * self.d86_p8_z;
+            let d97 = p9_y * self.d97_p9_y;
+            let d17 = p10_x * self.d17_p10_x;
+            let d18 = p8_y * self.d18_p8_y;
+            let d98 = p7_x * self.d98_p7_x;
+            let d87 = p6_x * self.d87_p6_x;
+            let d98 = d98.minus_product(self.d87_p7_x, d87);
+            let d18 = d18.minus_product(self.d87_p8_y, d87);
+            let d18 = d18.minus_product(self.d98_p8_y, d98);
+            let d17 = d17.minus_product(self.d18_p10_x, d18);
+            let d97 = d97.minus_product(self.d98_p9_y, d98);
+            let d86 = d86.minus_product(self.d87_p8_z, d87);
+            let d86 = d86.minus_product(self.d98_p8_z, d98);
+            let d86 = d86.minus_product(self.d18_p8_z, d18);
+            let d2 = d2.minus_product(self.d87_p7_y, d87);
+            let d2 = d2.minus_product(self.d97_p7_y, d97);
+            let d2 = d2.minus_product(self.d17_p7_y, d17);
+            let d76 = d76.minus_product(self.d2_p7_z, d2);
+            let d76 = d76.minus_product(self.d87_p7_z, d87);
+            let d76 = d76.minus_product(self.d97_p7_z, d97);
+            let d76 = d76.minus_product(self.d17_p7_z, d17);
+            let d5 = d5.minus_product(self.d17_p10_y, d17);
+            let d5 = d5.minus_product(self.d18_p10_y, d18);
+            let d96 = d96.minus_product(self.d97_p9_z, d97);
+            let d96 = d96.minus_product(self.d98_p9_z, d98);
+            let d4 = d4.minus_product(self.d96_p9_x, d96);
+            let d4 = d4.minus_product(self.d97_p9_x, d97);
+            let d4 = d4.minus_product(self.d98_p9_x, d98);
+            let d3 = d3.minus_product(self.d86_p8_x, d86);
+            let d3 = d3.minus_product(self.d87_p8_x, d87);
+            let d3 = d3.minus_product(self.d98_p8_x, d98);
+            let d3 = d3.minus_product(self.d18_p8_x, d18);
+            let d16 = d16.minus_product(self.d5_p10_z, d5);
+            let d16 = d16.minus_product(self.d17_p10_z, d17);
+            let d16 = d16.minus_product(self.d18_p10_z, d18);
+            let d1 = d1.minus_product(self.d76_p6_y, d76);
+            let d1 = d1.minus_product(self.d86_p6_y, d86);
+            let d1 = d1.minus_product(self.d96_p6_y, d96);
+            let d1 = d1.minus_product(self.d16_p6_y, d16);
+            let theta = theta.minus_product(self.d1_p6_z, d1);
+            let theta = theta.minus_product(self.d76_p6_z, d76);
+            let theta = theta.minus_product(self.d86_p6_z, d86);
+            let theta = theta.minus_product(self.d96_p6_z, d96);
+            let theta = theta.minus_product(self.d16_p6_z, d16);
+            vector![
+                d1, d2, d3, d4, d5, d76, d86, d96, d16, d87, d97, d17, d98, d18, theta
+            ]
         }
 
         #[inline(always)]
@@ -1794,23 +1181,7 @@ pub mod attia2003 {
                 "d10_8",
                 "theta",
             ],
-            unknowns: &[
-                "p6.x",
-                "p6.y",
-                "p6.z",
-                "p7.x",
-                "p7.y",
-                "p7.z",
-                "p8.x",
-                "p8.y",
-                "p8.z",
-                "p9.x",
-                "p9.y",
-                "p9.z",
-                "p10.x",
-                "p10.y",
-                "p10.z",
-            ],
+            unknowns: unknown_names!["p6", "p7", "p8", "p9", "p10";],
             chassis: <Fixed<f64> as Named<Vector3<f64>>>::NAMES,
             points: <Points<f64> as Named<Vector3<f64>>>::NAMES,
             markers: 1,
@@ -1831,52 +1202,16 @@ pub mod attia2003 {
     }
 
     impl Parts for Listing {
-        fn name(&self, part: Part) -> &str {
-            Listing::PARTS.name(part)
-        }
-
         #[inline(always)]
-        fn count(&self, kind: Kind) -> usize {
-            Listing::PARTS.count(kind)
-        }
-
-        #[inline(always)]
-        fn drive_kind(&self, drive: usize) -> DriveKind {
-            Listing::PARTS.drive_kind(drive)
-        }
-
-        #[inline(always)]
-        fn measure_kind(&self, measure: usize) -> MeasureKind {
-            Listing::PARTS.measure_kind(measure)
-        }
-
-        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
-            Listing::PARTS.wheel(wheel)
+        fn table(&self) -> &Names {
+            &Self::PARTS
         }
     }
 
     impl<T: Scalar> Parts for Model<T> {
-        fn name(&self, part: Part) -> &str {
-            Listing::PARTS.name(part)
-        }
-
         #[inline(always)]
-        fn count(&self, kind: Kind) -> usize {
-            Listing::PARTS.count(kind)
-        }
-
-        #[inline(always)]
-        fn drive_kind(&self, drive: usize) -> DriveKind {
-            Listing::PARTS.drive_kind(drive)
-        }
-
-        #[inline(always)]
-        fn measure_kind(&self, measure: usize) -> MeasureKind {
-            Listing::PARTS.measure_kind(measure)
-        }
-
-        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
-            Listing::PARTS.wheel(wheel)
+        fn table(&self) -> &Names {
+            &Listing::PARTS
         }
     }
 
@@ -1892,13 +1227,7 @@ pub mod attia2003 {
         ) -> Model<T> {
             let number = &number;
             Model {
-                fixed: Fixed {
-                    p1: gather_vector(|model| model.fixed.p1, number),
-                    p2: gather_vector(|model| model.fixed.p2, number),
-                    p3: gather_vector(|model| model.fixed.p3, number),
-                    p4: gather_vector(|model| model.fixed.p4, number),
-                    p5: gather_vector(|model| model.fixed.p5, number),
-                },
+                fixed: gather_vectors(|model| model.fixed, number),
                 size: number(&|model| model.size),
                 d6_1: Distance::gather(|model| model.d6_1, number),
                 d7_2: Distance::gather(|model| model.d7_2, number),
@@ -1951,43 +1280,30 @@ pub mod attia2003 {
 
     impl<T: Real> Build<15> for Model<T> {
         type Lengths = Lengths<T>;
-        fn of(_listing: Listing, design: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(design.values())?;
-            let p6_p7_p8_frame = parts::frame(
-                7,
-                Frame::new(design.p6, design.p7, design.p8),
-            )?;
+        fn of(_listing: Listing, at: &Points<T>) -> Result<Self, GeometryError> {
+            parts::finite(at.values())?;
+            let p6_p7_p8_frame = parts::frame(7, at.p6_p7_p8_frame())?;
             let model = Self {
-                fixed: Fixed {
-                    p1: design.p1,
-                    p2: design.p2,
-                    p3: design.p3,
-                    p4: design.p4,
-                    p5: design.p5,
-                },
+                fixed: Fixed::from_values(at.values()),
                 size: T::zero(),
-                d6_1: parts::distance(0, design.p1, design.p6)?,
-                d7_2: parts::distance(1, design.p2, design.p7)?,
-                d8_3: parts::distance(2, design.p3, design.p8)?,
-                d9_4: parts::distance(3, design.p4, design.p9)?,
-                d10_5: parts::distance(4, design.p5, design.p10)?,
-                d7_6: parts::distance(5, design.p6, design.p7)?,
-                d8_6: parts::distance(6, design.p6, design.p8)?,
-                d9_6: parts::distance(7, design.p6, design.p9)?,
-                d10_6: parts::distance(8, design.p6, design.p10)?,
-                d8_7: parts::distance(9, design.p7, design.p8)?,
-                d9_7: parts::distance(10, design.p7, design.p9)?,
-                d10_7: parts::distance(11, design.p7, design.p10)?,
-                d9_8: parts::distance(12, design.p8, design.p9)?,
-                d10_8: parts::distance(13, design.p8, design.p10)?,
+                d6_1: parts::distance(0, at.p1, at.p6)?,
+                d7_2: parts::distance(1, at.p2, at.p7)?,
+                d8_3: parts::distance(2, at.p3, at.p8)?,
+                d9_4: parts::distance(3, at.p4, at.p9)?,
+                d10_5: parts::distance(4, at.p5, at.p10)?,
+                d7_6: parts::distance(5, at.p6, at.p7)?,
+                d8_6: parts::distance(6, at.p6, at.p8)?,
+                d9_6: parts::distance(7, at.p6, at.p9)?,
+                d10_6: parts::distance(8, at.p6, at.p10)?,
+                d8_7: parts::distance(9, at.p7, at.p8)?,
+                d9_7: parts::distance(10, at.p7, at.p9)?,
+                d10_7: parts::distance(11, at.p7, at.p10)?,
+                d9_8: parts::distance(12, at.p8, at.p9)?,
+                d10_8: parts::distance(13, at.p8, at.p10)?,
                 p6_p7_p8_frame,
-                p6_p7_p8_p9: parts::linked(8, design.p9, &p6_p7_p8_frame)?,
-                p6_p7_p8_p10: parts::linked(9, design.p10, &p6_p7_p8_frame)?,
-                p11: parts::carried(
-                    10,
-                    design.p11,
-                    &Frame::new(design.p6, design.p7, design.p8),
-                )?,
+                p6_p7_p8_p9: parts::linked(8, at.p9, &p6_p7_p8_frame)?,
+                p6_p7_p8_p10: parts::linked(9, at.p10, &p6_p7_p8_frame)?,
+                p11: parts::carried(10, at.p11, &at.p6_p7_p8_frame())?,
             };
             Ok(model.sized())
         }
@@ -2035,14 +1351,10 @@ pub mod attia2003 {
             Ok(model.sized())
         }
 
-        fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(points.values())?;
+        fn with_markers(self, at: &Points<T>) -> Result<Self, GeometryError> {
+            parts::finite(at.values())?;
             Ok(Self {
-                p11: parts::carried(
-                    10,
-                    points.p11,
-                    &Frame::new(points.p6, points.p7, points.p8),
-                )?,
+                p11: parts::carried(10, at.p11, &at.p6_p7_p8_frame())?,
                 ..self
             })
         }

@@ -20,7 +20,7 @@
 pub mod five_link {
     use ::suspension_core::generated::*;
     /// Every point, with a position, velocity or acceleration each.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Points<T> {
         /// Chassis point `lower_front_inner`.
         pub lower_front_inner: Vector3<T>,
@@ -46,97 +46,8 @@ pub mod five_link {
         pub wheel_centre: Vector3<T>,
     }
 
-    impl<T: Scalar> Values<Vector3<T>> for Points<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                lower_front_inner: values.next().unwrap_or_default(),
-                upper_front_inner: values.next().unwrap_or_default(),
-                upper_rear_inner: values.next().unwrap_or_default(),
-                lower_rear_inner: values.next().unwrap_or_default(),
-                track_rod_inner: values.next().unwrap_or_default(),
-                lower_front_outer: values.next().unwrap_or_default(),
-                upper_front_outer: values.next().unwrap_or_default(),
-                upper_rear_outer: values.next().unwrap_or_default(),
-                lower_rear_outer: values.next().unwrap_or_default(),
-                track_rod_outer: values.next().unwrap_or_default(),
-                wheel_centre: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [
-                self.lower_front_inner,
-                self.upper_front_inner,
-                self.upper_rear_inner,
-                self.lower_rear_inner,
-                self.track_rod_inner,
-                self.lower_front_outer,
-                self.upper_front_outer,
-                self.upper_rear_outer,
-                self.lower_rear_outer,
-                self.track_rod_outer,
-                self.wheel_centre,
-            ]
-                .into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<Vector3<T>> for Points<T> {
-        const NAMES: &'static [&'static str] = &[
-            "lower_front_inner",
-            "upper_front_inner",
-            "upper_rear_inner",
-            "lower_rear_inner",
-            "track_rod_inner",
-            "lower_front_outer",
-            "upper_front_outer",
-            "upper_rear_outer",
-            "lower_rear_outer",
-            "track_rod_outer",
-            "wheel_centre",
-        ];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
-            Self {
-                lower_front_inner: value("lower_front_inner"),
-                upper_front_inner: value("upper_front_inner"),
-                upper_rear_inner: value("upper_rear_inner"),
-                lower_rear_inner: value("lower_rear_inner"),
-                track_rod_inner: value("track_rod_inner"),
-                lower_front_outer: value("lower_front_outer"),
-                upper_front_outer: value("upper_front_outer"),
-                upper_rear_outer: value("upper_rear_outer"),
-                lower_rear_outer: value("lower_rear_outer"),
-                track_rod_outer: value("track_rod_outer"),
-                wheel_centre: value("wheel_centre"),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Points<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                lower_front_inner: Default::default(),
-                upper_front_inner: Default::default(),
-                upper_rear_inner: Default::default(),
-                lower_rear_inner: Default::default(),
-                track_rod_inner: Default::default(),
-                lower_front_outer: Default::default(),
-                upper_front_outer: Default::default(),
-                upper_rear_outer: Default::default(),
-                lower_rear_outer: Default::default(),
-                track_rod_outer: Default::default(),
-                wheel_centre: Default::default(),
-            }
-        }
-    }
-
     /// Chassis points.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Fixed<T> {
         /// Chassis point `lower_front_inner`.
         pub lower_front_inner: Vector3<T>,
@@ -150,141 +61,22 @@ pub mod five_link {
         pub track_rod_inner: Vector3<T>,
     }
 
-    impl<T: Scalar> Values<Vector3<T>> for Fixed<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = Vector3<T>>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                lower_front_inner: values.next().unwrap_or_default(),
-                upper_front_inner: values.next().unwrap_or_default(),
-                upper_rear_inner: values.next().unwrap_or_default(),
-                lower_rear_inner: values.next().unwrap_or_default(),
-                track_rod_inner: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = Vector3<T>> {
-            [
-                self.lower_front_inner,
-                self.upper_front_inner,
-                self.upper_rear_inner,
-                self.lower_rear_inner,
-                self.track_rod_inner,
-            ]
-                .into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<Vector3<T>> for Fixed<T> {
-        const NAMES: &'static [&'static str] = &[
-            "lower_front_inner",
-            "upper_front_inner",
-            "upper_rear_inner",
-            "lower_rear_inner",
-            "track_rod_inner",
-        ];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> Vector3<T>) -> Self {
-            Self {
-                lower_front_inner: value("lower_front_inner"),
-                upper_front_inner: value("upper_front_inner"),
-                upper_rear_inner: value("upper_rear_inner"),
-                lower_rear_inner: value("lower_rear_inner"),
-                track_rod_inner: value("track_rod_inner"),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Fixed<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                lower_front_inner: Default::default(),
-                upper_front_inner: Default::default(),
-                upper_rear_inner: Default::default(),
-                lower_rear_inner: Default::default(),
-                track_rod_inner: Default::default(),
-            }
-        }
-    }
-
     /// The drives' values, or rates: coordinates in the unit of the points, angles in radians.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Drives<T> {
         /// Angle of the lower leading link from the vertical, radians.
         pub theta: T,
     }
 
-    impl<T: Scalar> Values<T> for Drives<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                theta: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [self.theta].into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Drives<T> {
-        const NAMES: &'static [&'static str] = &["theta"];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { theta: value("theta") }
-        }
-    }
-
-    impl<T: Scalar> Default for Drives<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self { theta: Default::default() }
-        }
-    }
-
     /// What is measured, or its rates: coordinates and lengths in the unit of the points, angles in radians.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Measures<T> {
         /// Height of the wheel centre.
         pub height: T,
     }
 
-    impl<T: Scalar> Values<T> for Measures<T> {
-        #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
-            Self {
-                height: values.next().unwrap_or_default(),
-            }
-        }
-
-        #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [self.height].into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Measures<T> {
-        const NAMES: &'static [&'static str] = &["height"];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self { height: value("height") }
-        }
-    }
-
-    impl<T: Scalar> Default for Measures<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self { height: Default::default() }
-        }
-    }
-
     /// The constant lengths of links and bodies.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Lengths<T> {
         /// From `lower_front_inner` to `lower_front_outer`.
         pub lower_front: T,
@@ -316,143 +108,31 @@ pub mod five_link {
         pub knuckle_track_rod_outer_upper_rear_outer: T,
     }
 
-    impl<T: Scalar> Values<T> for Lengths<T> {
+    impl<T: Scalar> Points<T> {
         #[inline(always)]
-        fn from_values(values: impl IntoIterator<Item = T>) -> Self {
-            let mut values = values.into_iter();
+        fn all(fixed: &Fixed<T>, free: &Free<T>, markers: [Vector3<T>; 1]) -> Self {
             Self {
-                lower_front: values.next().unwrap_or_default(),
-                upper_front: values.next().unwrap_or_default(),
-                upper_rear: values.next().unwrap_or_default(),
-                lower_rear: values.next().unwrap_or_default(),
-                track_rod: values.next().unwrap_or_default(),
-                knuckle_lower_front_outer_upper_front_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_lower_front_outer_upper_rear_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_upper_front_outer_upper_rear_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_lower_rear_outer_lower_front_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_lower_rear_outer_upper_front_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_lower_rear_outer_upper_rear_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_track_rod_outer_lower_front_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_track_rod_outer_upper_front_outer: values
-                    .next()
-                    .unwrap_or_default(),
-                knuckle_track_rod_outer_upper_rear_outer: values
-                    .next()
-                    .unwrap_or_default(),
+                lower_front_inner: fixed.lower_front_inner,
+                upper_front_inner: fixed.upper_front_inner,
+                upper_rear_inner: fixed.upper_rear_inner,
+                lower_rear_inner: fixed.lower_rear_inner,
+                track_rod_inner: fixed.track_rod_inner,
+                lower_front_outer: free.lower_front_outer,
+                upper_front_outer: free.upper_front_outer,
+                upper_rear_outer: free.upper_rear_outer,
+                lower_rear_outer: free.lower_rear_outer,
+                track_rod_outer: free.track_rod_outer,
+                wheel_centre: markers[0],
             }
         }
 
         #[inline(always)]
-        fn values(&self) -> impl Iterator<Item = T> {
-            [
-                self.lower_front,
-                self.upper_front,
-                self.upper_rear,
-                self.lower_rear,
-                self.track_rod,
-                self.knuckle_lower_front_outer_upper_front_outer,
-                self.knuckle_lower_front_outer_upper_rear_outer,
-                self.knuckle_upper_front_outer_upper_rear_outer,
-                self.knuckle_lower_rear_outer_lower_front_outer,
-                self.knuckle_lower_rear_outer_upper_front_outer,
-                self.knuckle_lower_rear_outer_upper_rear_outer,
-                self.knuckle_track_rod_outer_lower_front_outer,
-                self.knuckle_track_rod_outer_upper_front_outer,
-                self.knuckle_track_rod_outer_upper_rear_outer,
-            ]
-                .into_iter()
-        }
-    }
-
-    impl<T: Scalar> Named<T> for Lengths<T> {
-        const NAMES: &'static [&'static str] = &[
-            "lower_front",
-            "upper_front",
-            "upper_rear",
-            "lower_rear",
-            "track_rod",
-            "knuckle_lower_front_outer_upper_front_outer",
-            "knuckle_lower_front_outer_upper_rear_outer",
-            "knuckle_upper_front_outer_upper_rear_outer",
-            "knuckle_lower_rear_outer_lower_front_outer",
-            "knuckle_lower_rear_outer_upper_front_outer",
-            "knuckle_lower_rear_outer_upper_rear_outer",
-            "knuckle_track_rod_outer_lower_front_outer",
-            "knuckle_track_rod_outer_upper_front_outer",
-            "knuckle_track_rod_outer_upper_rear_outer",
-        ];
-        #[inline(always)]
-        fn from_fn(mut value: impl FnMut(&'static str) -> T) -> Self {
-            Self {
-                lower_front: value("lower_front"),
-                upper_front: value("upper_front"),
-                upper_rear: value("upper_rear"),
-                lower_rear: value("lower_rear"),
-                track_rod: value("track_rod"),
-                knuckle_lower_front_outer_upper_front_outer: value(
-                    "knuckle_lower_front_outer_upper_front_outer",
-                ),
-                knuckle_lower_front_outer_upper_rear_outer: value(
-                    "knuckle_lower_front_outer_upper_rear_outer",
-                ),
-                knuckle_upper_front_outer_upper_rear_outer: value(
-                    "knuckle_upper_front_outer_upper_rear_outer",
-                ),
-                knuckle_lower_rear_outer_lower_front_outer: value(
-                    "knuckle_lower_rear_outer_lower_front_outer",
-                ),
-                knuckle_lower_rear_outer_upper_front_outer: value(
-                    "knuckle_lower_rear_outer_upper_front_outer",
-                ),
-                knuckle_lower_rear_outer_upper_rear_outer: value(
-                    "knuckle_lower_rear_outer_upper_rear_outer",
-                ),
-                knuckle_track_rod_outer_lower_front_outer: value(
-                    "knuckle_track_rod_outer_lower_front_outer",
-                ),
-                knuckle_track_rod_outer_upper_front_outer: value(
-                    "knuckle_track_rod_outer_upper_front_outer",
-                ),
-                knuckle_track_rod_outer_upper_rear_outer: value(
-                    "knuckle_track_rod_outer_upper_rear_outer",
-                ),
-            }
-        }
-    }
-
-    impl<T: Scalar> Default for Lengths<T> {
-        #[inline(always)]
-        fn default() -> Self {
-            Self {
-                lower_front: Default::default(),
-                upper_front: Default::default(),
-                upper_rear: Default::default(),
-                lower_rear: Default::default(),
-                track_rod: Default::default(),
-                knuckle_lower_front_outer_upper_front_outer: Default::default(),
-                knuckle_lower_front_outer_upper_rear_outer: Default::default(),
-                knuckle_upper_front_outer_upper_rear_outer: Default::default(),
-                knuckle_lower_rear_outer_lower_front_outer: Default::default(),
-                knuckle_lower_rear_outer_upper_front_outer: Default::default(),
-                knuckle_lower_rear_outer_upper_rear_outer: Default::default(),
-                knuckle_track_rod_outer_lower_front_outer: Default::default(),
-                knuckle_track_rod_outer_upper_front_outer: Default::default(),
-                knuckle_track_rod_outer_upper_rear_outer: Default::default(),
-            }
+        fn knuckle_frame(&self) -> Frame<T> {
+            Frame::new(
+                self.lower_front_outer,
+                self.upper_front_outer,
+                self.upper_rear_outer,
+            )
         }
     }
 
@@ -469,66 +149,36 @@ pub mod five_link {
     impl<T: Scalar> Free<T> {
         #[inline(always)]
         fn of(q: &SVector<T, 15>) -> Self {
-            let [[lower_front_outer_x, lower_front_outer_y, lower_front_outer_z,
-            upper_front_outer_x, upper_front_outer_y, upper_front_outer_z,
-            upper_rear_outer_x, upper_rear_outer_y, upper_rear_outer_z,
-            lower_rear_outer_x, lower_rear_outer_y, lower_rear_outer_z,
-            track_rod_outer_x, track_rod_outer_y, track_rod_outer_z]] = q.data.0;
+            let [[lfo_x, lfo_y, lfo_z, ufo_x, ufo_y, ufo_z, uro_x, uro_y, uro_z, lro_x,
+            lro_y, lro_z, tro_x, tro_y, tro_z]] = q.data.0;
             Self {
-                lower_front_outer: Vector3::new(
-                    lower_front_outer_x,
-                    lower_front_outer_y,
-                    lower_front_outer_z,
-                ),
-                upper_front_outer: Vector3::new(
-                    upper_front_outer_x,
-                    upper_front_outer_y,
-                    upper_front_outer_z,
-                ),
-                upper_rear_outer: Vector3::new(
-                    upper_rear_outer_x,
-                    upper_rear_outer_y,
-                    upper_rear_outer_z,
-                ),
-                lower_rear_outer: Vector3::new(
-                    lower_rear_outer_x,
-                    lower_rear_outer_y,
-                    lower_rear_outer_z,
-                ),
-                track_rod_outer: Vector3::new(
-                    track_rod_outer_x,
-                    track_rod_outer_y,
-                    track_rod_outer_z,
-                ),
+                lower_front_outer: Vector3::new(lfo_x, lfo_y, lfo_z),
+                upper_front_outer: Vector3::new(ufo_x, ufo_y, ufo_z),
+                upper_rear_outer: Vector3::new(uro_x, uro_y, uro_z),
+                lower_rear_outer: Vector3::new(lro_x, lro_y, lro_z),
+                track_rod_outer: Vector3::new(tro_x, tro_y, tro_z),
             }
         }
 
         #[inline(always)]
         fn unknowns(&self) -> SVector<T, 15> {
-            let Self {
-                lower_front_outer,
-                upper_front_outer,
-                upper_rear_outer,
-                lower_rear_outer,
-                track_rod_outer,
-            } = self;
-            SVector::from([
-                lower_front_outer.x,
-                lower_front_outer.y,
-                lower_front_outer.z,
-                upper_front_outer.x,
-                upper_front_outer.y,
-                upper_front_outer.z,
-                upper_rear_outer.x,
-                upper_rear_outer.y,
-                upper_rear_outer.z,
-                lower_rear_outer.x,
-                lower_rear_outer.y,
-                lower_rear_outer.z,
-                track_rod_outer.x,
-                track_rod_outer.y,
-                track_rod_outer.z,
-            ])
+            vector![
+                self.lower_front_outer.x, self.lower_front_outer.y, self
+                .lower_front_outer.z, self.upper_front_outer.x, self.upper_front_outer.y,
+                self.upper_front_outer.z, self.upper_rear_outer.x, self.upper_rear_outer
+                .y, self.upper_rear_outer.z, self.lower_rear_outer.x, self
+                .lower_rear_outer.y, self.lower_rear_outer.z, self.track_rod_outer.x,
+                self.track_rod_outer.y, self.track_rod_outer.z
+            ]
+        }
+
+        #[inline(always)]
+        fn knuckle_frame(&self) -> Frame<T> {
+            Frame::new(
+                self.lower_front_outer,
+                self.upper_front_outer,
+                self.upper_rear_outer,
+            )
         }
     }
 
@@ -601,11 +251,6 @@ pub mod five_link {
         type Measures = Measures<T>;
         type Points = Points<T>;
         type Factors = Factors<T>;
-        #[inline(always)]
-        fn linked(&self) -> impl Iterator<Item = usize> {
-            [].into_iter()
-        }
-
         fn listing(&self) -> Listing {
             Listing
         }
@@ -621,17 +266,9 @@ pub mod five_link {
         #[inline(always)]
         fn coordinates(&self, drives: &Signal<Drives<T>>) -> Signal<Drives<T>> {
             let mut coordinates = *drives;
-            let coordinate = angle_to_coordinate(
-                self.lower_front.length(),
-                Signal {
-                    value: drives.value.theta,
-                    rate: drives.rate.theta,
-                    second_rate: drives.second_rate.theta,
-                },
-            );
-            coordinates.value.theta = coordinate.value;
-            coordinates.rate.theta = coordinate.rate;
-            coordinates.second_rate.theta = coordinate.second_rate;
+            let angle = drives.map(|drives| drives.theta);
+            let coordinate = angle_to_coordinate(self.lower_front.length(), angle);
+            coordinates.set(coordinate, |drives| &mut drives.theta);
             coordinates
         }
 
@@ -648,48 +285,42 @@ pub mod five_link {
             drives: &Drives<T>,
         ) -> SVector<T, 15> {
             let free = Free::of(q);
-            let knuckle_frame = Frame::new(
-                free.lower_front_outer,
-                free.upper_front_outer,
-                free.upper_rear_outer,
-            );
-            let knuckle_lower_rear_outer = self
+            let knuckle_frame = free.knuckle_frame();
+            let mut rows = [-T::zero(); 15];
+            let term = self
                 .knuckle_lower_rear_outer
                 .residual(free.lower_rear_outer, &knuckle_frame);
-            let knuckle_track_rod_outer = self
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = term.x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = term.y;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = term.z;
+            let term = self
                 .knuckle_track_rod_outer
                 .residual(free.track_rod_outer, &knuckle_frame);
-            let mut rows = [-T::zero(); 15];
-            rows[equation::LOWER_FRONT] = self
-                .lower_front
-                .residual(difference(free.lower_front_outer, fixed.lower_front_inner));
-            rows[equation::UPPER_FRONT] = self
-                .upper_front
-                .residual(difference(free.upper_front_outer, fixed.upper_front_inner));
-            rows[equation::UPPER_REAR] = self
-                .upper_rear
-                .residual(difference(free.upper_rear_outer, fixed.upper_rear_inner));
-            rows[equation::LOWER_REAR] = self
-                .lower_rear
-                .residual(difference(free.lower_rear_outer, fixed.lower_rear_inner));
-            rows[equation::TRACK_ROD] = self
-                .track_rod
-                .residual(difference(free.track_rod_outer, fixed.track_rod_inner));
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = term.x;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = term.y;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = term.z;
+            let d = difference(free.lower_front_outer, fixed.lower_front_inner);
+            rows[equation::LOWER_FRONT] = self.lower_front.residual(d);
+            let d = difference(free.upper_front_outer, fixed.upper_front_inner);
+            rows[equation::UPPER_FRONT] = self.upper_front.residual(d);
+            let d = difference(free.upper_rear_outer, fixed.upper_rear_inner);
+            rows[equation::UPPER_REAR] = self.upper_rear.residual(d);
+            let d = difference(free.lower_rear_outer, fixed.lower_rear_inner);
+            rows[equation::LOWER_REAR] = self.lower_rear.residual(d);
+            let d = difference(free.track_rod_outer, fixed.track_rod_inner);
+            rows[equation::TRACK_ROD] = self.track_rod.residual(d);
+            let d = difference(free.upper_front_outer, free.lower_front_outer);
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = self
                 .knuckle_lower_front_outer_upper_front_outer
-                .residual(difference(free.upper_front_outer, free.lower_front_outer));
+                .residual(d);
+            let d = difference(free.upper_rear_outer, free.lower_front_outer);
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = self
                 .knuckle_lower_front_outer_upper_rear_outer
-                .residual(difference(free.upper_rear_outer, free.lower_front_outer));
+                .residual(d);
+            let d = difference(free.upper_rear_outer, free.upper_front_outer);
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = self
                 .knuckle_upper_front_outer_upper_rear_outer
-                .residual(difference(free.upper_rear_outer, free.upper_front_outer));
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = knuckle_lower_rear_outer.x;
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = knuckle_lower_rear_outer.y;
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = knuckle_lower_rear_outer.z;
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = knuckle_track_rod_outer.x;
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = knuckle_track_rod_outer.y;
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = knuckle_track_rod_outer.z;
+                .residual(d);
             rows[equation::THETA] = free.lower_front_outer.z - fixed.lower_front_inner.z
                 - drives.theta;
             SVector::from(rows)
@@ -698,259 +329,52 @@ pub mod five_link {
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn jacobian(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> SMatrix<T, 15, 15> {
             let free = Free::of(q);
-            let knuckle_frame = Frame::new(
-                free.lower_front_outer,
-                free.upper_front_outer,
-                free.upper_rear_outer,
-            );
-            let mut columns = [[T::zero(); 15]; 15];
-            let gradient = self
-                .lower_front
-                .gradient(difference(free.lower_front_outer, fixed.lower_front_inner));
-            columns[unknown::LOWER_FRONT_OUTER_X][equation::LOWER_FRONT] = gradient.x;
-            columns[unknown::LOWER_FRONT_OUTER_Y][equation::LOWER_FRONT] = gradient.y;
-            columns[unknown::LOWER_FRONT_OUTER_Z][equation::LOWER_FRONT] = gradient.z;
-            let gradient = self
-                .upper_front
-                .gradient(difference(free.upper_front_outer, fixed.upper_front_inner));
-            columns[unknown::UPPER_FRONT_OUTER_X][equation::UPPER_FRONT] = gradient.x;
-            columns[unknown::UPPER_FRONT_OUTER_Y][equation::UPPER_FRONT] = gradient.y;
-            columns[unknown::UPPER_FRONT_OUTER_Z][equation::UPPER_FRONT] = gradient.z;
-            let gradient = self
-                .upper_rear
-                .gradient(difference(free.upper_rear_outer, fixed.upper_rear_inner));
-            columns[unknown::UPPER_REAR_OUTER_X][equation::UPPER_REAR] = gradient.x;
-            columns[unknown::UPPER_REAR_OUTER_Y][equation::UPPER_REAR] = gradient.y;
-            columns[unknown::UPPER_REAR_OUTER_Z][equation::UPPER_REAR] = gradient.z;
-            let gradient = self
-                .lower_rear
-                .gradient(difference(free.lower_rear_outer, fixed.lower_rear_inner));
-            columns[unknown::LOWER_REAR_OUTER_X][equation::LOWER_REAR] = gradient.x;
-            columns[unknown::LOWER_REAR_OUTER_Y][equation::LOWER_REAR] = gradient.y;
-            columns[unknown::LOWER_REAR_OUTER_Z][equation::LOWER_REAR] = gradient.z;
-            let gradient = self
-                .track_rod
-                .gradient(difference(free.track_rod_outer, fixed.track_rod_inner));
-            columns[unknown::TRACK_ROD_OUTER_X][equation::TRACK_ROD] = gradient.x;
-            columns[unknown::TRACK_ROD_OUTER_Y][equation::TRACK_ROD] = gradient.y;
-            columns[unknown::TRACK_ROD_OUTER_Z][equation::TRACK_ROD] = gradient.z;
-            let gradient = self
-                .knuckle_lower_front_outer_upper_front_outer
-                .gradient(difference(free.upper_front_outer, free.lower_front_outer));
-            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = gradient
-                .x;
-            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = gradient
-                .y;
-            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = gradient
-                .z;
-            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = -gradient
-                .x;
-            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = -gradient
-                .y;
-            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = -gradient
-                .z;
-            let gradient = self
-                .knuckle_lower_front_outer_upper_rear_outer
-                .gradient(difference(free.upper_rear_outer, free.lower_front_outer));
-            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
-                .x;
-            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
-                .y;
-            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
-                .z;
-            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
-                .x;
-            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
-                .y;
-            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
-                .z;
-            let gradient = self
-                .knuckle_upper_front_outer_upper_rear_outer
-                .gradient(difference(free.upper_rear_outer, free.upper_front_outer));
-            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
-                .x;
-            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
-                .y;
-            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = gradient
-                .z;
-            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
-                .x;
-            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
-                .y;
-            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -gradient
-                .z;
+            let knuckle_frame = free.knuckle_frame();
+            let mut rows = Rows::zero();
+            let d = difference(free.lower_front_outer, fixed.lower_front_inner);
+            let gradient = self.lower_front.gradient(d);
+            rows.at(equation::LOWER_FRONT).by(unknown::LOWER_FRONT_OUTER_X, gradient);
+            let d = difference(free.upper_front_outer, fixed.upper_front_inner);
+            let gradient = self.upper_front.gradient(d);
+            rows.at(equation::UPPER_FRONT).by(unknown::UPPER_FRONT_OUTER_X, gradient);
+            let d = difference(free.upper_rear_outer, fixed.upper_rear_inner);
+            let gradient = self.upper_rear.gradient(d);
+            rows.at(equation::UPPER_REAR).by(unknown::UPPER_REAR_OUTER_X, gradient);
+            let d = difference(free.lower_rear_outer, fixed.lower_rear_inner);
+            let gradient = self.lower_rear.gradient(d);
+            rows.at(equation::LOWER_REAR).by(unknown::LOWER_REAR_OUTER_X, gradient);
+            let d = difference(free.track_rod_outer, fixed.track_rod_inner);
+            let gradient = self.track_rod.gradient(d);
+            rows.at(equation::TRACK_ROD).by(unknown::TRACK_ROD_OUTER_X, gradient);
+            let d = difference(free.upper_front_outer, free.lower_front_outer);
+            let gradient = self.knuckle_lower_front_outer_upper_front_outer.gradient(d);
+            rows.at(equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER)
+                .by(unknown::UPPER_FRONT_OUTER_X, gradient)
+                .by(unknown::LOWER_FRONT_OUTER_X, opposite(gradient));
+            let d = difference(free.upper_rear_outer, free.lower_front_outer);
+            let gradient = self.knuckle_lower_front_outer_upper_rear_outer.gradient(d);
+            rows.at(equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER)
+                .by(unknown::UPPER_REAR_OUTER_X, gradient)
+                .by(unknown::LOWER_FRONT_OUTER_X, opposite(gradient));
+            let d = difference(free.upper_rear_outer, free.upper_front_outer);
+            let gradient = self.knuckle_upper_front_outer_upper_rear_outer.gradient(d);
+            rows.at(equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER)
+                .by(unknown::UPPER_REAR_OUTER_X, gradient)
+                .by(unknown::UPPER_FRONT_OUTER_X, opposite(gradient));
             let gradient = self.knuckle_lower_rear_outer.gradient(&knuckle_frame);
-            columns[unknown::LOWER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X] = T::one();
-            columns[unknown::LOWER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = T::one();
-            columns[unknown::LOWER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = T::one();
-            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
-                .origin
-                .m11;
-            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
-                .origin
-                .m12;
-            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
-                .origin
-                .m13;
-            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
-                .origin
-                .m21;
-            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
-                .origin
-                .m22;
-            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
-                .origin
-                .m23;
-            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
-                .origin
-                .m31;
-            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
-                .origin
-                .m32;
-            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
-                .origin
-                .m33;
-            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
-                .second
-                .m11;
-            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
-                .second
-                .m12;
-            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
-                .second
-                .m13;
-            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
-                .second
-                .m21;
-            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
-                .second
-                .m22;
-            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
-                .second
-                .m23;
-            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
-                .second
-                .m31;
-            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
-                .second
-                .m32;
-            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
-                .second
-                .m33;
-            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
-                .third
-                .m11;
-            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
-                .third
-                .m12;
-            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_X] = gradient
-                .third
-                .m13;
-            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
-                .third
-                .m21;
-            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
-                .third
-                .m22;
-            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Y] = gradient
-                .third
-                .m23;
-            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
-                .third
-                .m31;
-            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
-                .third
-                .m32;
-            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_LOWER_REAR_OUTER_Z] = gradient
-                .third
-                .m33;
+            rows.at(equation::KNUCKLE_LOWER_REAR_OUTER_X)
+                .diagonal_by(unknown::LOWER_REAR_OUTER_X, T::one())
+                .three_by(unknown::LOWER_FRONT_OUTER_X, gradient.origin)
+                .three_by(unknown::UPPER_FRONT_OUTER_X, gradient.second)
+                .three_by(unknown::UPPER_REAR_OUTER_X, gradient.third);
             let gradient = self.knuckle_track_rod_outer.gradient(&knuckle_frame);
-            columns[unknown::TRACK_ROD_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X] = T::one();
-            columns[unknown::TRACK_ROD_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = T::one();
-            columns[unknown::TRACK_ROD_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = T::one();
-            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
-                .origin
-                .m11;
-            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
-                .origin
-                .m12;
-            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
-                .origin
-                .m13;
-            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
-                .origin
-                .m21;
-            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
-                .origin
-                .m22;
-            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
-                .origin
-                .m23;
-            columns[unknown::LOWER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
-                .origin
-                .m31;
-            columns[unknown::LOWER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
-                .origin
-                .m32;
-            columns[unknown::LOWER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
-                .origin
-                .m33;
-            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
-                .second
-                .m11;
-            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
-                .second
-                .m12;
-            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
-                .second
-                .m13;
-            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
-                .second
-                .m21;
-            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
-                .second
-                .m22;
-            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
-                .second
-                .m23;
-            columns[unknown::UPPER_FRONT_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
-                .second
-                .m31;
-            columns[unknown::UPPER_FRONT_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
-                .second
-                .m32;
-            columns[unknown::UPPER_FRONT_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
-                .second
-                .m33;
-            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
-                .third
-                .m11;
-            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
-                .third
-                .m12;
-            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_X] = gradient
-                .third
-                .m13;
-            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
-                .third
-                .m21;
-            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
-                .third
-                .m22;
-            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Y] = gradient
-                .third
-                .m23;
-            columns[unknown::UPPER_REAR_OUTER_X][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
-                .third
-                .m31;
-            columns[unknown::UPPER_REAR_OUTER_Y][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
-                .third
-                .m32;
-            columns[unknown::UPPER_REAR_OUTER_Z][equation::KNUCKLE_TRACK_ROD_OUTER_Z] = gradient
-                .third
-                .m33;
-            columns[unknown::LOWER_FRONT_OUTER_Z][equation::THETA] = T::one();
-            from_columns(columns)
+            rows.at(equation::KNUCKLE_TRACK_ROD_OUTER_X)
+                .diagonal_by(unknown::TRACK_ROD_OUTER_X, T::one())
+                .three_by(unknown::LOWER_FRONT_OUTER_X, gradient.origin)
+                .three_by(unknown::UPPER_FRONT_OUTER_X, gradient.second)
+                .three_by(unknown::UPPER_REAR_OUTER_X, gradient.third);
+            rows.at(equation::THETA).by_one(unknown::LOWER_FRONT_OUTER_Z, T::one());
+            rows.matrix()
         }
 
         fn pivots(&self) -> &[[usize; 2]] {
@@ -985,484 +409,204 @@ pub mod five_link {
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn factor(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Factors<T> {
             let free = Free::of(q);
-            let knuckle_frame = Frame::new(
-                free.lower_front_outer,
-                free.upper_front_outer,
-                free.upper_rear_outer,
-            );
-            let gradient = self
-                .lower_front
-                .gradient(difference(free.lower_front_outer, fixed.lower_front_inner));
-            let lower_front_by_lower_front_outer_x = gradient.x;
-            let lower_front_by_lower_front_outer_y = gradient.y;
-            let lower_front_by_lower_front_outer_z = gradient.z;
-            let gradient = self
-                .upper_front
-                .gradient(difference(free.upper_front_outer, fixed.upper_front_inner));
-            let upper_front_by_upper_front_outer_x = gradient.x;
-            let upper_front_by_upper_front_outer_y = gradient.y;
-            let upper_front_by_upper_front_outer_z = gradient.z;
-            let gradient = self
-                .upper_rear
-                .gradient(difference(free.upper_rear_outer, fixed.upper_rear_inner));
-            let upper_rear_by_upper_rear_outer_x = gradient.x;
-            let upper_rear_by_upper_rear_outer_y = gradient.y;
-            let upper_rear_by_upper_rear_outer_z = gradient.z;
-            let gradient = self
-                .lower_rear
-                .gradient(difference(free.lower_rear_outer, fixed.lower_rear_inner));
-            let lower_rear_by_lower_rear_outer_x = gradient.x;
-            let lower_rear_by_lower_rear_outer_y = gradient.y;
-            let lower_rear_by_lower_rear_outer_z = gradient.z;
-            let gradient = self
-                .track_rod
-                .gradient(difference(free.track_rod_outer, fixed.track_rod_inner));
-            let track_rod_by_track_rod_outer_x = gradient.x;
-            let track_rod_by_track_rod_outer_y = gradient.y;
-            let track_rod_by_track_rod_outer_z = gradient.z;
-            let gradient = self
-                .knuckle_lower_front_outer_upper_front_outer
-                .gradient(difference(free.upper_front_outer, free.lower_front_outer));
-            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x = gradient
-                .x;
-            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y = gradient
-                .y;
-            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = gradient
-                .z;
-            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = -gradient
-                .x;
-            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y = -gradient
-                .y;
-            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z = -gradient
-                .z;
-            let gradient = self
-                .knuckle_lower_front_outer_upper_rear_outer
-                .gradient(difference(free.upper_rear_outer, free.lower_front_outer));
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x = gradient
-                .x;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = gradient
-                .y;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = gradient
-                .z;
-            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = -gradient
-                .x;
-            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y = -gradient
-                .y;
-            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z = -gradient
-                .z;
-            let gradient = self
-                .knuckle_upper_front_outer_upper_rear_outer
-                .gradient(difference(free.upper_rear_outer, free.upper_front_outer));
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = gradient
-                .x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = gradient
-                .y;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = gradient
-                .z;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = -gradient
-                .x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y = -gradient
-                .y;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z = -gradient
-                .z;
+            let knuckle_frame = free.knuckle_frame();
+            let d = difference(free.lower_front_outer, fixed.lower_front_inner);
+            let gradient = self.lower_front.gradient(d);
+            let [lf_lfo_x, lf_lfo_y, lf_lfo_z] = xyz(gradient);
+            let d = difference(free.upper_front_outer, fixed.upper_front_inner);
+            let gradient = self.upper_front.gradient(d);
+            let [uf_ufo_x, uf_ufo_y, uf_ufo_z] = xyz(gradient);
+            let d = difference(free.upper_rear_outer, fixed.upper_rear_inner);
+            let gradient = self.upper_rear.gradient(d);
+            let [ur_uro_x, ur_uro_y, ur_uro_z] = xyz(gradient);
+            let d = difference(free.lower_rear_outer, fixed.lower_rear_inner);
+            let gradient = self.lower_rear.gradient(d);
+            let [lr_lro_x, lr_lro_y, lr_lro_z] = xyz(gradient);
+            let d = difference(free.track_rod_outer, fixed.track_rod_inner);
+            let gradient = self.track_rod.gradient(d);
+            let [tr_tro_x, tr_tro_y, tr_tro_z] = xyz(gradient);
+            let d = difference(free.upper_front_outer, free.lower_front_outer);
+            let gradient = self.knuckle_lower_front_outer_upper_front_outer.gradient(d);
+            let [klfoufo_ufo_x, klfoufo_ufo_y, klfoufo_ufo_z] = xyz(gradient);
+            let [klfoufo_lfo_x, klfoufo_lfo_y, klfoufo_lfo_z] = xyz(opposite(gradient));
+            let d = difference(free.upper_rear_outer, free.lower_front_outer);
+            let gradient = self.knuckle_lower_front_outer_upper_rear_outer.gradient(d);
+            let [klfouro_uro_x, klfouro_uro_y, klfouro_uro_z] = xyz(gradient);
+            let [klfouro_lfo_x, klfouro_lfo_y, klfouro_lfo_z] = xyz(opposite(gradient));
+            let d = difference(free.upper_rear_outer, free.upper_front_outer);
+            let gradient = self.knuckle_upper_front_outer_upper_rear_outer.gradient(d);
+            let [kufouro_uro_x, kufouro_uro_y, kufouro_uro_z] = xyz(gradient);
+            let [kufouro_ufo_x, kufouro_ufo_y, kufouro_ufo_z] = xyz(opposite(gradient));
+            let gradient = Vector3::new(lr_lro_x, lr_lro_y, lr_lro_z);
             let [origin, second, third] = self
                 .knuckle_lower_rear_outer
-                .by_frame(
-                    Vector3::new(
-                        lower_rear_by_lower_rear_outer_x,
-                        lower_rear_by_lower_rear_outer_y,
-                        lower_rear_by_lower_rear_outer_z,
-                    ),
-                    &knuckle_frame,
-                );
-            let lower_rear_by_lower_front_outer_x = origin.x;
-            let lower_rear_by_lower_front_outer_y = origin.y;
-            let lower_rear_by_lower_front_outer_z = origin.z;
-            let lower_rear_by_upper_front_outer_x = second.x;
-            let lower_rear_by_upper_front_outer_y = second.y;
-            let lower_rear_by_upper_front_outer_z = second.z;
-            let lower_rear_by_upper_rear_outer_x = third.x;
-            let lower_rear_by_upper_rear_outer_y = third.y;
-            let lower_rear_by_upper_rear_outer_z = third.z;
+                .by_frame(gradient, &knuckle_frame);
+            let [lr_lfo_x, lr_lfo_y, lr_lfo_z] = xyz(origin);
+            let [lr_ufo_x, lr_ufo_y, lr_ufo_z] = xyz(second);
+            let [lr_uro_x, lr_uro_y, lr_uro_z] = xyz(third);
+            let gradient = Vector3::new(tr_tro_x, tr_tro_y, tr_tro_z);
             let [origin, second, third] = self
                 .knuckle_track_rod_outer
-                .by_frame(
-                    Vector3::new(
-                        track_rod_by_track_rod_outer_x,
-                        track_rod_by_track_rod_outer_y,
-                        track_rod_by_track_rod_outer_z,
-                    ),
-                    &knuckle_frame,
-                );
-            let track_rod_by_lower_front_outer_x = origin.x;
-            let track_rod_by_lower_front_outer_y = origin.y;
-            let track_rod_by_lower_front_outer_z = origin.z;
-            let track_rod_by_upper_front_outer_x = second.x;
-            let track_rod_by_upper_front_outer_y = second.y;
-            let track_rod_by_upper_front_outer_z = second.z;
-            let track_rod_by_upper_rear_outer_x = third.x;
-            let track_rod_by_upper_rear_outer_y = third.y;
-            let track_rod_by_upper_rear_outer_z = third.z;
-            let lower_front_by_lower_front_outer_y = T::one()
-                / lower_front_by_lower_front_outer_y;
-            let lower_rear_by_lower_front_outer_y = lower_rear_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let lower_rear_by_lower_front_outer_x = lower_rear_by_lower_front_outer_x
-                .minus_product(
-                    lower_rear_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
-            let track_rod_by_lower_front_outer_y = track_rod_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
-                .minus_product(
-                    track_rod_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
-            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
-            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y
-                * lower_front_by_lower_front_outer_y;
-            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
-                    lower_front_by_lower_front_outer_x,
-                );
-            let lower_front_by_lower_front_outer_x = lower_front_by_lower_front_outer_x
-                * lower_front_by_lower_front_outer_y;
-            let upper_rear_by_upper_rear_outer_x = T::one()
-                / upper_rear_by_upper_rear_outer_x;
-            let lower_rear_by_upper_rear_outer_x = lower_rear_by_upper_rear_outer_x
-                * upper_rear_by_upper_rear_outer_x;
-            let lower_rear_by_upper_rear_outer_y = lower_rear_by_upper_rear_outer_y
-                .minus_product(
-                    lower_rear_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_y,
-                );
-            let lower_rear_by_upper_rear_outer_z = lower_rear_by_upper_rear_outer_z
-                .minus_product(
-                    lower_rear_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_z,
-                );
-            let track_rod_by_upper_rear_outer_x = track_rod_by_upper_rear_outer_x
-                * upper_rear_by_upper_rear_outer_x;
-            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
-                .minus_product(
-                    track_rod_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_y,
-                );
-            let track_rod_by_upper_rear_outer_z = track_rod_by_upper_rear_outer_z
-                .minus_product(
-                    track_rod_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_z,
-                );
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                * upper_rear_by_upper_rear_outer_x;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_y,
-                );
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_z,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x
-                * upper_rear_by_upper_rear_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_y,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    upper_rear_by_upper_rear_outer_z,
-                );
-            let upper_rear_by_upper_rear_outer_y = upper_rear_by_upper_rear_outer_y
-                * upper_rear_by_upper_rear_outer_x;
-            let upper_rear_by_upper_rear_outer_z = upper_rear_by_upper_rear_outer_z
-                * upper_rear_by_upper_rear_outer_x;
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z = T::one()
-                / knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let lower_rear_by_upper_rear_outer_z = lower_rear_by_upper_rear_outer_z
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let lower_rear_by_upper_rear_outer_y = lower_rear_by_upper_rear_outer_y
-                .minus_product(
-                    lower_rear_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                );
-            let lower_rear_by_lower_front_outer_x = lower_rear_by_lower_front_outer_x
-                .minus_product(
-                    lower_rear_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                );
-            let track_rod_by_upper_rear_outer_z = track_rod_by_upper_rear_outer_z
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
-                .minus_product(
-                    track_rod_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                );
-            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
-                .minus_product(
-                    track_rod_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = -(knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                * knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x);
-            let knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x
-                * knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z = T::one()
-                / knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let upper_front_by_upper_front_outer_z = upper_front_by_upper_front_outer_z
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let upper_front_by_lower_front_outer_x = -(upper_front_by_upper_front_outer_z
-                * knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x);
-            let upper_front_by_upper_front_outer_x = upper_front_by_upper_front_outer_x
-                .minus_product(
-                    upper_front_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                );
-            let upper_front_by_upper_front_outer_y = upper_front_by_upper_front_outer_y
-                .minus_product(
-                    upper_front_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                );
-            let lower_rear_by_upper_front_outer_z = lower_rear_by_upper_front_outer_z
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let lower_rear_by_lower_front_outer_x = lower_rear_by_lower_front_outer_x
-                .minus_product(
-                    lower_rear_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                );
-            let lower_rear_by_upper_front_outer_x = lower_rear_by_upper_front_outer_x
-                .minus_product(
-                    lower_rear_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                );
-            let lower_rear_by_upper_front_outer_y = lower_rear_by_upper_front_outer_y
-                .minus_product(
-                    lower_rear_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                );
-            let track_rod_by_upper_front_outer_z = track_rod_by_upper_front_outer_z
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
-                .minus_product(
-                    track_rod_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                );
-            let track_rod_by_upper_front_outer_x = track_rod_by_upper_front_outer_x
-                .minus_product(
-                    track_rod_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                );
-            let track_rod_by_upper_front_outer_y = track_rod_by_upper_front_outer_y
-                .minus_product(
-                    track_rod_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                );
-            let knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y = knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y
-                * knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            let upper_front_by_upper_front_outer_y = T::one()
-                / upper_front_by_upper_front_outer_y;
-            let lower_rear_by_upper_front_outer_y = lower_rear_by_upper_front_outer_y
-                * upper_front_by_upper_front_outer_y;
-            let lower_rear_by_lower_front_outer_x = lower_rear_by_lower_front_outer_x
-                .minus_product(
-                    lower_rear_by_upper_front_outer_y,
-                    upper_front_by_lower_front_outer_x,
-                );
-            let lower_rear_by_upper_front_outer_x = lower_rear_by_upper_front_outer_x
-                .minus_product(
-                    lower_rear_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_x,
-                );
-            let track_rod_by_upper_front_outer_y = track_rod_by_upper_front_outer_y
-                * upper_front_by_upper_front_outer_y;
-            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
-                .minus_product(
-                    track_rod_by_upper_front_outer_y,
-                    upper_front_by_lower_front_outer_x,
-                );
-            let track_rod_by_upper_front_outer_x = track_rod_by_upper_front_outer_x
-                .minus_product(
-                    track_rod_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_x,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y
-                * upper_front_by_upper_front_outer_y;
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
-                    upper_front_by_lower_front_outer_x,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
-                    upper_front_by_upper_front_outer_x,
-                );
-            let upper_front_by_lower_front_outer_x = upper_front_by_lower_front_outer_x
-                * upper_front_by_upper_front_outer_y;
-            let upper_front_by_upper_front_outer_x = upper_front_by_upper_front_outer_x
-                * upper_front_by_upper_front_outer_y;
-            let lower_rear_by_upper_front_outer_x = T::one()
-                / lower_rear_by_upper_front_outer_x;
-            let track_rod_by_upper_front_outer_x = track_rod_by_upper_front_outer_x
-                * lower_rear_by_upper_front_outer_x;
-            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
-                .minus_product(
-                    track_rod_by_upper_front_outer_x,
-                    lower_rear_by_upper_rear_outer_y,
-                );
-            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
-                .minus_product(
-                    track_rod_by_upper_front_outer_x,
-                    lower_rear_by_lower_front_outer_x,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x
-                * lower_rear_by_upper_front_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    lower_rear_by_upper_rear_outer_y,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x
-                .minus_product(
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    lower_rear_by_lower_front_outer_x,
-                );
-            let lower_rear_by_upper_rear_outer_y = lower_rear_by_upper_rear_outer_y
-                * lower_rear_by_upper_front_outer_x;
-            let lower_rear_by_lower_front_outer_x = lower_rear_by_lower_front_outer_x
-                * lower_rear_by_upper_front_outer_x;
-            let knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x = T::one()
-                / knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            let track_rod_by_lower_front_outer_x = track_rod_by_lower_front_outer_x
-                * knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            let track_rod_by_upper_rear_outer_y = track_rod_by_upper_rear_outer_y
-                .minus_product(
-                    track_rod_by_lower_front_outer_x,
-                    knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                );
-            let knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y = knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y
-                * knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            let track_rod_by_upper_rear_outer_y = T::one()
-                / track_rod_by_upper_rear_outer_y;
+                .by_frame(gradient, &knuckle_frame);
+            let [tr_lfo_x, tr_lfo_y, tr_lfo_z] = xyz(origin);
+            let [tr_ufo_x, tr_ufo_y, tr_ufo_z] = xyz(second);
+            let [tr_uro_x, tr_uro_y, tr_uro_z] = xyz(third);
+            let lf_lfo_y = T::one() / lf_lfo_y;
+            let lr_lfo_y = lr_lfo_y * lf_lfo_y;
+            let lr_lfo_x = lr_lfo_x.minus_product(lr_lfo_y, lf_lfo_x);
+            let tr_lfo_y = tr_lfo_y * lf_lfo_y;
+            let tr_lfo_x = tr_lfo_x.minus_product(tr_lfo_y, lf_lfo_x);
+            let klfoufo_lfo_y = klfoufo_lfo_y * lf_lfo_y;
+            let klfoufo_lfo_x = klfoufo_lfo_x.minus_product(klfoufo_lfo_y, lf_lfo_x);
+            let klfouro_lfo_y = klfouro_lfo_y * lf_lfo_y;
+            let klfouro_lfo_x = klfouro_lfo_x.minus_product(klfouro_lfo_y, lf_lfo_x);
+            let lf_lfo_x = lf_lfo_x * lf_lfo_y;
+            let ur_uro_x = T::one() / ur_uro_x;
+            let lr_uro_x = lr_uro_x * ur_uro_x;
+            let lr_uro_y = lr_uro_y.minus_product(lr_uro_x, ur_uro_y);
+            let lr_uro_z = lr_uro_z.minus_product(lr_uro_x, ur_uro_z);
+            let tr_uro_x = tr_uro_x * ur_uro_x;
+            let tr_uro_y = tr_uro_y.minus_product(tr_uro_x, ur_uro_y);
+            let tr_uro_z = tr_uro_z.minus_product(tr_uro_x, ur_uro_z);
+            let klfouro_uro_x = klfouro_uro_x * ur_uro_x;
+            let klfouro_uro_y = klfouro_uro_y.minus_product(klfouro_uro_x, ur_uro_y);
+            let klfouro_uro_z = klfouro_uro_z.minus_product(klfouro_uro_x, ur_uro_z);
+            let kufouro_uro_x = kufouro_uro_x * ur_uro_x;
+            let kufouro_uro_y = kufouro_uro_y.minus_product(kufouro_uro_x, ur_uro_y);
+            let kufouro_uro_z = kufouro_uro_z.minus_product(kufouro_uro_x, ur_uro_z);
+            let ur_uro_y = ur_uro_y * ur_uro_x;
+            let ur_uro_z = ur_uro_z * ur_uro_x;
+            let klfouro_uro_z = T::one() / klfouro_uro_z;
+            let lr_uro_z = lr_uro_z * klfouro_uro_z;
+            let lr_uro_y = lr_uro_y.minus_product(lr_uro_z, klfouro_uro_y);
+            let lr_lfo_x = lr_lfo_x.minus_product(lr_uro_z, klfouro_lfo_x);
+            let tr_uro_z = tr_uro_z * klfouro_uro_z;
+            let tr_uro_y = tr_uro_y.minus_product(tr_uro_z, klfouro_uro_y);
+            let tr_lfo_x = tr_lfo_x.minus_product(tr_uro_z, klfouro_lfo_x);
+            let kufouro_uro_z = kufouro_uro_z * klfouro_uro_z;
+            let kufouro_uro_y = kufouro_uro_y
+                .minus_product(kufouro_uro_z, klfouro_uro_y);
+            let kufouro_lfo_x = -(kufouro_uro_z * klfouro_lfo_x);
+            let klfouro_uro_y = klfouro_uro_y * klfouro_uro_z;
+            let klfouro_lfo_x = klfouro_lfo_x * klfouro_uro_z;
+            let klfoufo_ufo_z = T::one() / klfoufo_ufo_z;
+            let uf_ufo_z = uf_ufo_z * klfoufo_ufo_z;
+            let uf_lfo_x = -(uf_ufo_z * klfoufo_lfo_x);
+            let uf_ufo_x = uf_ufo_x.minus_product(uf_ufo_z, klfoufo_ufo_x);
+            let uf_ufo_y = uf_ufo_y.minus_product(uf_ufo_z, klfoufo_ufo_y);
+            let lr_ufo_z = lr_ufo_z * klfoufo_ufo_z;
+            let lr_lfo_x = lr_lfo_x.minus_product(lr_ufo_z, klfoufo_lfo_x);
+            let lr_ufo_x = lr_ufo_x.minus_product(lr_ufo_z, klfoufo_ufo_x);
+            let lr_ufo_y = lr_ufo_y.minus_product(lr_ufo_z, klfoufo_ufo_y);
+            let tr_ufo_z = tr_ufo_z * klfoufo_ufo_z;
+            let tr_lfo_x = tr_lfo_x.minus_product(tr_ufo_z, klfoufo_lfo_x);
+            let tr_ufo_x = tr_ufo_x.minus_product(tr_ufo_z, klfoufo_ufo_x);
+            let tr_ufo_y = tr_ufo_y.minus_product(tr_ufo_z, klfoufo_ufo_y);
+            let kufouro_ufo_z = kufouro_ufo_z * klfoufo_ufo_z;
+            let kufouro_lfo_x = kufouro_lfo_x
+                .minus_product(kufouro_ufo_z, klfoufo_lfo_x);
+            let kufouro_ufo_x = kufouro_ufo_x
+                .minus_product(kufouro_ufo_z, klfoufo_ufo_x);
+            let kufouro_ufo_y = kufouro_ufo_y
+                .minus_product(kufouro_ufo_z, klfoufo_ufo_y);
+            let klfoufo_lfo_x = klfoufo_lfo_x * klfoufo_ufo_z;
+            let klfoufo_ufo_x = klfoufo_ufo_x * klfoufo_ufo_z;
+            let klfoufo_ufo_y = klfoufo_ufo_y * klfoufo_ufo_z;
+            let uf_ufo_y = T::one() / uf_ufo_y;
+            let lr_ufo_y = lr_ufo_y * uf_ufo_y;
+            let lr_lfo_x = lr_lfo_x.minus_product(lr_ufo_y, uf_lfo_x);
+            let lr_ufo_x = lr_ufo_x.minus_product(lr_ufo_y, uf_ufo_x);
+            let tr_ufo_y = tr_ufo_y * uf_ufo_y;
+            let tr_lfo_x = tr_lfo_x.minus_product(tr_ufo_y, uf_lfo_x);
+            let tr_ufo_x = tr_ufo_x.minus_product(tr_ufo_y, uf_ufo_x);
+            let kufouro_ufo_y = kufouro_ufo_y * uf_ufo_y;
+            let kufouro_lfo_x = kufouro_lfo_x.minus_product(kufouro_ufo_y, uf_lfo_x);
+            let kufouro_ufo_x = kufouro_ufo_x.minus_product(kufouro_ufo_y, uf_ufo_x);
+            let uf_lfo_x = uf_lfo_x * uf_ufo_y;
+            let uf_ufo_x = uf_ufo_x * uf_ufo_y;
+            let lr_ufo_x = T::one() / lr_ufo_x;
+            let tr_ufo_x = tr_ufo_x * lr_ufo_x;
+            let tr_uro_y = tr_uro_y.minus_product(tr_ufo_x, lr_uro_y);
+            let tr_lfo_x = tr_lfo_x.minus_product(tr_ufo_x, lr_lfo_x);
+            let kufouro_ufo_x = kufouro_ufo_x * lr_ufo_x;
+            let kufouro_uro_y = kufouro_uro_y.minus_product(kufouro_ufo_x, lr_uro_y);
+            let kufouro_lfo_x = kufouro_lfo_x.minus_product(kufouro_ufo_x, lr_lfo_x);
+            let lr_uro_y = lr_uro_y * lr_ufo_x;
+            let lr_lfo_x = lr_lfo_x * lr_ufo_x;
+            let kufouro_lfo_x = T::one() / kufouro_lfo_x;
+            let tr_lfo_x = tr_lfo_x * kufouro_lfo_x;
+            let tr_uro_y = tr_uro_y.minus_product(tr_lfo_x, kufouro_uro_y);
+            let kufouro_uro_y = kufouro_uro_y * kufouro_lfo_x;
+            let tr_uro_y = T::one() / tr_uro_y;
+            let pivots = [
+                lf_lfo_y,
+                ur_uro_x,
+                klfouro_uro_z,
+                klfoufo_ufo_z,
+                uf_ufo_y,
+                lr_ufo_x,
+                kufouro_lfo_x,
+                tr_uro_y,
+            ];
             Factors {
-                growth_squared: sum_of_squares([
-                    lower_front_by_lower_front_outer_y,
-                    upper_rear_by_upper_rear_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                    upper_front_by_upper_front_outer_y,
-                    lower_rear_by_upper_front_outer_x,
-                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    track_rod_by_upper_rear_outer_y,
-                ]),
-                determinant_sign: -product([
-                    lower_front_by_lower_front_outer_y,
-                    upper_rear_by_upper_rear_outer_x,
-                    knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                    upper_front_by_upper_front_outer_y,
-                    lower_rear_by_upper_front_outer_x,
-                    knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    track_rod_by_upper_rear_outer_y,
-                ]),
+                growth_squared: sum_of_squares(pivots),
+                determinant_sign: -product(pivots),
                 knuckle_frame,
                 knuckle_lower_rear_outer: self.knuckle_lower_rear_outer,
                 knuckle_track_rod_outer: self.knuckle_track_rod_outer,
-                lower_rear_by_lower_rear_outer_x,
-                lower_rear_by_lower_rear_outer_y,
-                lower_rear_by_lower_rear_outer_z,
-                track_rod_by_track_rod_outer_x,
-                track_rod_by_track_rod_outer_y,
-                track_rod_by_track_rod_outer_z,
-                lower_front_by_lower_front_outer_z,
-                lower_rear_by_lower_front_outer_z,
-                track_rod_by_lower_front_outer_z,
-                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z,
-                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z,
-                lower_front_by_lower_front_outer_y,
-                lower_front_by_lower_front_outer_x,
-                lower_rear_by_lower_front_outer_y,
-                track_rod_by_lower_front_outer_y,
-                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
-                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
-                upper_rear_by_upper_rear_outer_x,
-                upper_rear_by_upper_rear_outer_y,
-                upper_rear_by_upper_rear_outer_z,
-                lower_rear_by_upper_rear_outer_x,
-                track_rod_by_upper_rear_outer_x,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                lower_rear_by_upper_rear_outer_z,
-                track_rod_by_upper_rear_outer_z,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z,
-                knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                upper_front_by_upper_front_outer_z,
-                lower_rear_by_upper_front_outer_z,
-                track_rod_by_upper_front_outer_z,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                upper_front_by_upper_front_outer_y,
-                upper_front_by_lower_front_outer_x,
-                upper_front_by_upper_front_outer_x,
-                lower_rear_by_upper_front_outer_y,
-                track_rod_by_upper_front_outer_y,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
-                lower_rear_by_upper_front_outer_x,
-                lower_rear_by_upper_rear_outer_y,
-                lower_rear_by_lower_front_outer_x,
-                track_rod_by_upper_front_outer_x,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                track_rod_by_lower_front_outer_x,
-                track_rod_by_upper_rear_outer_y,
+                lr_lro_x,
+                lr_lro_y,
+                lr_lro_z,
+                tr_tro_x,
+                tr_tro_y,
+                tr_tro_z,
+                lf_lfo_z,
+                lr_lfo_z,
+                tr_lfo_z,
+                klfoufo_lfo_z,
+                klfouro_lfo_z,
+                lf_lfo_y,
+                lf_lfo_x,
+                lr_lfo_y,
+                tr_lfo_y,
+                klfoufo_lfo_y,
+                klfouro_lfo_y,
+                ur_uro_x,
+                ur_uro_y,
+                ur_uro_z,
+                lr_uro_x,
+                tr_uro_x,
+                klfouro_uro_x,
+                kufouro_uro_x,
+                klfouro_uro_z,
+                klfouro_uro_y,
+                klfouro_lfo_x,
+                lr_uro_z,
+                tr_uro_z,
+                kufouro_uro_z,
+                klfoufo_ufo_z,
+                klfoufo_lfo_x,
+                klfoufo_ufo_x,
+                klfoufo_ufo_y,
+                uf_ufo_z,
+                lr_ufo_z,
+                tr_ufo_z,
+                kufouro_ufo_z,
+                uf_ufo_y,
+                uf_lfo_x,
+                uf_ufo_x,
+                lr_ufo_y,
+                tr_ufo_y,
+                kufouro_ufo_y,
+                lr_ufo_x,
+                lr_uro_y,
+                lr_lfo_x,
+                tr_ufo_x,
+                kufouro_ufo_x,
+                kufouro_lfo_x,
+                kufouro_uro_y,
+                tr_lfo_x,
+                tr_uro_y,
             }
         }
 
@@ -1476,77 +620,51 @@ pub mod five_link {
         ) -> SVector<T, 15> {
             let v = Free::of(v);
             let w = Free::of(w);
-            let knuckle_frame_v = Frame::new(
-                v.lower_front_outer,
-                v.upper_front_outer,
-                v.upper_rear_outer,
-            );
-            let knuckle_frame_w = Frame::new(
-                w.lower_front_outer,
-                w.upper_front_outer,
-                w.upper_rear_outer,
-            );
-            let knuckle_lower_rear_outer = self
+            let knuckle_frame_v = v.knuckle_frame();
+            let knuckle_frame_w = w.knuckle_frame();
+            let mut rows = [-T::zero(); 15];
+            let term = self
                 .knuckle_lower_rear_outer
                 .curvature(&knuckle_frame_v, &knuckle_frame_w);
-            let knuckle_track_rod_outer = self
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = term.x;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = term.y;
+            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = term.z;
+            let term = self
                 .knuckle_track_rod_outer
                 .curvature(&knuckle_frame_v, &knuckle_frame_w);
-            let mut rows = [-T::zero(); 15];
-            rows[equation::LOWER_FRONT] = self
-                .lower_front
-                .curvature(
-                    difference(v.lower_front_outer, v_fixed.lower_front_inner),
-                    difference(w.lower_front_outer, w_fixed.lower_front_inner),
-                );
-            rows[equation::UPPER_FRONT] = self
-                .upper_front
-                .curvature(
-                    difference(v.upper_front_outer, v_fixed.upper_front_inner),
-                    difference(w.upper_front_outer, w_fixed.upper_front_inner),
-                );
-            rows[equation::UPPER_REAR] = self
-                .upper_rear
-                .curvature(
-                    difference(v.upper_rear_outer, v_fixed.upper_rear_inner),
-                    difference(w.upper_rear_outer, w_fixed.upper_rear_inner),
-                );
-            rows[equation::LOWER_REAR] = self
-                .lower_rear
-                .curvature(
-                    difference(v.lower_rear_outer, v_fixed.lower_rear_inner),
-                    difference(w.lower_rear_outer, w_fixed.lower_rear_inner),
-                );
-            rows[equation::TRACK_ROD] = self
-                .track_rod
-                .curvature(
-                    difference(v.track_rod_outer, v_fixed.track_rod_inner),
-                    difference(w.track_rod_outer, w_fixed.track_rod_inner),
-                );
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = term.x;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = term.y;
+            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = term.z;
+            let v_d = difference(v.lower_front_outer, v_fixed.lower_front_inner);
+            let w_d = difference(w.lower_front_outer, w_fixed.lower_front_inner);
+            rows[equation::LOWER_FRONT] = self.lower_front.curvature(v_d, w_d);
+            let v_d = difference(v.upper_front_outer, v_fixed.upper_front_inner);
+            let w_d = difference(w.upper_front_outer, w_fixed.upper_front_inner);
+            rows[equation::UPPER_FRONT] = self.upper_front.curvature(v_d, w_d);
+            let v_d = difference(v.upper_rear_outer, v_fixed.upper_rear_inner);
+            let w_d = difference(w.upper_rear_outer, w_fixed.upper_rear_inner);
+            rows[equation::UPPER_REAR] = self.upper_rear.curvature(v_d, w_d);
+            let v_d = difference(v.lower_rear_outer, v_fixed.lower_rear_inner);
+            let w_d = difference(w.lower_rear_outer, w_fixed.lower_rear_inner);
+            rows[equation::LOWER_REAR] = self.lower_rear.curvature(v_d, w_d);
+            let v_d = difference(v.track_rod_outer, v_fixed.track_rod_inner);
+            let w_d = difference(w.track_rod_outer, w_fixed.track_rod_inner);
+            rows[equation::TRACK_ROD] = self.track_rod.curvature(v_d, w_d);
+            let v_d = difference(v.upper_front_outer, v.lower_front_outer);
+            let w_d = difference(w.upper_front_outer, w.lower_front_outer);
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = self
                 .knuckle_lower_front_outer_upper_front_outer
-                .curvature(
-                    difference(v.upper_front_outer, v.lower_front_outer),
-                    difference(w.upper_front_outer, w.lower_front_outer),
-                );
+                .curvature(v_d, w_d);
+            let v_d = difference(v.upper_rear_outer, v.lower_front_outer);
+            let w_d = difference(w.upper_rear_outer, w.lower_front_outer);
             rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = self
                 .knuckle_lower_front_outer_upper_rear_outer
-                .curvature(
-                    difference(v.upper_rear_outer, v.lower_front_outer),
-                    difference(w.upper_rear_outer, w.lower_front_outer),
-                );
+                .curvature(v_d, w_d);
+            let v_d = difference(v.upper_rear_outer, v.upper_front_outer);
+            let w_d = difference(w.upper_rear_outer, w.upper_front_outer);
             rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = self
                 .knuckle_upper_front_outer_upper_rear_outer
-                .curvature(
-                    difference(v.upper_rear_outer, v.upper_front_outer),
-                    difference(w.upper_rear_outer, w.upper_front_outer),
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = knuckle_lower_rear_outer.x;
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = knuckle_lower_rear_outer.y;
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = knuckle_lower_rear_outer.z;
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = knuckle_track_rod_outer.x;
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = knuckle_track_rod_outer.y;
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = knuckle_track_rod_outer.z;
+                .curvature(v_d, w_d);
             SVector::from(rows)
         }
 
@@ -1572,67 +690,29 @@ pub mod five_link {
         ) -> SVector<T, 15> {
             let free = Free::of(q);
             let mut rows = [-T::zero(); 15];
-            rows[equation::LOWER_FRONT] = dot(
-                self
-                    .lower_front
-                    .gradient(
-                        difference(free.lower_front_outer, fixed.lower_front_inner),
-                    ),
-                fixed_rate.lower_front_inner,
-            );
-            rows[equation::UPPER_FRONT] = dot(
-                self
-                    .upper_front
-                    .gradient(
-                        difference(free.upper_front_outer, fixed.upper_front_inner),
-                    ),
-                fixed_rate.upper_front_inner,
-            );
-            rows[equation::UPPER_REAR] = dot(
-                self
-                    .upper_rear
-                    .gradient(difference(free.upper_rear_outer, fixed.upper_rear_inner)),
-                fixed_rate.upper_rear_inner,
-            );
-            rows[equation::LOWER_REAR] = dot(
-                self
-                    .lower_rear
-                    .gradient(difference(free.lower_rear_outer, fixed.lower_rear_inner)),
-                fixed_rate.lower_rear_inner,
-            );
-            rows[equation::TRACK_ROD] = dot(
-                self
-                    .track_rod
-                    .gradient(difference(free.track_rod_outer, fixed.track_rod_inner)),
-                fixed_rate.track_rod_inner,
-            );
+            let d = difference(free.lower_front_outer, fixed.lower_front_inner);
+            let gradient = self.lower_front.gradient(d);
+            rows[equation::LOWER_FRONT] = dot(gradient, fixed_rate.lower_front_inner);
+            let d = difference(free.upper_front_outer, fixed.upper_front_inner);
+            let gradient = self.upper_front.gradient(d);
+            rows[equation::UPPER_FRONT] = dot(gradient, fixed_rate.upper_front_inner);
+            let d = difference(free.upper_rear_outer, fixed.upper_rear_inner);
+            let gradient = self.upper_rear.gradient(d);
+            rows[equation::UPPER_REAR] = dot(gradient, fixed_rate.upper_rear_inner);
+            let d = difference(free.lower_rear_outer, fixed.lower_rear_inner);
+            let gradient = self.lower_rear.gradient(d);
+            rows[equation::LOWER_REAR] = dot(gradient, fixed_rate.lower_rear_inner);
+            let d = difference(free.track_rod_outer, fixed.track_rod_inner);
+            let gradient = self.track_rod.gradient(d);
+            rows[equation::TRACK_ROD] = dot(gradient, fixed_rate.track_rod_inner);
             rows[equation::THETA] = fixed_rate.lower_front_inner.z;
             SVector::from(rows)
         }
 
         fn points(&self, q: &SVector<T, 15>, fixed: &Fixed<T>) -> Points<T> {
             let free = Free::of(q);
-            Points {
-                lower_front_inner: fixed.lower_front_inner,
-                upper_front_inner: fixed.upper_front_inner,
-                upper_rear_inner: fixed.upper_rear_inner,
-                lower_rear_inner: fixed.lower_rear_inner,
-                track_rod_inner: fixed.track_rod_inner,
-                lower_front_outer: free.lower_front_outer,
-                upper_front_outer: free.upper_front_outer,
-                upper_rear_outer: free.upper_rear_outer,
-                lower_rear_outer: free.lower_rear_outer,
-                track_rod_outer: free.track_rod_outer,
-                wheel_centre: self
-                    .wheel_centre
-                    .position(
-                        &Frame::new(
-                            free.lower_front_outer,
-                            free.upper_front_outer,
-                            free.upper_rear_outer,
-                        ),
-                    ),
-            }
+            let markers = [self.wheel_centre.position(&free.knuckle_frame())];
+            Points::all(fixed, &free, markers)
         }
 
         fn velocities(
@@ -1641,33 +721,11 @@ pub mod five_link {
             velocity: &SVector<T, 15>,
             fixed_rate: &Fixed<T>,
         ) -> Points<T> {
-            let rate = Free::of(velocity);
-            Points {
-                lower_front_inner: fixed_rate.lower_front_inner,
-                upper_front_inner: fixed_rate.upper_front_inner,
-                upper_rear_inner: fixed_rate.upper_rear_inner,
-                lower_rear_inner: fixed_rate.lower_rear_inner,
-                track_rod_inner: fixed_rate.track_rod_inner,
-                lower_front_outer: rate.lower_front_outer,
-                upper_front_outer: rate.upper_front_outer,
-                upper_rear_outer: rate.upper_rear_outer,
-                lower_rear_outer: rate.lower_rear_outer,
-                track_rod_outer: rate.track_rod_outer,
-                wheel_centre: self
-                    .wheel_centre
-                    .velocity(
-                        &Frame::new(
-                            at.lower_front_outer,
-                            at.upper_front_outer,
-                            at.upper_rear_outer,
-                        ),
-                        &Frame::new(
-                            rate.lower_front_outer,
-                            rate.upper_front_outer,
-                            rate.upper_rear_outer,
-                        ),
-                    ),
-            }
+            let free = Free::of(velocity);
+            let markers = [
+                self.wheel_centre.velocity(&at.knuckle_frame(), &free.knuckle_frame()),
+            ];
+            Points::all(fixed_rate, &free, markers)
         }
 
         fn accelerations(
@@ -1677,38 +735,17 @@ pub mod five_link {
             acceleration: &SVector<T, 15>,
             fixed_second_rate: &Fixed<T>,
         ) -> Points<T> {
-            let second_rate = Free::of(acceleration);
-            Points {
-                lower_front_inner: fixed_second_rate.lower_front_inner,
-                upper_front_inner: fixed_second_rate.upper_front_inner,
-                upper_rear_inner: fixed_second_rate.upper_rear_inner,
-                lower_rear_inner: fixed_second_rate.lower_rear_inner,
-                track_rod_inner: fixed_second_rate.track_rod_inner,
-                lower_front_outer: second_rate.lower_front_outer,
-                upper_front_outer: second_rate.upper_front_outer,
-                upper_rear_outer: second_rate.upper_rear_outer,
-                lower_rear_outer: second_rate.lower_rear_outer,
-                track_rod_outer: second_rate.track_rod_outer,
-                wheel_centre: self
+            let free = Free::of(acceleration);
+            let markers = [
+                self
                     .wheel_centre
                     .acceleration(
-                        &Frame::new(
-                            at.lower_front_outer,
-                            at.upper_front_outer,
-                            at.upper_rear_outer,
-                        ),
-                        &Frame::new(
-                            velocities.lower_front_outer,
-                            velocities.upper_front_outer,
-                            velocities.upper_rear_outer,
-                        ),
-                        &Frame::new(
-                            second_rate.lower_front_outer,
-                            second_rate.upper_front_outer,
-                            second_rate.upper_rear_outer,
-                        ),
+                        &at.knuckle_frame(),
+                        &velocities.knuckle_frame(),
+                        &free.knuckle_frame(),
                     ),
-            }
+            ];
+            Points::all(fixed_second_rate, &free, markers)
         }
 
         fn unknowns(&self, points: &Points<T>) -> SVector<T, 15> {
@@ -1726,48 +763,10 @@ pub mod five_link {
         where
             T: Real,
         {
-            let each = Measures {
-                height: points.map(|points| points.wheel_centre.z),
-            };
-            Signal {
-                value: Measures {
-                    height: each.height.value,
-                },
-                rate: Measures {
-                    height: each.height.rate,
-                },
-                second_rate: Measures {
-                    height: each.height.second_rate,
-                },
-            }
-        }
-
-        #[inline]
-        fn wheel_axis(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
-            Some([points.upper_rear_outer, points.wheel_centre])
-        }
-
-        #[inline]
-        fn wheel_carrier(&self, points: &Points<T>) -> Option<[Vector3<T>; 3]> {
-            Some([
-                points.lower_front_outer,
-                points.upper_front_outer,
-                points.upper_rear_outer,
-            ])
-        }
-
-        #[inline]
-        fn kingpin(&self, points: &Points<T>) -> Option<[Vector3<T>; 2]> {
-            Some([points.lower_front_outer, points.upper_rear_outer])
-        }
-
-        #[inline(always)]
-        fn mirrored(
-            &self,
-            _q: &SVector<T, 15>,
-            _fixed: &Fixed<T>,
-        ) -> impl Iterator<Item = T> {
-            ::core::iter::empty()
+            let mut measures: Signal<Measures<T>> = Signal::default();
+            let measured = points.map(|points| points.wheel_centre.z);
+            measures.set(measured, |measures| &mut measures.height);
+            measures
         }
     }
 
@@ -1775,6 +774,9 @@ pub mod five_link {
     /// left of its row, divided by the pivot, to the right, and in its own place the pivot's
     /// inverse. Pivots that are 1 in every position are left out, and of carried points the rows:
     /// frame and constants stand for them.
+    ///
+    /// An entry is named by its equation: `lf` lower_front, `uf` upper_front, `ur` upper_rear, `lr` lower_rear, `tr` track_rod, `klfoufo` knuckle_lower_front_outer_upper_front_outer, `klfouro` knuckle_lower_front_outer_upper_rear_outer, `kufouro` knuckle_upper_front_outer_upper_rear_outer, `klro` knuckle_lower_rear_outer, `ktro` knuckle_track_rod_outer, `theta` theta;
+    /// and its unknown: `lfo` lower_front_outer, `ufo` upper_front_outer, `uro` upper_rear_outer, `lro` lower_rear_outer, `tro` track_rod_outer.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Factors<T> {
         growth_squared: T,
@@ -1782,864 +784,236 @@ pub mod five_link {
         knuckle_frame: Frame<T>,
         knuckle_lower_rear_outer: Carried<T>,
         knuckle_track_rod_outer: Carried<T>,
-        lower_rear_by_lower_rear_outer_x: T,
-        lower_rear_by_lower_rear_outer_y: T,
-        lower_rear_by_lower_rear_outer_z: T,
-        track_rod_by_track_rod_outer_x: T,
-        track_rod_by_track_rod_outer_y: T,
-        track_rod_by_track_rod_outer_z: T,
-        lower_front_by_lower_front_outer_z: T,
-        lower_rear_by_lower_front_outer_z: T,
-        track_rod_by_lower_front_outer_z: T,
-        knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z: T,
-        lower_front_by_lower_front_outer_y: T,
-        lower_front_by_lower_front_outer_x: T,
-        lower_rear_by_lower_front_outer_y: T,
-        track_rod_by_lower_front_outer_y: T,
-        knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y: T,
-        upper_rear_by_upper_rear_outer_x: T,
-        upper_rear_by_upper_rear_outer_y: T,
-        upper_rear_by_upper_rear_outer_z: T,
-        lower_rear_by_upper_rear_outer_x: T,
-        track_rod_by_upper_rear_outer_x: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
-        knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        lower_rear_by_upper_rear_outer_z: T,
-        track_rod_by_upper_rear_outer_z: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z: T,
-        knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z: T,
-        knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x: T,
-        knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x: T,
-        knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y: T,
-        upper_front_by_upper_front_outer_z: T,
-        lower_rear_by_upper_front_outer_z: T,
-        track_rod_by_upper_front_outer_z: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z: T,
-        upper_front_by_upper_front_outer_y: T,
-        upper_front_by_lower_front_outer_x: T,
-        upper_front_by_upper_front_outer_x: T,
-        lower_rear_by_upper_front_outer_y: T,
-        track_rod_by_upper_front_outer_y: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y: T,
-        lower_rear_by_upper_front_outer_x: T,
-        lower_rear_by_upper_rear_outer_y: T,
-        lower_rear_by_lower_front_outer_x: T,
-        track_rod_by_upper_front_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x: T,
-        knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y: T,
-        track_rod_by_lower_front_outer_x: T,
-        track_rod_by_upper_rear_outer_y: T,
+        lr_lro_x: T,
+        lr_lro_y: T,
+        lr_lro_z: T,
+        tr_tro_x: T,
+        tr_tro_y: T,
+        tr_tro_z: T,
+        lf_lfo_z: T,
+        lr_lfo_z: T,
+        tr_lfo_z: T,
+        klfoufo_lfo_z: T,
+        klfouro_lfo_z: T,
+        lf_lfo_y: T,
+        lf_lfo_x: T,
+        lr_lfo_y: T,
+        tr_lfo_y: T,
+        klfoufo_lfo_y: T,
+        klfouro_lfo_y: T,
+        ur_uro_x: T,
+        ur_uro_y: T,
+        ur_uro_z: T,
+        lr_uro_x: T,
+        tr_uro_x: T,
+        klfouro_uro_x: T,
+        kufouro_uro_x: T,
+        klfouro_uro_z: T,
+        klfouro_uro_y: T,
+        klfouro_lfo_x: T,
+        lr_uro_z: T,
+        tr_uro_z: T,
+        kufouro_uro_z: T,
+        klfoufo_ufo_z: T,
+        klfoufo_lfo_x: T,
+        klfoufo_ufo_x: T,
+        klfoufo_ufo_y: T,
+        uf_ufo_z: T,
+        lr_ufo_z: T,
+        tr_ufo_z: T,
+        kufouro_ufo_z: T,
+        uf_ufo_y: T,
+        uf_lfo_x: T,
+        uf_ufo_x: T,
+        lr_ufo_y: T,
+        tr_ufo_y: T,
+        kufouro_ufo_y: T,
+        lr_ufo_x: T,
+        lr_uro_y: T,
+        lr_lfo_x: T,
+        tr_ufo_x: T,
+        kufouro_ufo_x: T,
+        kufouro_lfo_x: T,
+        kufouro_uro_y: T,
+        tr_lfo_x: T,
+        tr_uro_y: T,
     }
 
     impl<T: Scalar> JacobianFactors<T, 15> for Factors<T> {
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn solve(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
-            let [mut rows] = right.data.0;
-            let mut unknowns = [T::zero(); 15];
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_X],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_y,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_x,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_X],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_y,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_z,
-                    rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self.lower_front_by_lower_front_outer_z,
-                    rows[equation::THETA],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_lower_front_outer_z,
-                    rows[equation::THETA],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_lower_front_outer_z,
-                    rows[equation::THETA],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z,
-                    rows[equation::THETA],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z,
-                    rows[equation::THETA],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_upper_rear_outer_x,
-                    rows[equation::UPPER_REAR],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_rear_outer_x,
-                    rows[equation::UPPER_REAR],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    rows[equation::UPPER_REAR],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    rows[equation::UPPER_REAR],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
-                .minus_product(
-                    self.upper_front_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_upper_front_outer_y,
-                    rows[equation::UPPER_FRONT],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_front_outer_y,
-                    rows[equation::UPPER_FRONT],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
-                    rows[equation::UPPER_FRONT],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_front_outer_x,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_lower_front_outer_x,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = rows[equation::TRACK_ROD]
-                * self.track_rod_by_upper_rear_outer_y;
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x)
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::LOWER_REAR]
-                * self.lower_rear_by_upper_front_outer_x)
-                .minus_product(
-                    self.lower_rear_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.lower_rear_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = (rows[equation::UPPER_FRONT]
-                * self.upper_front_by_upper_front_outer_y)
-                .minus_product(
-                    self.upper_front_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.upper_front_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                * self
-                    .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z)
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z)
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = (rows[equation::UPPER_REAR]
-                * self.upper_rear_by_upper_rear_outer_x)
-                .minus_product(
-                    self.upper_rear_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.upper_rear_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
-                * self.lower_front_by_lower_front_outer_y)
-                .minus_product(
-                    self.lower_front_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
+            let [[lf, uf, ur, lr, tr, klfoufo, klfouro, kufouro, klro_x, klro_y, klro_z,
+            ktro_x, ktro_y, ktro_z, theta]] = right.data.0;
+            let lr = lr.minus_product(self.lr_lro_x, klro_x);
+            let lr = lr.minus_product(self.lr_lro_y, klro_y);
+            let lr = lr.minus_product(self.lr_lro_z, klro_z);
+            let tr = tr.minus_product(self.tr_tro_x, ktro_x);
+            let tr = tr.minus_product(self.tr_tro_y, ktro_y);
+            let tr = tr.minus_product(self.tr_tro_z, ktro_z);
+            let lf = lf.minus_product(self.lf_lfo_z, theta);
+            let lr = lr.minus_product(self.lr_lfo_z, theta);
+            let tr = tr.minus_product(self.tr_lfo_z, theta);
+            let klfoufo = klfoufo.minus_product(self.klfoufo_lfo_z, theta);
+            let klfouro = klfouro.minus_product(self.klfouro_lfo_z, theta);
+            let lr = lr.minus_product(self.lr_lfo_y, lf);
+            let tr = tr.minus_product(self.tr_lfo_y, lf);
+            let klfoufo = klfoufo.minus_product(self.klfoufo_lfo_y, lf);
+            let klfouro = klfouro.minus_product(self.klfouro_lfo_y, lf);
+            let lr = lr.minus_product(self.lr_uro_x, ur);
+            let tr = tr.minus_product(self.tr_uro_x, ur);
+            let klfouro = klfouro.minus_product(self.klfouro_uro_x, ur);
+            let kufouro = kufouro.minus_product(self.kufouro_uro_x, ur);
+            let lr = lr.minus_product(self.lr_uro_z, klfouro);
+            let tr = tr.minus_product(self.tr_uro_z, klfouro);
+            let kufouro = kufouro.minus_product(self.kufouro_uro_z, klfouro);
+            let uf = uf.minus_product(self.uf_ufo_z, klfoufo);
+            let lr = lr.minus_product(self.lr_ufo_z, klfoufo);
+            let tr = tr.minus_product(self.tr_ufo_z, klfoufo);
+            let kufouro = kufouro.minus_product(self.kufouro_ufo_z, klfoufo);
+            let lr = lr.minus_product(self.lr_ufo_y, uf);
+            let tr = tr.minus_product(self.tr_ufo_y, uf);
+            let kufouro = kufouro.minus_product(self.kufouro_ufo_y, uf);
+            let tr = tr.minus_product(self.tr_ufo_x, lr);
+            let kufouro = kufouro.minus_product(self.kufouro_ufo_x, lr);
+            let tr = tr.minus_product(self.tr_lfo_x, kufouro);
+            let uro_y = tr * self.tr_uro_y;
+            let lfo_x = (kufouro * self.kufouro_lfo_x)
+                .minus_product(self.kufouro_uro_y, uro_y);
+            let ufo_x = (lr * self.lr_ufo_x)
+                .minus_product(self.lr_uro_y, uro_y)
+                .minus_product(self.lr_lfo_x, lfo_x);
+            let ufo_y = (uf * self.uf_ufo_y)
+                .minus_product(self.uf_lfo_x, lfo_x)
+                .minus_product(self.uf_ufo_x, ufo_x);
+            let ufo_z = (klfoufo * self.klfoufo_ufo_z)
+                .minus_product(self.klfoufo_lfo_x, lfo_x)
+                .minus_product(self.klfoufo_ufo_x, ufo_x)
+                .minus_product(self.klfoufo_ufo_y, ufo_y);
+            let uro_z = (klfouro * self.klfouro_uro_z)
+                .minus_product(self.klfouro_uro_y, uro_y)
+                .minus_product(self.klfouro_lfo_x, lfo_x);
+            let uro_x = (ur * self.ur_uro_x)
+                .minus_product(self.ur_uro_y, uro_y)
+                .minus_product(self.ur_uro_z, uro_z);
+            let lfo_y = (lf * self.lf_lfo_y).minus_product(self.lf_lfo_x, lfo_x);
+            let lfo_z = theta;
             let knuckle_frame = Frame::new(
-                Vector3::new(
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                    unknowns[unknown::LOWER_FRONT_OUTER_Z],
-                ),
-                Vector3::new(
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                ),
-                Vector3::new(
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                ),
+                Vector3::new(lfo_x, lfo_y, lfo_z),
+                Vector3::new(ufo_x, ufo_y, ufo_z),
+                Vector3::new(uro_x, uro_y, uro_z),
             );
             let carried = self
                 .knuckle_lower_rear_outer
                 .velocity(&self.knuckle_frame, &knuckle_frame);
-            unknowns[unknown::LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                + carried.x;
-            unknowns[unknown::LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                + carried.y;
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                + carried.z;
+            let lro_x = klro_x + carried.x;
+            let lro_y = klro_y + carried.y;
+            let lro_z = klro_z + carried.z;
             let carried = self
                 .knuckle_track_rod_outer
                 .velocity(&self.knuckle_frame, &knuckle_frame);
-            unknowns[unknown::TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                + carried.x;
-            unknowns[unknown::TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                + carried.y;
-            unknowns[unknown::TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                + carried.z;
-            SVector::from(unknowns)
-        }
-
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        fn solve_drives(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
-            let [mut rows] = right.data.0;
-            let mut unknowns = [T::zero(); 15];
-            rows[equation::LOWER_FRONT] = -(self.lower_front_by_lower_front_outer_z
-                * rows[equation::THETA]);
-            rows[equation::LOWER_REAR] = -(self.lower_rear_by_lower_front_outer_z
-                * rows[equation::THETA]);
-            rows[equation::TRACK_ROD] = -(self.track_rod_by_lower_front_outer_z
-                * rows[equation::THETA]);
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = -(self
-                .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z
-                * rows[equation::THETA]);
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = -(self
-                .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z
-                * rows[equation::THETA]);
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = -(self
-                .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z
-                * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]);
-            rows[equation::UPPER_FRONT] = -(self.upper_front_by_upper_front_outer_z
-                * rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]);
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.lower_rear_by_upper_front_outer_y,
-                    rows[equation::UPPER_FRONT],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_front_outer_y,
-                    rows[equation::UPPER_FRONT],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
-                    rows[equation::UPPER_FRONT],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_upper_front_outer_x,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::TRACK_ROD] = rows[equation::TRACK_ROD]
-                .minus_product(
-                    self.track_rod_by_lower_front_outer_x,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = rows[equation::TRACK_ROD]
-                * self.track_rod_by_upper_rear_outer_y;
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = (rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x)
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = (rows[equation::LOWER_REAR]
-                * self.lower_rear_by_upper_front_outer_x)
-                .minus_product(
-                    self.lower_rear_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self.lower_rear_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = (rows[equation::UPPER_FRONT]
-                * self.upper_front_by_upper_front_outer_y)
-                .minus_product(
-                    self.upper_front_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self.upper_front_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                * self
-                    .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z)
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                )
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = (rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z)
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                )
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_X] = (-(self
-                .upper_rear_by_upper_rear_outer_y
-                * unknowns[unknown::UPPER_REAR_OUTER_Y]))
-                .minus_product(
-                    self.upper_rear_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_Y] = (rows[equation::LOWER_FRONT]
-                * self.lower_front_by_lower_front_outer_y)
-                .minus_product(
-                    self.lower_front_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_Z] = rows[equation::THETA];
-            let knuckle_frame = Frame::new(
-                Vector3::new(
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                    unknowns[unknown::LOWER_FRONT_OUTER_Z],
-                ),
-                Vector3::new(
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                ),
-                Vector3::new(
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                    unknowns[unknown::UPPER_REAR_OUTER_Y],
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                ),
-            );
-            let carried = self
-                .knuckle_lower_rear_outer
-                .velocity(&self.knuckle_frame, &knuckle_frame);
-            unknowns[unknown::LOWER_REAR_OUTER_X] = carried.x;
-            unknowns[unknown::LOWER_REAR_OUTER_Y] = carried.y;
-            unknowns[unknown::LOWER_REAR_OUTER_Z] = carried.z;
-            let carried = self
-                .knuckle_track_rod_outer
-                .velocity(&self.knuckle_frame, &knuckle_frame);
-            unknowns[unknown::TRACK_ROD_OUTER_X] = carried.x;
-            unknowns[unknown::TRACK_ROD_OUTER_Y] = carried.y;
-            unknowns[unknown::TRACK_ROD_OUTER_Z] = carried.z;
-            SVector::from(unknowns)
+            let tro_x = ktro_x + carried.x;
+            let tro_y = ktro_y + carried.y;
+            let tro_z = ktro_z + carried.z;
+            vector![
+                lfo_x, lfo_y, lfo_z, ufo_x, ufo_y, ufo_z, uro_x, uro_y, uro_z, lro_x,
+                lro_y, lro_z, tro_x, tro_y, tro_z
+            ]
         }
 
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn solve_transposed(&self, right: &SVector<T, 15>) -> SVector<T, 15> {
-            let [mut unknowns] = right.data.0;
-            let mut rows = [T::zero(); 15];
+            let [[lfo_x, lfo_y, lfo_z, ufo_x, ufo_y, ufo_z, uro_x, uro_y, uro_z, lro_x,
+            lro_y, lro_z, tro_x, tro_y, tro_z]] = right.data.0;
+            let gradient = Vector3::new(lro_x, lro_y, lro_z);
             let [origin, second, third] = self
                 .knuckle_lower_rear_outer
-                .by_frame(
-                    Vector3::new(
-                        unknowns[unknown::LOWER_REAR_OUTER_X],
-                        unknowns[unknown::LOWER_REAR_OUTER_Y],
-                        unknowns[unknown::LOWER_REAR_OUTER_Z],
-                    ),
-                    &self.knuckle_frame,
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] += origin.x;
-            unknowns[unknown::LOWER_FRONT_OUTER_Y] += origin.y;
-            unknowns[unknown::LOWER_FRONT_OUTER_Z] += origin.z;
-            unknowns[unknown::UPPER_FRONT_OUTER_X] += second.x;
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] += second.y;
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] += second.z;
-            unknowns[unknown::UPPER_REAR_OUTER_X] += third.x;
-            unknowns[unknown::UPPER_REAR_OUTER_Y] += third.y;
-            unknowns[unknown::UPPER_REAR_OUTER_Z] += third.z;
+                .by_frame(gradient, &self.knuckle_frame);
+            let lfo_x = lfo_x + origin.x;
+            let lfo_y = lfo_y + origin.y;
+            let lfo_z = lfo_z + origin.z;
+            let ufo_x = ufo_x + second.x;
+            let ufo_y = ufo_y + second.y;
+            let ufo_z = ufo_z + second.z;
+            let uro_x = uro_x + third.x;
+            let uro_y = uro_y + third.y;
+            let uro_z = uro_z + third.z;
+            let gradient = Vector3::new(tro_x, tro_y, tro_z);
             let [origin, second, third] = self
                 .knuckle_track_rod_outer
-                .by_frame(
-                    Vector3::new(
-                        unknowns[unknown::TRACK_ROD_OUTER_X],
-                        unknowns[unknown::TRACK_ROD_OUTER_Y],
-                        unknowns[unknown::TRACK_ROD_OUTER_Z],
-                    ),
-                    &self.knuckle_frame,
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] += origin.x;
-            unknowns[unknown::LOWER_FRONT_OUTER_Y] += origin.y;
-            unknowns[unknown::LOWER_FRONT_OUTER_Z] += origin.z;
-            unknowns[unknown::UPPER_FRONT_OUTER_X] += second.x;
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] += second.y;
-            unknowns[unknown::UPPER_FRONT_OUTER_Z] += second.z;
-            unknowns[unknown::UPPER_REAR_OUTER_X] += third.x;
-            unknowns[unknown::UPPER_REAR_OUTER_Y] += third.y;
-            unknowns[unknown::UPPER_REAR_OUTER_Z] += third.z;
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.lower_front_by_lower_front_outer_x,
-                    unknowns[unknown::LOWER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.upper_rear_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Z] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                .minus_product(
-                    self.upper_rear_by_upper_rear_outer_z,
-                    unknowns[unknown::UPPER_REAR_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_x,
-                    unknowns[unknown::UPPER_REAR_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_Y] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Z],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.upper_front_by_lower_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_FRONT_OUTER_X] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                .minus_product(
-                    self.upper_front_by_upper_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_Y],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self.lower_rear_by_upper_rear_outer_y,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::LOWER_FRONT_OUTER_X] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                .minus_product(
-                    self.lower_rear_by_lower_front_outer_x,
-                    unknowns[unknown::UPPER_FRONT_OUTER_X],
-                );
-            unknowns[unknown::UPPER_REAR_OUTER_Y] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_y,
-                    unknowns[unknown::LOWER_FRONT_OUTER_X],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = unknowns[unknown::LOWER_REAR_OUTER_X];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = unknowns[unknown::LOWER_REAR_OUTER_Y];
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = unknowns[unknown::LOWER_REAR_OUTER_Z];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = unknowns[unknown::TRACK_ROD_OUTER_X];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = unknowns[unknown::TRACK_ROD_OUTER_Y];
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = unknowns[unknown::TRACK_ROD_OUTER_Z];
-            rows[equation::THETA] = unknowns[unknown::LOWER_FRONT_OUTER_Z];
-            rows[equation::LOWER_FRONT] = unknowns[unknown::LOWER_FRONT_OUTER_Y]
-                * self.lower_front_by_lower_front_outer_y;
-            rows[equation::UPPER_REAR] = unknowns[unknown::UPPER_REAR_OUTER_X]
-                * self.upper_rear_by_upper_rear_outer_x;
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::UPPER_REAR_OUTER_Z]
-                * self.knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_z;
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = unknowns[unknown::UPPER_FRONT_OUTER_Z]
-                * self
-                    .knuckle_lower_front_outer_upper_front_outer_by_upper_front_outer_z;
-            rows[equation::UPPER_FRONT] = unknowns[unknown::UPPER_FRONT_OUTER_Y]
-                * self.upper_front_by_upper_front_outer_y;
-            rows[equation::LOWER_REAR] = unknowns[unknown::UPPER_FRONT_OUTER_X]
-                * self.lower_rear_by_upper_front_outer_x;
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = unknowns[unknown::LOWER_FRONT_OUTER_X]
-                * self.knuckle_upper_front_outer_upper_rear_outer_by_lower_front_outer_x;
-            rows[equation::TRACK_ROD] = unknowns[unknown::UPPER_REAR_OUTER_Y]
-                * self.track_rod_by_upper_rear_outer_y;
-            rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self.track_rod_by_lower_front_outer_x,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self.track_rod_by_upper_front_outer_x,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::LOWER_REAR] = rows[equation::LOWER_REAR]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_x,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
-                .minus_product(
-                    self.lower_rear_by_upper_front_outer_y,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
-                .minus_product(
-                    self.track_rod_by_upper_front_outer_y,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::UPPER_FRONT] = rows[equation::UPPER_FRONT]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_y,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                .minus_product(
-                    self.upper_front_by_upper_front_outer_z,
-                    rows[equation::UPPER_FRONT],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                .minus_product(
-                    self.lower_rear_by_upper_front_outer_z,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                .minus_product(
-                    self.track_rod_by_upper_front_outer_z,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_front_outer_z,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self.lower_rear_by_upper_rear_outer_z,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self.track_rod_by_upper_rear_outer_z,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER] = rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_z,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
-                .minus_product(
-                    self.lower_rear_by_upper_rear_outer_x,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
-                .minus_product(
-                    self.track_rod_by_upper_rear_outer_x,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::UPPER_REAR] = rows[equation::UPPER_REAR]
-                .minus_product(
-                    self
-                        .knuckle_upper_front_outer_upper_rear_outer_by_upper_rear_outer_x,
-                    rows[equation::KNUCKLE_UPPER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self.lower_rear_by_lower_front_outer_y,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self.track_rod_by_lower_front_outer_y,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_y,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::LOWER_FRONT] = rows[equation::LOWER_FRONT]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_y,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::THETA] = rows[equation::THETA]
-                .minus_product(
-                    self.lower_front_by_lower_front_outer_z,
-                    rows[equation::LOWER_FRONT],
-                );
-            rows[equation::THETA] = rows[equation::THETA]
-                .minus_product(
-                    self.lower_rear_by_lower_front_outer_z,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::THETA] = rows[equation::THETA]
-                .minus_product(
-                    self.track_rod_by_lower_front_outer_z,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::THETA] = rows[equation::THETA]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_front_outer_by_lower_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_FRONT_OUTER],
-                );
-            rows[equation::THETA] = rows[equation::THETA]
-                .minus_product(
-                    self
-                        .knuckle_lower_front_outer_upper_rear_outer_by_lower_front_outer_z,
-                    rows[equation::KNUCKLE_LOWER_FRONT_OUTER_UPPER_REAR_OUTER],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Z]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_z,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_Y]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_y,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_TRACK_ROD_OUTER_X] = rows[equation::KNUCKLE_TRACK_ROD_OUTER_X]
-                .minus_product(
-                    self.track_rod_by_track_rod_outer_x,
-                    rows[equation::TRACK_ROD],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Z]
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_z,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_Y]
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_y,
-                    rows[equation::LOWER_REAR],
-                );
-            rows[equation::KNUCKLE_LOWER_REAR_OUTER_X] = rows[equation::KNUCKLE_LOWER_REAR_OUTER_X]
-                .minus_product(
-                    self.lower_rear_by_lower_rear_outer_x,
-                    rows[equation::LOWER_REAR],
-                );
-            SVector::from(rows)
+                .by_frame(gradient, &self.knuckle_frame);
+            let lfo_x = lfo_x + origin.x;
+            let lfo_y = lfo_y + origin.y;
+            let lfo_z = lfo_z + origin.z;
+            let ufo_x = ufo_x + second.x;
+            let ufo_y = ufo_y + second.y;
+            let ufo_z = ufo_z + second.z;
+            let uro_x = uro_x + third.x;
+            let uro_y = uro_y + third.y;
+            let uro_z = uro_z + third.z;
+            let lfo_x = lfo_x.minus_product(self.lf_lfo_x, lfo_y);
+            let uro_y = uro_y.minus_product(self.ur_uro_y, uro_x);
+            let uro_z = uro_z.minus_product(self.ur_uro_z, uro_x);
+            let uro_y = uro_y.minus_product(self.klfouro_uro_y, uro_z);
+            let lfo_x = lfo_x.minus_product(self.klfouro_lfo_x, uro_z);
+            let lfo_x = lfo_x.minus_product(self.klfoufo_lfo_x, ufo_z);
+            let ufo_x = ufo_x.minus_product(self.klfoufo_ufo_x, ufo_z);
+            let ufo_y = ufo_y.minus_product(self.klfoufo_ufo_y, ufo_z);
+            let lfo_x = lfo_x.minus_product(self.uf_lfo_x, ufo_y);
+            let ufo_x = ufo_x.minus_product(self.uf_ufo_x, ufo_y);
+            let uro_y = uro_y.minus_product(self.lr_uro_y, ufo_x);
+            let lfo_x = lfo_x.minus_product(self.lr_lfo_x, ufo_x);
+            let uro_y = uro_y.minus_product(self.kufouro_uro_y, lfo_x);
+            let klro_x = lro_x;
+            let klro_y = lro_y;
+            let klro_z = lro_z;
+            let ktro_x = tro_x;
+            let ktro_y = tro_y;
+            let ktro_z = tro_z;
+            let theta = lfo_z;
+            let lf = lfo_y * self.lf_lfo_y;
+            let ur = uro_x * self.ur_uro_x;
+            let klfouro = uro_z * self.klfouro_uro_z;
+            let klfoufo = ufo_z * self.klfoufo_ufo_z;
+            let uf = ufo_y * self.uf_ufo_y;
+            let lr = ufo_x * self.lr_ufo_x;
+            let kufouro = lfo_x * self.kufouro_lfo_x;
+            let tr = uro_y * self.tr_uro_y;
+            let kufouro = kufouro.minus_product(self.tr_lfo_x, tr);
+            let lr = lr.minus_product(self.tr_ufo_x, tr);
+            let lr = lr.minus_product(self.kufouro_ufo_x, kufouro);
+            let uf = uf.minus_product(self.lr_ufo_y, lr);
+            let uf = uf.minus_product(self.tr_ufo_y, tr);
+            let uf = uf.minus_product(self.kufouro_ufo_y, kufouro);
+            let klfoufo = klfoufo.minus_product(self.uf_ufo_z, uf);
+            let klfoufo = klfoufo.minus_product(self.lr_ufo_z, lr);
+            let klfoufo = klfoufo.minus_product(self.tr_ufo_z, tr);
+            let klfoufo = klfoufo.minus_product(self.kufouro_ufo_z, kufouro);
+            let klfouro = klfouro.minus_product(self.lr_uro_z, lr);
+            let klfouro = klfouro.minus_product(self.tr_uro_z, tr);
+            let klfouro = klfouro.minus_product(self.kufouro_uro_z, kufouro);
+            let ur = ur.minus_product(self.lr_uro_x, lr);
+            let ur = ur.minus_product(self.tr_uro_x, tr);
+            let ur = ur.minus_product(self.klfouro_uro_x, klfouro);
+            let ur = ur.minus_product(self.kufouro_uro_x, kufouro);
+            let lf = lf.minus_product(self.lr_lfo_y, lr);
+            let lf = lf.minus_product(self.tr_lfo_y, tr);
+            let lf = lf.minus_product(self.klfoufo_lfo_y, klfoufo);
+            let lf = lf.minus_product(self.klfouro_lfo_y, klfouro);
+            let theta = theta.minus_product(self.lf_lfo_z, lf);
+            let theta = theta.minus_product(self.lr_lfo_z, lr);
+            let theta = theta.minus_product(self.tr_lfo_z, tr);
+            let theta = theta.minus_product(self.klfoufo_lfo_z, klfoufo);
+            let theta = theta.minus_product(self.klfouro_lfo_z, klfouro);
+            let ktro_z = ktro_z.minus_product(self.tr_tro_z, tr);
+            let ktro_y = ktro_y.minus_product(self.tr_tro_y, tr);
+            let ktro_x = ktro_x.minus_product(self.tr_tro_x, tr);
+            let klro_z = klro_z.minus_product(self.lr_lro_z, lr);
+            let klro_y = klro_y.minus_product(self.lr_lro_y, lr);
+            let klro_x = klro_x.minus_product(self.lr_lro_x, lr);
+            vector![
+                lf, uf, ur, lr, tr, klfoufo, klfouro, kufouro, klro_x, klro_y, klro_z,
+                ktro_x, ktro_y, ktro_z, theta
+            ]
         }
 
         #[inline(always)]
@@ -2676,22 +1050,9 @@ pub mod five_link {
                 "knuckle_track_rod_outer_z",
                 "theta",
             ],
-            unknowns: &[
-                "lower_front_outer.x",
-                "lower_front_outer.y",
-                "lower_front_outer.z",
-                "upper_front_outer.x",
-                "upper_front_outer.y",
-                "upper_front_outer.z",
-                "upper_rear_outer.x",
-                "upper_rear_outer.y",
-                "upper_rear_outer.z",
-                "lower_rear_outer.x",
-                "lower_rear_outer.y",
-                "lower_rear_outer.z",
-                "track_rod_outer.x",
-                "track_rod_outer.y",
-                "track_rod_outer.z",
+            unknowns: unknown_names![
+                "lower_front_outer", "upper_front_outer", "upper_rear_outer",
+                "lower_rear_outer", "track_rod_outer";
             ],
             chassis: <Fixed<f64> as Named<Vector3<f64>>>::NAMES,
             points: <Points<f64> as Named<Vector3<f64>>>::NAMES,
@@ -2713,52 +1074,16 @@ pub mod five_link {
     }
 
     impl Parts for Listing {
-        fn name(&self, part: Part) -> &str {
-            Listing::PARTS.name(part)
-        }
-
         #[inline(always)]
-        fn count(&self, kind: Kind) -> usize {
-            Listing::PARTS.count(kind)
-        }
-
-        #[inline(always)]
-        fn drive_kind(&self, drive: usize) -> DriveKind {
-            Listing::PARTS.drive_kind(drive)
-        }
-
-        #[inline(always)]
-        fn measure_kind(&self, measure: usize) -> MeasureKind {
-            Listing::PARTS.measure_kind(measure)
-        }
-
-        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
-            Listing::PARTS.wheel(wheel)
+        fn table(&self) -> &Names {
+            &Self::PARTS
         }
     }
 
     impl<T: Scalar> Parts for Model<T> {
-        fn name(&self, part: Part) -> &str {
-            Listing::PARTS.name(part)
-        }
-
         #[inline(always)]
-        fn count(&self, kind: Kind) -> usize {
-            Listing::PARTS.count(kind)
-        }
-
-        #[inline(always)]
-        fn drive_kind(&self, drive: usize) -> DriveKind {
-            Listing::PARTS.drive_kind(drive)
-        }
-
-        #[inline(always)]
-        fn measure_kind(&self, measure: usize) -> MeasureKind {
-            Listing::PARTS.measure_kind(measure)
-        }
-
-        fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
-            Listing::PARTS.wheel(wheel)
+        fn table(&self) -> &Names {
+            &Listing::PARTS
         }
     }
 
@@ -2774,28 +1099,7 @@ pub mod five_link {
         ) -> Model<T> {
             let number = &number;
             Model {
-                fixed: Fixed {
-                    lower_front_inner: gather_vector(
-                        |model| model.fixed.lower_front_inner,
-                        number,
-                    ),
-                    upper_front_inner: gather_vector(
-                        |model| model.fixed.upper_front_inner,
-                        number,
-                    ),
-                    upper_rear_inner: gather_vector(
-                        |model| model.fixed.upper_rear_inner,
-                        number,
-                    ),
-                    lower_rear_inner: gather_vector(
-                        |model| model.fixed.lower_rear_inner,
-                        number,
-                    ),
-                    track_rod_inner: gather_vector(
-                        |model| model.fixed.track_rod_inner,
-                        number,
-                    ),
-                },
+                fixed: gather_vectors(|model| model.fixed, number),
                 size: number(&|model| model.size),
                 lower_front: Distance::gather(|model| model.lower_front, number),
                 upper_front: Distance::gather(|model| model.upper_front, number),
@@ -2851,85 +1155,60 @@ pub mod five_link {
 
     impl<T: Real> Build<15> for Model<T> {
         type Lengths = Lengths<T>;
-        fn of(_listing: Listing, design: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(design.values())?;
-            let knuckle_frame = parts::frame(
-                7,
-                Frame::new(
-                    design.lower_front_outer,
-                    design.upper_front_outer,
-                    design.upper_rear_outer,
-                ),
-            )?;
+        fn of(_listing: Listing, at: &Points<T>) -> Result<Self, GeometryError> {
+            parts::finite(at.values())?;
+            let knuckle_frame = parts::frame(7, at.knuckle_frame())?;
             let model = Self {
-                fixed: Fixed {
-                    lower_front_inner: design.lower_front_inner,
-                    upper_front_inner: design.upper_front_inner,
-                    upper_rear_inner: design.upper_rear_inner,
-                    lower_rear_inner: design.lower_rear_inner,
-                    track_rod_inner: design.track_rod_inner,
-                },
+                fixed: Fixed::from_values(at.values()),
                 size: T::zero(),
                 lower_front: parts::distance(
                     0,
-                    design.lower_front_inner,
-                    design.lower_front_outer,
+                    at.lower_front_inner,
+                    at.lower_front_outer,
                 )?,
                 upper_front: parts::distance(
                     1,
-                    design.upper_front_inner,
-                    design.upper_front_outer,
+                    at.upper_front_inner,
+                    at.upper_front_outer,
                 )?,
                 upper_rear: parts::distance(
                     2,
-                    design.upper_rear_inner,
-                    design.upper_rear_outer,
+                    at.upper_rear_inner,
+                    at.upper_rear_outer,
                 )?,
                 lower_rear: parts::distance(
                     3,
-                    design.lower_rear_inner,
-                    design.lower_rear_outer,
+                    at.lower_rear_inner,
+                    at.lower_rear_outer,
                 )?,
-                track_rod: parts::distance(
-                    4,
-                    design.track_rod_inner,
-                    design.track_rod_outer,
-                )?,
+                track_rod: parts::distance(4, at.track_rod_inner, at.track_rod_outer)?,
                 knuckle_lower_front_outer_upper_front_outer: parts::distance(
                     5,
-                    design.lower_front_outer,
-                    design.upper_front_outer,
+                    at.lower_front_outer,
+                    at.upper_front_outer,
                 )?,
                 knuckle_lower_front_outer_upper_rear_outer: parts::distance(
                     6,
-                    design.lower_front_outer,
-                    design.upper_rear_outer,
+                    at.lower_front_outer,
+                    at.upper_rear_outer,
                 )?,
                 knuckle_upper_front_outer_upper_rear_outer: parts::distance(
                     7,
-                    design.upper_front_outer,
-                    design.upper_rear_outer,
+                    at.upper_front_outer,
+                    at.upper_rear_outer,
                 )?,
                 knuckle_frame,
                 knuckle_lower_rear_outer: parts::carried(
                     8,
-                    design.lower_rear_outer,
+                    at.lower_rear_outer,
                     &knuckle_frame,
                 )?,
                 knuckle_track_rod_outer: parts::carried(
                     9,
-                    design.track_rod_outer,
+                    at.track_rod_outer,
                     &knuckle_frame,
                 )?,
-                wheel_centre: parts::carried(
-                    10,
-                    design.wheel_centre,
-                    &Frame::new(
-                        design.lower_front_outer,
-                        design.upper_front_outer,
-                        design.upper_rear_outer,
-                    ),
-                )?,
+                wheel_centre: parts::carried(10, at.wheel_centre, &at.knuckle_frame())?,
             };
             Ok(model.sized())
         }
@@ -2989,18 +1268,10 @@ pub mod five_link {
             Ok(model.sized())
         }
 
-        fn with_markers(self, points: &Points<T>) -> Result<Self, GeometryError> {
-            parts::finite(points.values())?;
+        fn with_markers(self, at: &Points<T>) -> Result<Self, GeometryError> {
+            parts::finite(at.values())?;
             Ok(Self {
-                wheel_centre: parts::carried(
-                    10,
-                    points.wheel_centre,
-                    &Frame::new(
-                        points.lower_front_outer,
-                        points.upper_front_outer,
-                        points.upper_rear_outer,
-                    ),
-                )?,
+                wheel_centre: parts::carried(10, at.wheel_centre, &at.knuckle_frame())?,
                 ..self
             })
         }

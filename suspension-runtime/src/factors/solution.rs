@@ -44,22 +44,6 @@ where
         vector(&x)
     }
 
-    fn solve_drives(&self, right: &SVector<T, N>) -> SVector<T, N> {
-        let solution = &self.plan.elimination.of_drives;
-        let mut x = self.rows_in_place(right);
-        self.subtract(&mut x, &solution.before);
-        self.scale(&mut x, &solution.scaled);
-        for &place in &solution.from_nothing {
-            *x.place(place) = -T::zero();
-        }
-        for &place in &solution.still {
-            *x.place(place) = T::zero();
-        }
-        self.subtract(&mut x, &solution.behind);
-        self.carried_unknowns(&mut x);
-        vector(&x)
-    }
-
     fn solve_transposed(&self, right: &SVector<T, N>) -> SVector<T, N> {
         let elimination = &self.plan.elimination;
         let [mut result] = right.data.0;

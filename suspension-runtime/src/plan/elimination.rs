@@ -37,7 +37,6 @@ pub(crate) struct Elimination {
     pub(crate) forward: Rows,
     /// Each row begins with the inverse of its pivot.
     pub(crate) backward: Rows,
-    pub(crate) of_drives: Solution,
     pub(crate) transposed: Solution,
 }
 
@@ -74,18 +73,15 @@ impl Elimination {
             row_of: substitution::row_of(order),
             forward,
             backward,
-            of_drives: Solution::default(),
             transposed: Solution::default(),
         };
         let entry = |row, column| elimination.entry(row, Some(column));
         let fill = order.fill.iter().map(|&(row, column)| entry(row, column));
         let filled = fill.filter(|number| *number != SPARE).collect();
         let carriers = substitution::carriers(system, order, entry, elimination.stored.len());
-        let of_drives = Solution::of_drives(system, order, entry);
         let transposed = Solution::transposed(order, entry);
         elimination.filled = filled;
         elimination.carriers = carriers;
-        elimination.of_drives = of_drives;
         elimination.transposed = transposed;
         steps().for_each(|step| elimination.step(step));
         elimination

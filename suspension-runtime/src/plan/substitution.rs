@@ -1,10 +1,8 @@
 //! Solutions with the factors, as indices. A row stands in the place of the unknown that its step finds, so that a
 //! solution is made in place.
 
-use std::collections::BTreeSet;
-
 use suspension_listing::eliminate::{Order, Step};
-use suspension_listing::system::{Site, SiteMotion, Substituted, System};
+use suspension_listing::system::{Substituted, System};
 
 use super::ZERO;
 use super::places::position;
@@ -27,15 +25,12 @@ pub(crate) struct Term {
     pub(crate) number: u16,
 }
 
-/// A solution of which not every row is as all others: terms, then pivots, then terms.
+/// A solution with the transpose: terms, then pivots, then terms.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solution {
     pub(crate) before: Vec<Term>,
     /// Places that are multiplied by a number.
     pub(crate) scaled: Vec<[u16; 2]>,
-    /// Places whose rows are zero before the terms behind, and zero to the end.
-    pub(crate) from_nothing: Vec<u16>,
-    pub(crate) still: Vec<u16>,
     pub(crate) behind: Vec<Term>,
 }
 
@@ -98,52 +93,6 @@ impl Rows {
 }
 
 impl Solution {
-    /// For a right-hand side that is zero but in the rows that drives change.
-    pub(super) fn of_drives(
-        system: &System,
-        order: &Order,
-        entry: impl Fn(usize, usize) -> u16,
-    ) -> Self {
-        let mut solution = Self::default();
-        let mut live = driven_rows(system);
-        let place = |row| column_of(order, row);
-        for step in &order.steps {
-            if live.contains(&step.row) {
-                for &row in &step.below {
-                    live.insert(row);
-                    let number = entry(row, step.column);
-                    solution.before.push(term(place(row), step.column, number));
-                }
-            }
-        }
-        let mut known = BTreeSet::new();
-        for step in order.steps.iter().rev() {
-            let is_live = live.contains(&step.row);
-            let right = step.right.iter().filter(|_| !step.carried);
-            let right: Vec<usize> = right
-                .copied()
-                .filter(|column| known.contains(column))
-                .collect();
-            let is_known = is_live || !right.is_empty() || step.carried;
-            if is_live && !step.carried {
-                let pivot = entry(step.row, step.column);
-                solution.scaled.push([index(step.column), pivot]);
-            } else if is_known && !is_live {
-                solution.from_nothing.push(index(step.column));
-            } else if !is_known {
-                solution.still.push(index(step.column));
-            }
-            if is_known {
-                known.insert(step.column);
-            }
-            for column in right {
-                let number = entry(step.row, column);
-                solution.behind.push(term(step.column, column, number));
-            }
-        }
-        solution
-    }
-
     /// With the transpose.
     pub(super) fn transposed(order: &Order, entry: impl Fn(usize, usize) -> u16) -> Self {
         let mut solution = Self::default();
@@ -197,18 +146,6 @@ pub(super) fn row_of(order: &Order) -> Vec<u16> {
     let mut rows: Vec<[usize; 2]> = steps.map(|step| [step.column, step.row]).collect();
     rows.sort_unstable();
     rows.into_iter().map(|[_, row]| index(row)).collect()
-}
-
-/// The rows that drives change.
-fn driven_rows(system: &System) -> BTreeSet<usize> {
-    let is_driven = |site: &Site| site.motion == SiteMotion::DrivenAnchor;
-    let rows = system.equations.iter().flat_map(|equation| {
-        let form = equation.form.equations();
-        let driven = form.drive().is_some() || form.sites().into_iter().any(is_driven);
-        vec![driven; form.rows()]
-    });
-    let driven = rows.enumerate().filter(|(_, driven)| *driven);
-    driven.map(|(row, _)| row).collect()
 }
 
 /// The points that elimination takes out first, by body.

@@ -5,11 +5,11 @@ use quote::quote;
 
 use suspension_listing::form::Along;
 use suspension_listing::name::Name;
-use suspension_listing::system::{Equation, Site, SiteMotion, System};
+use suspension_listing::system::{Site, SiteMotion, System};
 
-use super::{Emit, Operations, Rows, Write};
+use super::{Emit, Operations};
 use crate::emit::fields::point_index;
-use crate::emit::indices;
+use crate::emit::gradient::{By, Gradient};
 use crate::emit::lengths::kept_length;
 use crate::emit::terms::{assign_vector, ident, value_of};
 
@@ -30,8 +30,8 @@ impl Emit for Along {
         let ends: Vec<&Name> = self.ends.iter().map(|end| &end.name).collect();
         let last = ends.last().map(|last| point_index(system, last));
         match ends.as_slice() {
-            [to] => quote!(parts::line(#last, (design.#to - design.#from).norm())?),
-            ends => quote!(parts::plane(#last, Frame::new(design.#from, #(design.#ends),*))?),
+            [to] => quote!(parts::line(#last, (at.#to - at.#from).norm())?),
+            ends => quote!(parts::plane(#last, Frame::new(at.#from, #(at.#ends),*))?),
         }
     }
 
@@ -56,39 +56,37 @@ impl Emit for Along {
         })
     }
 
-    fn residual(&self, name: &Name) -> Rows {
+    fn residual(&self, name: &Name) -> TokenStream {
         let (point, from, ends) = (place(&self.point), place(&self.from), ends(self));
         let entries = assign_vector(name, &ident("term"));
         let term = quote! {
             let term = self.#name.residual(#point, #from, #ends);
             #entries
         };
-        term.into()
+        term
     }
 
-    fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream {
-        let rows = equation.rows();
-        let gradient = gradient(self, &equation.named.name);
-        let point = diagonal(&self.point, &rows, &quote!(T::one()), write);
-        let from = diagonal(&self.from, &rows, &quote!(gradient.from), write);
+    fn gradient(&self, name: &Name) -> Gradient<'_> {
+        let (from, ends) = (place(&self.from), ends(self));
+        let mut by = vec![
+            By::Diagonal(&self.point, quote!(T::one())),
+            By::Diagonal(&self.from, quote!(gradient.from)),
+        ];
         let lines = self.ends.iter().zip(&self.distances).enumerate();
-        let lines = lines.map(|(line, (to, distance))| {
+        by.extend(lines.flat_map(|(line, (to, distance))| {
             let line = Literal::usize_unsuffixed(line);
-            let to = diagonal(to, &rows, &quote!(gradient.lines[#line].0), write);
-            let by_distance = rows.iter().zip(["x", "y", "z"].map(ident));
-            let by_distance = by_distance
-                .map(|(row, axis)| write(row, distance, quote!(gradient.lines[#line].1.#axis)));
-            quote!(#to #(#by_distance)*)
-        });
-        quote! {
-            #gradient
-            #point
-            #from
-            #(#lines)*
+            [
+                By::Diagonal(to, quote!(gradient.lines[#line].0)),
+                By::ScalarOfThree(distance, quote!(gradient.lines[#line].1)),
+            ]
+        }));
+        Gradient {
+            statements: quote!(let gradient = self.#name.gradient(#from, #ends);),
+            by,
         }
     }
 
-    fn curvature(&self, name: &Name) -> Option<Rows> {
+    fn curvature(&self, name: &Name) -> Option<TokenStream> {
         let changes = ["v", "w"].map(|rate| {
             let (free, fixed) = (ident(rate), ident(&format!("{rate}_fixed")));
             let from = value_of(&self.from, &free, &fixed);
@@ -103,10 +101,10 @@ impl Emit for Along {
             let term = self.#name.curvature(#(#changes),*);
             #entries
         };
-        Some(term.into())
+        Some(term)
     }
 
-    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<Rows> {
+    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
         let ends = self.ends.iter().enumerate().map(|(line, to)| {
             let line = Literal::usize_unsuffixed(line);
             (to, quote!(*gradient.lines[#line].0))
@@ -116,7 +114,7 @@ impl Emit for Along {
             .chain(ends);
         let of_motion = |(site, _): &(&Site, TokenStream)| site.motion == motion;
         let lines: Vec<(&Site, TokenStream)> = lines.filter(of_motion).collect();
-        let gradient = (!lines.is_empty()).then(|| gradient(self, name));
+        let gradient = (!lines.is_empty()).then(|| self.gradient(name).statements);
         let point = [(&self.point, quote!())].into_iter().filter(of_motion);
         let terms: Vec<TokenStream> = point
             .chain(lines)
@@ -132,7 +130,7 @@ impl Emit for Along {
                 let term = #(#terms)*;
                 #entries
             };
-            term.into()
+            term
         })
     }
 
@@ -156,17 +154,4 @@ fn ends(form: &Along) -> TokenStream {
     let ends = form.ends.iter().map(place);
     let distances = &form.distances;
     quote!([#((#ends, free.#distances)),*])
-}
-
-fn gradient(form: &Along, name: &Name) -> TokenStream {
-    let (from, ends) = (place(&form.from), ends(form));
-    quote!(let gradient = self.#name.gradient(#from, #ends);)
-}
-
-/// A multiple of the identity.
-fn diagonal(site: &Site, rows: &[Name], value: &TokenStream, write: &Write<'_>) -> TokenStream {
-    let columns = indices::unknown_names(&site.name);
-    let free = rows.iter().zip(&columns).filter(|_| site.is_free());
-    let entries = free.map(|(row, column)| write(row, column, value.clone()));
-    quote!(#(#entries)*)
 }

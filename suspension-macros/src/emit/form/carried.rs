@@ -5,12 +5,12 @@ use quote::{format_ident, quote};
 
 use suspension_listing::form::Carried;
 use suspension_listing::name::Name;
-use suspension_listing::system::{Equation, Site, SiteMotion, System, frame_name, pair_name};
+use suspension_listing::system::{SiteMotion, System, frame_name, pair_name};
 
-use super::{Emit, Operations, Rows, Write};
+use super::{Emit, Operations};
 use crate::emit::fields::point_index;
-use crate::emit::indices;
-use crate::emit::terms::{Binding, assign_vector, ident, value_of};
+use crate::emit::gradient::{By, Gradient};
+use crate::emit::terms::{assign_vector, ident, value_of};
 
 /// The points of a frame in the gradient.
 const BLOCKS: [&str; 3] = ["origin", "second", "third"];
@@ -27,7 +27,7 @@ impl Emit for Carried {
     fn of_points(&self, _name: &Name, system: &System) -> TokenStream {
         let (point, frame) = (&self.point.name, frame_name(&self.body));
         let index = point_index(system, point);
-        quote!(parts::carried(#index, design.#point, &#frame)?)
+        quote!(parts::carried(#index, at.#point, &#frame)?)
     }
 
     fn of_lengths(&self, name: &Name, system: &System) -> TokenStream {
@@ -38,54 +38,43 @@ impl Emit for Carried {
         quote!(parts::carried_at(#index, &self.#name, &#frame, [#(lengths.#lengths),*])?)
     }
 
-    fn residual(&self, name: &Name) -> Rows {
+    fn residual(&self, name: &Name) -> TokenStream {
         let (point, frame) = (
             value_of(&self.point, &ident("free"), &ident("fixed")),
             frame_name(&self.body),
         );
-        in_rows(name, quote!(self.#name.residual(#point, &#frame)))
+        in_rows(name, &quote!(self.#name.residual(#point, &#frame)))
     }
 
-    fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream {
-        let (name, frame, rows) = (
-            &equation.named.name,
-            frame_name(&self.body),
-            equation.rows(),
-        );
-        let columns = indices::unknown_names(&self.point.name);
-        let identity = rows.iter().zip(&columns);
-        let identity = identity.map(|(row, column)| write(row, column, quote!(T::one())));
-        let blocks = BLOCKS.into_iter().zip(&self.frame);
-        let blocks = blocks.map(|(block, site)| entries(site, &rows, block, write));
-        let entries = quote!(#(#identity)* #(#blocks)*);
-        let gradient =
-            (!entries.is_empty()).then(|| quote!(let gradient = self.#name.gradient(&#frame);));
-        quote!(#gradient #entries)
+    fn gradient(&self, name: &Name) -> Gradient<'_> {
+        let frame = frame_name(&self.body);
+        let blocks = BLOCKS.map(ident).into_iter().zip(&self.frame);
+        let blocks = blocks.map(|(block, site)| By::PointOfThree(site, quote!(gradient.#block)));
+        let identity = By::Diagonal(&self.point, quote!(T::one()));
+        Gradient {
+            statements: quote!(let gradient = self.#name.gradient(&#frame);),
+            by: [identity].into_iter().chain(blocks).collect(),
+        }
     }
 
-    fn curvature(&self, name: &Name) -> Option<Rows> {
+    fn curvature(&self, name: &Name) -> Option<TokenStream> {
         let frame = frame_name(&self.body);
         let [v, w] = ["v", "w"].map(|rate| format_ident!("{frame}_{rate}"));
-        Some(in_rows(name, quote!(self.#name.curvature(&#v, &#w))))
+        Some(in_rows(name, &quote!(self.#name.curvature(&#v, &#w))))
     }
 
-    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<Rows> {
+    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
         let blocks = BLOCKS.map(ident).into_iter().zip(&self.frame);
         let moved = blocks.filter(|(_, site)| site.motion == motion);
         let terms: Vec<TokenStream> = moved
             .map(|(block, site)| {
                 let site = &site.name;
-                quote!(- #name.#block * fixed_rate.#site)
+                quote!(- gradient.#block * fixed_rate.#site)
             })
             .collect();
-        let (frame, entries) = (frame_name(&self.body), assign_vector(name, &ident("term")));
-        (!terms.is_empty()).then(|| Rows {
-            variable: Some(Binding::new(name, quote!(self.#name.gradient(&#frame)))),
-            assignments: quote! {
-                let term = #(#terms)*;
-                #entries
-            },
-        })
+        let statements = self.gradient(name).statements;
+        let rows = in_rows(name, &quote!(#(#terms)*));
+        (!terms.is_empty()).then(|| quote!(#statements #rows))
     }
 
     fn cost(&self) -> [Operations; 3] {
@@ -93,25 +82,8 @@ impl Emit for Carried {
     }
 }
 
-/// Rows of a vector that has the equations' name.
-fn in_rows(name: &Name, vector: TokenStream) -> Rows {
-    Rows {
-        variable: Some(Binding::new(name, vector)),
-        assignments: assign_vector(name, name),
-    }
-}
-
-fn entries(site: &Site, rows: &[Name], block: &str, write: &Write<'_>) -> TokenStream {
-    if !site.is_free() {
-        return TokenStream::new();
-    }
-    let block = ident(block);
-    let mut entries = TokenStream::new();
-    for (i, row) in (1..).zip(rows) {
-        for (j, column) in (1..).zip(&indices::unknown_names(&site.name)) {
-            let entry = format_ident!("m{i}{j}");
-            entries.extend(write(row, column, quote!(gradient.#block.#entry)));
-        }
-    }
-    entries
+/// Rows read off a vector.
+fn in_rows(name: &Name, vector: &TokenStream) -> TokenStream {
+    let entries = assign_vector(name, &ident("term"));
+    quote!(let term = #vector; #entries)
 }

@@ -5,10 +5,11 @@ use quote::quote;
 
 use suspension_listing::form::Distance;
 use suspension_listing::name::Name;
-use suspension_listing::system::{Equation, SiteMotion, System};
+use suspension_listing::system::{SiteMotion, System};
 
-use super::{Emit, Operations, Rows, Write, gradient_entries};
+use super::{Emit, Operations};
 use crate::emit::fields::length_index;
+use crate::emit::gradient::{By, Gradient};
 use crate::emit::terms::{assign, ident, value_of};
 
 impl Emit for Distance {
@@ -23,38 +24,49 @@ impl Emit for Distance {
     fn of_points(&self, name: &Name, system: &System) -> TokenStream {
         let (from, to) = (&self.from.name, &self.to.name);
         let index = length_index(system, name);
-        quote!(parts::distance(#index, design.#from, design.#to)?)
+        quote!(parts::distance(#index, at.#from, at.#to)?)
     }
 
     fn of_lengths(&self, name: &Name, _system: &System) -> TokenStream {
         quote!(Distance::new(lengths.#name))
     }
 
-    fn residual(&self, name: &Name) -> Rows {
+    fn residual(&self, name: &Name) -> TokenStream {
         let vector = vector(self, "free", "fixed");
-        assign(name, &quote!(self.#name.residual(#vector))).into()
+        let row = assign(name, &quote!(self.#name.residual(d)));
+        quote!(let d = #vector; #row)
     }
 
-    fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream {
-        let (name, vector) = (&equation.named.name, vector(self, "free", "fixed"));
-        let to = gradient_entries(&self.to, name, &quote!(), write);
-        let from = gradient_entries(&self.from, name, &quote!(-), write);
-        quote! {
-            let gradient = self.#name.gradient(#vector);
-            #to
-            #from
+    fn gradient(&self, name: &Name) -> Gradient<'_> {
+        let vector = vector(self, "free", "fixed");
+        Gradient {
+            statements: quote! {
+                let d = #vector;
+                let gradient = self.#name.gradient(d);
+            },
+            by: vec![
+                By::Point(&self.to, quote!(gradient)),
+                By::Point(&self.from, quote!(opposite(gradient))),
+            ],
         }
     }
 
-    fn curvature(&self, name: &Name) -> Option<Rows> {
+    fn curvature(&self, name: &Name) -> Option<TokenStream> {
         let (v, w) = (vector(self, "v", "v_fixed"), vector(self, "w", "w_fixed"));
-        Some(assign(name, &quote!(self.#name.curvature(#v, #w))).into())
+        let row = assign(name, &quote!(self.#name.curvature(v_d, w_d)));
+        let rows = quote! {
+            let v_d = #v;
+            let w_d = #w;
+            #row
+        };
+        Some(rows)
     }
 
-    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<Rows> {
-        let (vector, from) = (vector(self, "free", "fixed"), &self.from.name);
-        let term = quote!(dot(self.#name.gradient(#vector), fixed_rate.#from));
-        (self.from.motion == motion).then(|| assign(name, &term).into())
+    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
+        let from = &self.from.name;
+        let statements = self.gradient(name).statements;
+        let row = assign(name, &quote!(dot(gradient, fixed_rate.#from)));
+        (self.from.motion == motion).then(|| quote!(#statements #row))
     }
 
     fn cost(&self) -> [Operations; 3] {

@@ -5,10 +5,10 @@ use quote::quote;
 
 use suspension_listing::form::{Linear, Prescribed, Term};
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, Equation, Site, SiteMotion, System};
+use suspension_listing::system::{AXES, Site, SiteMotion, System};
 
-use super::{Emit, Operations, Rows, Write};
-use crate::emit::indices;
+use super::{Emit, Operations};
+use crate::emit::gradient::{By, Gradient};
 use crate::emit::terms::{assign, ident, value_of};
 
 impl Emit for Linear {
@@ -19,7 +19,7 @@ impl Emit for Linear {
     fn of_points(&self, _name: &Name, _system: &System) -> TokenStream {
         let terms = coordinates(self, |site| {
             let name = &site.name;
-            quote!(design.#name)
+            quote!(at.#name)
         });
         let sum = sum(terms);
         quote!(Held::new(#sum))
@@ -30,7 +30,7 @@ impl Emit for Linear {
         quote!(self.#name)
     }
 
-    fn residual(&self, name: &Name) -> Rows {
+    fn residual(&self, name: &Name) -> TokenStream {
         let (free, fixed) = (ident("free"), ident("fixed"));
         let terms = coordinates(self, |site| value_of(site, &free, &fixed));
         let scalar = self.scalar.iter().map(|scalar| (1.0, quote!(free.#scalar)));
@@ -39,31 +39,32 @@ impl Emit for Linear {
             Prescribed::Drive(drive) => quote!(#sum - drives.#drive),
             Prescribed::Design => quote!(self.#name.residual(#sum)),
         };
-        assign(name, &off).into()
+        assign(name, &off)
     }
 
-    fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream {
-        let scalar = self.scalar.iter();
-        let scalar = scalar.map(|scalar| write(&equation.named.name, scalar, quote!(T::one())));
-        let free = self.terms.iter().filter(|term| term.site.is_free());
-        let entries = free.map(|Term { factor, site, axis }| {
-            let column = &indices::unknown_names(&site.name)[*axis];
+    fn gradient(&self, _name: &Name) -> Gradient<'_> {
+        let terms = self.terms.iter().map(|Term { factor, site, axis }| {
             let value = match factor {
                 1.0 => quote!(T::one()),
                 -1.0 => quote!(-T::one()),
                 factor => constant(*factor),
             };
-            write(&equation.named.name, column, value)
+            By::Coordinate(site, *axis, value)
         });
-        quote!(#(#entries)* #(#scalar)*)
+        let scalar = self.scalar.iter();
+        let scalar = scalar.map(|scalar| By::Scalar(scalar, quote!(T::one())));
+        Gradient {
+            statements: TokenStream::new(),
+            by: terms.chain(scalar).collect(),
+        }
     }
 
-    fn curvature(&self, _name: &Name) -> Option<Rows> {
+    fn curvature(&self, _name: &Name) -> Option<TokenStream> {
         None
     }
 
     /// `drive_rate`, where a drive prescribes the sum, less the terms' rates.
-    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<Rows> {
+    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
         let of_drive = match &self.prescribed {
             Prescribed::Drive(drive) if motion == SiteMotion::DrivenAnchor => {
                 Some((1.0, quote!(drive_rate.#drive)))
@@ -77,7 +78,7 @@ impl Emit for Linear {
         });
         let (plus, less): (Vec<_>, Vec<_>) = rates.partition(|(factor, _)| *factor > 0.0);
         let terms: Vec<_> = of_drive.into_iter().chain(plus).chain(less).collect();
-        (!terms.is_empty()).then(|| assign(name, &sum(terms.into_iter())).into())
+        (!terms.is_empty()).then(|| assign(name, &sum(terms.into_iter())))
     }
 
     fn cost(&self) -> [Operations; 3] {

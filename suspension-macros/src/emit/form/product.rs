@@ -5,11 +5,11 @@ use quote::quote;
 
 use suspension_listing::form::Product;
 use suspension_listing::name::Name;
-use suspension_listing::system::{AXES, Equation, Site, SiteMotion, System};
+use suspension_listing::system::{Site, SiteMotion, System};
 
-use super::{Emit, Operations, Rows, Write};
+use super::{Emit, Operations};
 use crate::emit::fields::point_index;
-use crate::emit::indices;
+use crate::emit::gradient::{By, Gradient};
 use crate::emit::lengths::kept_length;
 use crate::emit::terms::{assign, ident, value_of};
 
@@ -23,7 +23,7 @@ impl Emit for Product {
         let index = point_index(system, &end.name);
         let lines = self.lines.each_ref().map(|[from, to]| {
             let (from, to) = (&from.name, &to.name);
-            quote!(design.#to - design.#from)
+            quote!(at.#to - at.#from)
         });
         quote!(parts::product(#index, [#(#lines),*])?)
     }
@@ -36,53 +36,57 @@ impl Emit for Product {
         quote!(parts::product_at(#index, &self.#name, [#(#lengths),*])?)
     }
 
-    fn residual(&self, name: &Name) -> Rows {
+    fn residual(&self, name: &Name) -> TokenStream {
         let lines = lines(self, "free", "fixed");
-        assign(name, &quote!(self.#name.residual(#(#lines),*))).into()
+        assign(name, &quote!(self.#name.residual(#(#lines),*)))
     }
 
-    fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream {
-        let name = &equation.named.name;
-        let gradient = gradient(self, name);
-        let entries = signed(self).map(|(line, site, sign)| {
-            let columns = indices::unknown_names(&site.name);
-            let free = columns.into_iter().zip(AXES).filter(|_| site.is_free());
-            let entries: Vec<TokenStream> = free
-                .map(|(column, axis)| {
-                    let axis = ident(axis);
-                    write(name, &column, quote!(#sign gradient[#line].#axis))
-                })
-                .collect();
-            quote!(#(#entries)*)
+    fn gradient(&self, name: &Name) -> Gradient<'_> {
+        let [first, second] = lines(self, "free", "fixed");
+        let by = signed(self).map(|(line, site, is_end)| {
+            let gradient = quote!(gradient[#line]);
+            By::Point(
+                site,
+                if is_end {
+                    gradient
+                } else {
+                    quote!(opposite(#gradient))
+                },
+            )
         });
-        quote!(#gradient #(#entries)*)
+        Gradient {
+            statements: quote! {
+                let gradient = [self.#name.gradient(#second), self.#name.gradient(#first)];
+            },
+            by: by.collect(),
+        }
     }
 
-    fn curvature(&self, name: &Name) -> Option<Rows> {
+    fn curvature(&self, name: &Name) -> Option<TokenStream> {
         let changes = ["v", "w"].map(|rate| {
             let lines = lines(self, rate, &format!("{rate}_fixed"));
             quote!([#(#lines),*])
         });
-        Some(assign(name, &quote!(self.#name.curvature(#(#changes),*))).into())
+        Some(assign(name, &quote!(self.#name.curvature(#(#changes),*))))
     }
 
-    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<Rows> {
+    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
         let moved = signed(self).filter(|(_, site, _)| site.motion == motion);
         let mut sum = TokenStream::new();
-        for (line, site, sign) in moved {
+        for (line, site, is_end) in moved {
             let (point, is_first) = (&site.name, sum.is_empty());
             // The rates are on the other side of the equation.
-            let sign = match (sign.is_empty(), is_first) {
+            let sign = match (is_end, is_first) {
                 (true, _) => quote!(-),
                 (false, true) => quote!(),
                 (false, false) => quote!(+),
             };
             sum.extend(quote!(#sign dot(gradient[#line], fixed_rate.#point)));
         }
-        let gradient = gradient(self, name);
+        let statements = self.gradient(name).statements;
         (!sum.is_empty()).then(|| {
             let row = assign(name, &sum);
-            quote!(#gradient #row).into()
+            quote!(#statements #row)
         })
     }
 
@@ -100,17 +104,11 @@ fn lines(form: &Product, free: &str, fixed: &str) -> [TokenStream; 2] {
     })
 }
 
-/// By each of the lines.
-fn gradient(form: &Product, name: &Name) -> TokenStream {
-    let [first, second] = lines(form, "free", "fixed");
-    quote!(let gradient = [self.#name.gradient(#second), self.#name.gradient(#first)];)
-}
-
-/// Each end: of which line, and with which sign this depends on it.
-fn signed(form: &Product) -> impl Iterator<Item = (Literal, &Site, TokenStream)> {
+/// Each end: of which line, and whether it is the last.
+fn signed(form: &Product) -> impl Iterator<Item = (Literal, &Site, bool)> {
     let lines = form.lines.iter().enumerate();
     lines.flat_map(|(line, [from, to])| {
         let line = Literal::usize_unsuffixed(line);
-        [(line.clone(), from, quote!(-)), (line, to, quote!())]
+        [(line.clone(), from, false), (line, to, true)]
     })
 }

@@ -5,10 +5,11 @@ use quote::quote;
 
 use suspension_listing::form::Stretch;
 use suspension_listing::name::Name;
-use suspension_listing::system::{Equation, Site, SiteMotion, System};
+use suspension_listing::system::{Site, SiteMotion, System};
 
-use super::{Emit, Operations, Rows, Write, gradient_entries};
+use super::{Emit, Operations};
 use crate::emit::fields::point_index;
+use crate::emit::gradient::{By, Gradient};
 use crate::emit::terms::{assign, ident, value_of};
 
 impl Emit for Stretch {
@@ -23,7 +24,7 @@ impl Emit for Stretch {
     fn of_points(&self, _name: &Name, system: &System) -> TokenStream {
         let (from, to) = (&self.from.name, &self.to.name);
         let index = point_index(system, to);
-        quote!(parts::stretch(#index, (design.#to - design.#from).norm())?)
+        quote!(parts::stretch(#index, (at.#to - at.#from).norm())?)
     }
 
     /// A driven length is none of those that are given.
@@ -36,38 +37,40 @@ impl Emit for Stretch {
         Some(quote!(free.#length = self.#name.reach(difference(#to, #from));))
     }
 
-    fn residual(&self, name: &Name) -> Rows {
+    fn residual(&self, name: &Name) -> TokenStream {
         let (vector, length) = (vector(self, "free", "fixed"), &self.length);
-        assign(name, &quote!(self.#name.residual(#vector, free.#length))).into()
+        assign(name, &quote!(self.#name.residual(#vector, free.#length)))
     }
 
-    fn jacobian(&self, equation: &Equation, write: &Write<'_>) -> TokenStream {
-        let (name, length) = (&equation.named.name, &self.length);
-        let vector = vector(self, "free", "fixed");
-        let to = gradient_entries(&self.to, name, &quote!(), write);
-        let from = gradient_entries(&self.from, name, &quote!(-), write);
-        let by_length = write(name, length, quote!(self.#name.by_length(free.#length)));
-        quote! {
-            let gradient = self.#name.gradient(#vector);
-            #to
-            #from
-            #by_length
+    fn gradient(&self, name: &Name) -> Gradient<'_> {
+        let (vector, length) = (vector(self, "free", "fixed"), &self.length);
+        Gradient {
+            statements: quote! {
+                let d = #vector;
+                let gradient = self.#name.gradient(d);
+            },
+            by: vec![
+                By::Point(&self.to, quote!(gradient)),
+                By::Point(&self.from, quote!(opposite(gradient))),
+                By::Scalar(length, quote!(self.#name.by_length(free.#length))),
+            ],
         }
     }
 
-    fn curvature(&self, name: &Name) -> Option<Rows> {
+    fn curvature(&self, name: &Name) -> Option<TokenStream> {
         let changes = ["v", "w"].map(|rate| {
             let (vector, free) = (vector(self, rate, &format!("{rate}_fixed")), ident(rate));
             let length = &self.length;
             quote!((#vector, #free.#length))
         });
-        Some(assign(name, &quote!(self.#name.curvature(#(#changes),*))).into())
+        Some(assign(name, &quote!(self.#name.curvature(#(#changes),*))))
     }
 
-    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<Rows> {
-        let (vector, from) = (vector(self, "free", "fixed"), &self.from.name);
-        let term = quote!(dot(self.#name.gradient(#vector), fixed_rate.#from));
-        (self.from.motion == motion).then(|| assign(name, &term).into())
+    fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
+        let from = &self.from.name;
+        let statements = self.gradient(name).statements;
+        let row = assign(name, &quote!(dot(gradient, fixed_rate.#from)));
+        (self.from.motion == motion).then(|| quote!(#statements #row))
     }
 
     fn cost(&self) -> [Operations; 3] {
