@@ -24,7 +24,9 @@ pub use crate::pivots::check as check_pivots;
 pub use crate::rows::Rows;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::signal::Signal;
-pub use crate::vector::{difference, dot, gather_vectors, moved_along, opposite, xyz};
+pub use crate::vector::{
+    difference, dot, gather_vector, gather_vectors, moved_along, opposite, xyz,
+};
 
 /// A vector of its entries.
 #[doc(hidden)]

@@ -89,7 +89,7 @@ pub fn moved_along<T: Scalar>(
 
 /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
 #[inline(always)]
-pub(crate) fn gather_vector<M, S: Scalar, T: Scalar>(
+pub fn gather_vector<M, S: Scalar, T: Scalar>(
     of: impl Fn(&M) -> Vector3<S>,
     number: &impl Fn(&dyn Fn(&M) -> S) -> T,
 ) -> Vector3<T> {

@@ -26,7 +26,7 @@ use assembled::Enumerated;
 
 pub use assembled::{Assembled, Assembly};
 pub use changed::Changes;
-pub use changing::Changing;
+pub use changing::{Change, Changing};
 pub use equations::Equations;
 
 /// A mechanism of any linkage at the first instant of its motion. It can be read as its [`Description`].
@@ -102,9 +102,9 @@ pub trait Kinematics: Deref<Target = Description> {
     /// none.
     fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>>;
 
-    /// The derivatives along a change, where the mechanism starts; `None` where no such suspensions can be built, or it
-    /// locks there.
-    fn changing(&self, changes: &Changes) -> Option<Changing>;
+    /// What gives the derivatives along a change, where the mechanism starts, `None` where no such suspensions can be built;
+    /// `None` where it locks there.
+    fn changing(&self) -> Option<Box<Change<'_>>>;
 
     /// What the motion takes in steps of `dt`, without the first, and how many they are; `None` where it has none, or stops.
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
@@ -207,8 +207,8 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         Some(Box::new(changed::changed(self, changes)?))
     }
 
-    fn changing(&self, changes: &Changes) -> Option<Changing> {
-        changing::changing(self, changes)
+    fn changing(&self) -> Option<Box<Change<'_>>> {
+        changing::changing(self)
     }
 
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)> {

@@ -84,18 +84,18 @@ pub fn sensitivities(
     mut on_change: impl FnMut(),
 ) -> Option<Sensitivities> {
     let columns = columns(mechanism);
-    let held = mechanism.changing(&Changes::default())?;
+    let changing = mechanism.changing()?;
+    let exact = Exact::new(&columns, &changing(&Changes::default())?);
     let mut each = Vec::new();
     for change in changes {
         if interrupted.load(Ordering::Relaxed) {
             return None;
         }
         on_change();
-        let Some(changing) = mechanism.changing(&change.per_unit) else {
+        let Some(changed) = changing(&change.per_unit) else {
             continue;
         };
-        let exact = Exact::of(&changing, &held);
-        let mut of: Vec<Vec<f64>> = columns.iter().map(|column| exact.read(column)).collect();
+        let mut of = exact.read(&changed);
         difference::fill(mechanism, change, &columns, &mut of);
         each.push(Sensitivity {
             change: change.clone(),

@@ -5,7 +5,7 @@ use suspension_core::Scalar;
 use suspension_core::constraint::{
     Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch,
 };
-use suspension_core::generated::gather_vectors;
+use suspension_core::generated::gather_vector;
 use suspension_core::handedness::Linked;
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 
@@ -59,32 +59,60 @@ where
         number: impl Fn(&dyn Fn(&Model<'l, S, N>) -> S) -> T,
     ) -> Self {
         let number = &number;
+        let plan = listing.plan();
         let distance = |index| {
+            if index >= plan.distances.len() {
+                return Distance::default();
+            }
             let of = |model: &Model<'l, S, N>| model.distances.get(index).copied();
             Distance::gather(|model| of(model).unwrap_or_default(), number)
         };
+        let (bodies, clusters) = (plan.bodies.len(), plan.clusters.len());
+        let linked = plan.clusters.iter().map(|cluster| cluster.points.len());
         Self {
             listing,
-            fixed: gather_vectors(|model| model.fixed, number),
+            fixed: first(plan.chassis.into(), |at| {
+                gather_vector(|model| model.fixed.get(at), number)
+            }),
             size: number(&|model| model.size),
             distances: core::array::from_fn(distance),
-            frames: each(|at| Frame::gather(|model| model.frames.get(at), number)),
-            carried: each(|at| Carried::gather(|model| model.carried.get(at), number)),
-            lines: each(|at| OnLine::gather(|model| model.lines.get(at), number)),
-            planes: each(|at| InPlane::gather(|model| model.planes.get(at), number)),
-            stretches: each(|at| Stretch::gather(|model| model.stretches.get(at), number)),
-            products: each(|at| Product::gather(|model| model.products.get(at), number)),
-            held: each(|at| Held::gather(|model| model.held.get(at), number)),
-            markers: each(|at| Carried::gather(|model| model.markers.get(at), number)),
-            cluster_frames: each(|at| Frame::gather(|model| model.cluster_frames.get(at), number)),
-            linked: each(|at| Linked::gather(|model| model.linked.get(at), number)),
+            frames: first(bodies, |at| {
+                Frame::gather(|model| model.frames.get(at), number)
+            }),
+            carried: first(plan.carried(), |at| {
+                Carried::gather(|model| model.carried.get(at), number)
+            }),
+            lines: first(plan.lines.len(), |at| {
+                OnLine::gather(|model| model.lines.get(at), number)
+            }),
+            planes: first(plan.planes.len(), |at| {
+                InPlane::gather(|model| model.planes.get(at), number)
+            }),
+            stretches: first(plan.stretches.len(), |at| {
+                Stretch::gather(|model| model.stretches.get(at), number)
+            }),
+            products: first(plan.products.len(), |at| {
+                Product::gather(|model| model.products.get(at), number)
+            }),
+            held: first(plan.held().count(), |at| {
+                Held::gather(|model| model.held.get(at), number)
+            }),
+            markers: first(plan.markers.len(), |at| {
+                Carried::gather(|model| model.markers.get(at), number)
+            }),
+            cluster_frames: first(clusters, |at| {
+                Frame::gather(|model| model.cluster_frames.get(at), number)
+            }),
+            linked: first(linked.sum(), |at| {
+                Linked::gather(|model| model.linked.get(at), number)
+            }),
         }
     }
 }
 
-/// A table of what is made for each of its places.
-fn each<V: Value, F: Table<V>>(make: impl Fn(u16) -> V) -> F {
-    F::from_values((0..).take(F::ROOM).map(make))
+/// A table of what is made for each of its first places.
+fn first<V: Value, F: Table<V>>(count: usize, make: impl Fn(u16) -> V) -> F {
+    F::from_values((0..).take(count).map(make))
 }
 
 impl<T: Scalar, const N: usize> Parts for Model<'_, T, N>

@@ -40,7 +40,8 @@ impl Changes {
 
 /// A model with changes, the points where the mechanism starts with those of points, and the drives.
 pub(super) struct Built<L: Suspension<N>, const N: usize> {
-    pub(super) model: L,
+    /// Large: it is not copied from place to place.
+    pub(super) model: Box<L>,
     points: L::Points,
     pub(super) drives: L::Drives,
 }
@@ -49,14 +50,14 @@ pub(super) struct Built<L: Suspension<N>, const N: usize> {
 /// are held.
 pub(super) fn build<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
+    mut points: L::Points,
     changes: &Changes,
 ) -> Option<Built<L, N>> {
-    let mut points = points(mechanism);
     for (point, by) in &changes.points {
         let moved = points.values().nth(*point)? + by;
         points = points.with(*point, moved);
     }
-    let mut model = L::of(mechanism.model.listing(), &points).ok()?;
+    let mut model = Box::new(L::of(mechanism.model.listing(), &points).ok()?);
     let drives = model.drives_at(&points);
     if !changes.lengths.is_empty() {
         let mut lengths = model.lengths();
@@ -64,7 +65,7 @@ pub(super) fn build<L: Suspension<N>, const N: usize>(
             let changed = lengths.values().nth(*length)? + by;
             lengths = lengths.with(*length, changed);
         }
-        model = model.with_lengths(&lengths).ok()?;
+        *model = model.with_lengths(&lengths).ok()?;
     }
     Some(Built {
         model,
@@ -82,12 +83,12 @@ pub(super) fn changed<L: Suspension<N>, const N: usize>(
         model,
         points,
         drives,
-    } = build(mechanism, changes)?;
-    at_rest(mechanism, model, &points, drives)
+    } = build(mechanism, points(mechanism), changes)?;
+    at_rest(mechanism, *model, &points, drives)
 }
 
 /// All points where the mechanism starts.
-fn points<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> L::Points {
+pub(super) fn points<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> L::Points {
     let drives = L::Drives::from_values(mechanism.first_drives());
     let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
     mechanism.start.points(&mechanism.model, &inputs).value

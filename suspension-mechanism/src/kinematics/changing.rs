@@ -5,7 +5,7 @@ use suspension_core::factored::Factored;
 use suspension_core::motion::Prescribed;
 use suspension_core::{Inputs, Signal, Still, Values};
 
-use crate::kinematics::changed::Changes;
+use crate::kinematics::changed::{Changes, points};
 use crate::kinematics::varied::{Along, Number, Varied, derivative};
 use crate::mechanism::{Mechanism, Points, State, Suspension};
 
@@ -18,30 +18,28 @@ pub struct Changing {
     pub with_drives: Vec<State>,
 }
 
-/// `None` where no such suspensions can be built, or the mechanism locks where it starts.
+/// How a mechanism changes, where it starts.
+pub type Change<'a> = dyn Fn(&Changes) -> Option<Changing> + 'a;
+
+/// `None` where the mechanism locks where it starts.
 pub(super) fn changing<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
-    changes: &Changes,
-) -> Option<Changing> {
-    let factored = factored(mechanism)?;
-    let varied = Varied::of(mechanism, changes, &factored)?;
-    Some(Around::new(mechanism, varied).changing())
-}
-
-fn factored<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
-) -> Option<Factored<L::Factors, f64, N>> {
+) -> Option<Box<Change<'_>>> {
+    let points = points(mechanism);
     let drives = L::Drives::from_values(mechanism.first_drives());
     let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
     let fixed = Prescribed::new(&mechanism.model, &inputs).fixed.value;
-    Factored::new(&mechanism.model, &mechanism.start.position, &fixed).ok()
+    let factored = Factored::new(&mechanism.model, &mechanism.start.position, &fixed).ok()?;
+    Some(Box::new(move |changes| {
+        let varied = Varied::of(mechanism, &points, changes, factored.factors())?;
+        Some(Around::new(mechanism, &varied).changing())
+    }))
 }
 
 /// The varied mechanism about its start.
-struct Around<'a, L: Suspension<N>, const N: usize> {
+struct Around<'a, L, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
-    varied: Varied<'a, L, N>,
-    positions: Vec<Vector3<Number>>,
+    /// Along each drive, and along each pair of them, a row for each drive, up to itself.
     along: Vec<Along>,
 }
 
@@ -49,23 +47,28 @@ struct Around<'a, L: Suspension<N>, const N: usize> {
 type Jet = Signal<Points>;
 
 impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
-    fn new(mechanism: &'a Mechanism<L, N>, varied: Varied<'a, L, N>) -> Self {
+    fn new(mechanism: &'a Mechanism<L, N>, varied: &Varied<'_, L, N>) -> Self {
         let drives = 0..mechanism.names.drives.len();
+        let pairs = drives.flat_map(|other| (0..=other).map(move |one| [one, other]));
         Self {
             mechanism,
-            positions: varied.along(&[]).value,
-            along: drives.map(|drive| varied.along(&[drive])).collect(),
-            varied,
+            along: pairs.map(|pair| varied.along(pair)).collect(),
         }
     }
 
+    fn of(&self, one: usize, other: usize) -> &Along {
+        let (one, other) = (one.min(other), one.max(other));
+        &self.along[other * (other + 1) / 2 + one]
+    }
+
     fn changing(&self) -> Changing {
-        let drives = 0..self.along.len();
-        let alone = self.state(alone(&self.positions), |of| alone(&self.along[of].rate));
+        let drives = 0..self.mechanism.names.drives.len();
+        let rates = |drive| &self.of(drive, drive).rate;
+        let positions = &self.of(0, 0).value;
+        let alone = self.state(alone(positions), |of| alone(rates(of)));
         let with_drive = |drive: usize| {
-            let rates = &self.along[drive].rate;
-            self.state(together(&self.positions, rates), |of| {
-                together(&self.along[of].rate, &self.mixed(of, drive))
+            self.state(together(positions, rates(drive)), |of| {
+                together(rates(of), &self.mixed(of, drive))
             })
         };
         Changing {
@@ -76,11 +79,11 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
 
     /// The mixed second derivative of the points with respect to two drives.
     fn mixed(&self, one: usize, other: usize) -> Vec<Vector3<Number>> {
-        let [a, b] = [one, other].map(|drive| &self.along[drive].second_rate);
+        let both = &self.of(one, other).second_rate;
         if one == other {
-            return a.clone();
+            return both.clone();
         }
-        let both = self.varied.along(&[one, other]).second_rate;
+        let [a, b] = [one, other].map(|drive| &self.of(drive, drive).second_rate);
         let points = both.iter().zip(a.iter().zip(b));
         points
             .map(|(both, (a, b))| (both - a - b) * Complex::from(0.5))
@@ -93,7 +96,9 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         let listed = points.map(|points: &Points| L::Points::from_values(points.iter().copied()));
         let of_drive = |drive| vehicle.is_moved_by(drive).then(|| velocities(drive));
         State {
-            velocities: (0..self.along.len()).map(of_drive).collect(),
+            velocities: (0..self.mechanism.names.drives.len())
+                .map(of_drive)
+                .collect(),
             ..self.mechanism.state(0.0, &drives, &listed)
         }
     }

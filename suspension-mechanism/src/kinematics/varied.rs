@@ -4,9 +4,8 @@
 //! solution and its derivatives with respect to the drives are computed as ever, and have theirs. Only those of the
 //! model's constants, lengths and frames that are smooth in the hardpoints, are differences.
 
-use nalgebra::{Complex, SMatrix, SVector, Vector3};
-use suspension_core::factored::Factored;
-use suspension_core::linkage::Listing;
+use nalgebra::{Complex, SVector, Vector3};
+use suspension_core::linkage::{Factors, Listing};
 use suspension_core::motion::Prescribed;
 use suspension_core::{Inputs, Linkage, Signal, Still, Values};
 
@@ -28,6 +27,7 @@ const WEIGHTS: [(f64, f64); 3] = [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)];
 
 pub(super) type Number = Complex<f64>;
 type Model<L, const N: usize> = <<L as Linkage<N>>::Listing as Listing<N>>::Model<Number>;
+type FixedOf<L, const N: usize> = <Model<L, N> as Linkage<N>>::Fixed;
 
 /// The number with a derivative.
 pub(super) fn varied(value: f64, derivative: f64) -> Number {
@@ -41,37 +41,38 @@ pub(super) fn derivative(number: Number) -> f64 {
 
 /// The mechanism at its start.
 pub(super) struct Varied<'a, L: Suspension<N>, const N: usize> {
-    factored: &'a Factored<L::Factors, f64, N>,
+    factors: &'a dyn Factors<f64, N>,
     model: Model<L, N>,
     drives: <Model<L, N> as Linkage<N>>::Drives,
     position: SVector<Number, N>,
-    jacobian: SMatrix<Number, N, N>,
+    /// How many points the listing has; a model has room for more.
+    points: usize,
 }
 
 /// All points, with the first two derivatives along a direction of the drives.
 pub(super) type Along = Signal<Vec<Vector3<Number>>>;
 
 impl<'a, L: Suspension<N>, const N: usize> Varied<'a, L, N> {
-    /// `None` where no such suspensions can be built.
+    /// The mechanism with points where it starts; `None` where no such suspensions can be built.
     pub(super) fn of(
         mechanism: &Mechanism<L, N>,
+        points: &L::Points,
         changes: &Changes,
-        factored: &'a Factored<L::Factors, f64, N>,
+        factors: &'a dyn Factors<f64, N>,
     ) -> Option<Self> {
         let step = STEP * mechanism.model.size();
-        let beside = |steps: f64| build(mechanism, &changes.times(steps * step));
+        let beside = |steps: f64| build(mechanism, *points, &changes.times(steps * step));
         if !changes.lengths.is_empty() {
             beside(FARTHEST).and(beside(-FARTHEST))?;
         }
-        let pairs = WEIGHTS.map(|(steps, _)| Some([beside(steps)?, beside(-steps)?]));
-        let pairs: Option<Vec<[Built<L, N>; 2]>> = pairs.into_iter().collect();
-        let pairs = pairs?;
+        let mut neighbours: Vec<(Built<L, N>, f64)> = Vec::with_capacity(2 * WEIGHTS.len());
+        for (steps, weight) in WEIGHTS {
+            neighbours.push((beside(steps)?, weight));
+            neighbours.push((beside(-steps)?, -weight));
+        }
         let along_change = |value: f64, of: &dyn Fn(&Built<L, N>) -> f64| {
-            let terms = pairs.iter().zip(WEIGHTS);
-            let sum: f64 = terms
-                .map(|([above, below], (_, weight))| weight * (of(above) - of(below)))
-                .sum();
-            varied(value, sum / (60.0 * step))
+            let terms = neighbours.iter().map(|(built, weight)| weight * of(built));
+            varied(value, terms.sum::<f64>() / (60.0 * step))
         };
         let model = <L::Listing as Listing<N>>::gather(&mechanism.model, |read| {
             along_change(read(&mechanism.model), &|each| read(&each.model))
@@ -85,8 +86,8 @@ impl<'a, L: Suspension<N>, const N: usize> Varied<'a, L, N> {
         Some(Self::solved(
             model,
             Values::from_values(drives),
-            &mechanism.start.position,
-            factored,
+            mechanism,
+            factors,
         ))
     }
 
@@ -94,47 +95,49 @@ impl<'a, L: Suspension<N>, const N: usize> Varied<'a, L, N> {
     fn solved(
         model: Model<L, N>,
         drives: <Model<L, N> as Linkage<N>>::Drives,
-        position: &SVector<f64, N>,
-        factored: &'a Factored<L::Factors, f64, N>,
+        mechanism: &Mechanism<L, N>,
+        factors: &'a dyn Factors<f64, N>,
     ) -> Self {
         let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
         let Prescribed {
             fixed,
             drives: coordinates,
         } = Prescribed::new(&model, &inputs);
-        let start = position.map(Complex::from);
+        let start = mechanism.start.position.map(Complex::from);
         let residual = model.residual(&start, &fixed.value, &coordinates.value);
-        let correction = factored.factors().solve(&residual.map(|entry| entry.im));
-        let position = start - correction.map(|entry| Complex::new(0.0, entry));
+        let correction = factors.solve(&residual.map(|entry| entry.im));
         Self {
-            jacobian: model.jacobian(&position, &fixed.value),
-            factored,
+            position: start - correction.map(|entry| Complex::new(0.0, entry)),
+            factors,
             model,
             drives,
-            position,
+            points: mechanism.names.points.len(),
         }
     }
 
     /// Solves `J x = right`: with the real Jacobian, then for what its derivative has left.
-    fn solve(&self, right: &SVector<Number, N>) -> SVector<Number, N> {
-        let factors = self.factored.factors();
-        let by_parts = |right: &SVector<Number, N>| {
-            let [re, im] = [right.map(|entry| entry.re), right.map(|entry| entry.im)];
-            factors
-                .solve(&re)
-                .zip_map(&factors.solve(&im), Complex::new)
-        };
-        let first = by_parts(right);
-        first - by_parts(&(self.jacobian * first - right))
+    fn solve(&self, fixed: &FixedOf<L, N>, right: &SVector<Number, N>) -> SVector<Number, N> {
+        let x = self.factors.solve(&right.map(|entry| entry.re));
+        let product = self.times_jacobian(fixed, &x.map(Complex::from));
+        let rest = self.factors.solve(&(right - product).map(|entry| entry.im));
+        x.zip_map(&rest, Complex::new)
     }
 
-    /// Where these drives change by one, and nothing else does.
-    pub(super) fn along(&self, drives: &[usize]) -> Along {
-        let none = Values::from_values([]);
+    /// `J x`, without a matrix: half of what quadratic equations differ by from `q - x` to `q + x`.
+    fn times_jacobian(&self, fixed: &FixedOf<L, N>, x: &SVector<Number, N>) -> SVector<Number, N> {
+        let beside = |position| {
+            self.model
+                .residual(&position, fixed, &Values::from_values([]))
+        };
+        (beside(self.position + x) - beside(self.position - x)) * Complex::from(0.5)
+    }
+
+    /// Where these drives change by one, and nothing else does; twice the same is one drive.
+    pub(super) fn along(&self, drives: [usize; 2]) -> Along {
         let one = Complex::from(1.0);
-        let change = drives.iter().fold(
-            none,
-            |change: <Model<L, N> as Linkage<N>>::Drives, drive| change.with(*drive, one),
+        let change = drives.into_iter().fold(
+            Values::from_values([]),
+            |change: <Model<L, N> as Linkage<N>>::Drives, drive| change.with(drive, one),
         );
         let inputs: Inputs<Still, _> = Inputs::still(Signal {
             rate: change,
@@ -145,12 +148,12 @@ impl<'a, L: Suspension<N>, const N: usize> Varied<'a, L, N> {
             self.model
                 .drive_rate(&self.position, &fixed.value, fixed_rate, rate)
         };
-        let velocity = self.solve(&terms(&fixed.rate, &drives.rate));
+        let velocity = self.solve(&fixed.value, &terms(&fixed.rate, &drives.rate));
         let curvature = self
             .model
             .curvature(&velocity, &fixed.rate, &velocity, &fixed.rate);
-        let acceleration =
-            self.solve(&(terms(&fixed.second_rate, &drives.second_rate) - curvature));
+        let acceleration = terms(&fixed.second_rate, &drives.second_rate) - curvature;
+        let acceleration = self.solve(&fixed.value, &acceleration);
         let value = self.model.points(&self.position, &fixed.value);
         let rate = self.model.velocities(&value, &velocity, &fixed.rate);
         let second_rate =
@@ -161,6 +164,6 @@ impl<'a, L: Suspension<N>, const N: usize> Varied<'a, L, N> {
             rate,
             second_rate,
         }
-        .map(|points| points.values().collect())
+        .map(|points| points.values().take(self.points).collect())
     }
 }
