@@ -109,7 +109,8 @@ Reads a file as the other commands do and prints of its design position, that of
   conditioning                the singular values of the Jacobian: near zero the design is near a singularity. Equations and
                               unknowns are lengths, so that they have no unit and need no scaling
   elimination                 the smallest pivot in the order that real-time steps keep, and how rounding grows there
-  each drive                  the nearest lock to either side; suspension range has the whole curve
+  reach                       of each drive from the design position, the others held as there: the nearest lock to either side;
+                              suspension range goes from the first instant, and has the whole curve
   assemblies                  with --assemblies: how many ways there are to put the parts together
   notes                       what the file says that its author may not have meant
 

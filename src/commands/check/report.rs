@@ -47,6 +47,10 @@ impl Report<'_> {
             ("conditioning".to_owned(), self.conditioning()),
             ("elimination".to_owned(), self.elimination()),
         ];
+        if !self.ranges.is_empty() {
+            let from = "of each drive from the design position, the others held as there; suspension range: from the first instant";
+            lines.push(("reach".to_owned(), from.to_owned()));
+        }
         lines.extend(self.ranges.iter().flat_map(|range| self.reach(range)));
         let tally = self.tally.iter();
         lines.extend(tally.map(|tally| ("assemblies".to_owned(), assemblies(tally))));
