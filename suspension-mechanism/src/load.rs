@@ -10,6 +10,7 @@ mod loaded;
 mod masses;
 mod notes;
 mod outlier;
+mod own_motion;
 mod points;
 mod prepare;
 mod said_of_wheels;
