@@ -22,6 +22,7 @@ mod tolerances;
 mod tuning;
 mod turned;
 mod unsatisfied;
+mod unstated;
 mod vehicle;
 mod wrong_side;
 

@@ -1,6 +1,6 @@
 //! What the program remarks on a file that runs.
 
-use super::program::{edited, example, folder, run, text};
+use super::program::{CORNER, edited, example, folder, run, text};
 
 /// The notes on a file.
 fn notes(content: &str) -> String {
@@ -194,6 +194,55 @@ fn a_marker_with_coordinates_goes_where_lengths_put_its_body() {
     for (here, there) in here.iter().zip(&there) {
         for name in ["p11_x", "p11_y", "p11_z"] {
             assert!((here[name] - there[name]).abs() < 1e-9, "{name}");
+        }
+    }
+}
+
+/// Points of a listing that the file does not state stay where the listing has them: told where those around them are elsewhere.
+#[test]
+fn a_point_that_stays_behind_the_others_is_remarked() {
+    let file =
+        |points: &str| CORNER.replace("vehicle =", &format!("points = {{ {points} }}\nvehicle ="));
+    let at_centre = |height: &str| {
+        file(&format!("wheel_centre = [0.0, 0.75, {height}]"))
+            .replace("bump = 0.3", &format!("bump = {height}"))
+    };
+    let relative = "axle = { from = \"wheel_centre\", offset = [0, -0.1, 0] }";
+    for (file, expected) in [
+        // The spin axis has another direction.
+        (
+            at_centre("0.31"),
+            Some((
+                "[points] does not state `axle`, which",
+                "`wheel_centre` is 0.01 m from",
+                relative,
+            )),
+        ),
+        // What is told helps.
+        (
+            at_centre("0.31").replace("points = {", &format!("points = {{ {relative},")),
+            None,
+        ),
+        // A change of a hardpoint that may well be meant.
+        (file("tie_ball = [0.12, 0.68, 0.20]"), None),
+        (file("lower_front = [0.20, 0.35, 0.16]"), None),
+        // Another body.
+        (
+            file("upper_ball = [-0.015, 0.60, 0.48], tie_ball = [0.12, 0.60, 0.24]"),
+            Some((
+                "does not state `lower_ball`, `wheel_centre`, `axle`, which keep",
+                "`tie_ball` is 0.0854 m from",
+                "state them too",
+            )),
+        ),
+    ] {
+        let told = notes(&file);
+        let Some((which, beside, remedy)) = expected else {
+            assert_eq!(told, "");
+            continue;
+        };
+        for expected in [which, beside, remedy] {
+            assert!(told.contains(expected), "{told}");
         }
     }
 }
