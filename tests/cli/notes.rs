@@ -246,3 +246,46 @@ fn a_point_that_stays_behind_the_others_is_remarked() {
         }
     }
 }
+
+/// One point on the other side than its wheel: of a corner, or of an axle one that has the wheel's name.
+#[test]
+fn a_point_on_the_wrong_side_is_remarked() {
+    let corner = |point: &str| {
+        let corner = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
+        let corner = corner.replace("steer = 0.34\n", "");
+        corner.replace("vehicle =", &format!("points = {{ {point} }}\nvehicle =")) + "steer = "
+    };
+    let axle = |point: &str| {
+        format!(
+            "linkage = \"steered_axle\"\nunit = \"m\"\ntime = {{ instants = [0.0] }}\npoints = {{ {point} }}\n\
+             drives = {{ bump_left = 0.3, bump_right = 0.3, steer = 0.34 }}\n"
+        )
+    };
+    for (file, point, centre) in [
+        (
+            corner("lower_rear = [-0.20, -0.35, 0.16]") + "0.34\n",
+            "lower_rear",
+            "wheel_centre",
+        ),
+        (
+            corner("rack = [0.11, -0.34, 0.20]") + "-0.34\n",
+            "rack",
+            "wheel_centre",
+        ),
+        (
+            corner("upper_ball = [-0.015, -0.66, 0.44]") + "0.34\n",
+            "upper_ball",
+            "wheel_centre",
+        ),
+        (
+            axle("right_upper_rear = [-0.15, 0.43, 0.42]"),
+            "right_upper_rear",
+            "right_wheel_centre",
+        ),
+    ] {
+        let expected = format!("`{point}` is on the other side of the vehicle than `{centre}`");
+        let told = notes(&file);
+        assert!(told.contains(&expected), "{told}");
+    }
+    assert_eq!(notes(&axle("right_upper_rear = [-0.15, -0.42, 0.42]")), "");
+}
