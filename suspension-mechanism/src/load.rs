@@ -13,6 +13,7 @@ mod outlier;
 mod own_motion;
 mod points;
 mod prepare;
+mod said_of_drives;
 mod said_of_wheels;
 mod springs;
 mod start;

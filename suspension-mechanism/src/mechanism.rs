@@ -2,6 +2,7 @@
 
 mod derivatives;
 mod description;
+mod doubtful;
 mod drives;
 mod end;
 mod grid;
@@ -24,6 +25,7 @@ mod words;
 
 pub use derivatives::Order;
 pub use description::Description;
+pub use doubtful::Coordinate;
 pub use drives::{DriveLaws, Law, follow};
 pub use end::{End, Stop};
 pub use grid::{Axis, From, Grid, evenly_spaced};

@@ -289,3 +289,63 @@ fn a_point_on_the_wrong_side_is_remarked() {
     }
     assert_eq!(notes(&axle("right_upper_rear = [-0.15, -0.42, 0.42]")), "");
 }
+
+/// Values of drives in another unit, or counted from elsewhere, than the file's or the option's.
+#[test]
+fn drives_that_are_meant_otherwise_are_remarked() {
+    let folder = folder();
+    let said = |bump: &str, arguments: &[&str]| {
+        let file = CORNER.replace("bump = 0.3", &format!("bump = {bump}"));
+        let file = file.replace("instants = [0.0]", "start = 0.0, stop = 1.0, step = 0.5");
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        text(&run(folder.path(), arguments).stderr).to_owned()
+    };
+    let motion = ["motion", "a.toml"];
+    let sweep = |bump| ["sweep", "a.toml", "--csv", "/dev/null", "--drive", bump];
+    for (bump, arguments, expected) in [
+        (
+            "[300, 50]",
+            motion.as_slice(),
+            "a.toml: [drives]: is `bump` in mm? The file is in m",
+        ),
+        (
+            "[0.3, 50]",
+            &motion,
+            "a.toml: [drives]: is `bump` in mm? The file is in m",
+        ),
+        (
+            "[0.0, 0.05]",
+            &motion,
+            "a.toml: [drives]: the values of `bump` are its own, and no changes from the design position: `bump` is 0.3 m at \
+             the design position; write bump = [0.3, ...]",
+        ),
+        (
+            "0.3",
+            &sweep("bump=-80:80:3"),
+            "note: a.toml: --drive: is `bump` in mm? The file is in m",
+        ),
+        (
+            "0.3",
+            &sweep("bump=0.25:0.35:3"),
+            "note: a.toml: --drive: the values of `bump` are changes from the design position, and not its own: `bump` is 0.3 m \
+             at the design position; with --absolute they are its own",
+        ),
+        (
+            "0.3",
+            &[&sweep("bump=-0.05:0.05:3")[..], &["--absolute"]].concat(),
+            "the values of `bump` are its own, and no changes from the design position: `bump` is 0.3 m at the design position; \
+             without --absolute they are changes",
+        ),
+    ] {
+        let told = said(bump, arguments);
+        assert!(told.contains(expected), "{bump}: {told}");
+    }
+    for arguments in [
+        &motion[..],
+        &sweep("bump=-0.05:0.05:3"),
+        &[&sweep("bump=0.25:0.35:3")[..], &["--absolute"]].concat(),
+    ] {
+        let told = said("[0.3, 0.05]", arguments);
+        assert!(!told.contains("note:"), "{told}");
+    }
+}
