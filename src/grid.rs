@@ -6,7 +6,7 @@ use suspension_core::listing::DriveKind;
 
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Axis, Coordinate, Description, From, Grid, evenly_spaced};
+use crate::mechanism::{Axis, Coordinate, Description, From, Grid, MOST_PLACES, evenly_spaced};
 
 /// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +39,11 @@ impl FromStr for Swept {
                 let count = count.ok_or_else(|| {
                     format!("COUNT is a whole number, at least 2; one value is {name}={from}")
                 })?;
+                if count > MOST_PLACES {
+                    return Err(format!(
+                        "COUNT is {count}; at most {MOST_PLACES} are allowed"
+                    ));
+                }
                 (first, last, count)
             }
             _ => return Err(wanted.to_owned()),
@@ -161,6 +166,10 @@ mod tests {
             ("bump", "write NAME=FROM:TO:COUNT"),
             ("bump=1:2", "write NAME=FROM:TO:COUNT"),
             ("bump=a:2:3", "`a` is not a finite number"),
+            (
+                "bump=0:1:10000000000000",
+                "COUNT is 10000000000000; at most 1000000 are allowed",
+            ),
             ("bump=0:inf:3", "`inf` is not a finite number"),
             (
                 "bump=0:0:1",

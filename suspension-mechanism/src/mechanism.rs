@@ -28,7 +28,7 @@ pub use description::Description;
 pub use doubtful::Coordinate;
 pub use drives::{DriveLaws, Law, follow};
 pub use end::{End, Stop};
-pub use grid::{Axis, From, Grid, evenly_spaced};
+pub use grid::{Axis, From, Grid, MOST_PLACES, evenly_spaced};
 pub use lead::Lead;
 pub use locking::Lock;
 pub use locking::from_design;
