@@ -15,6 +15,7 @@ mod points;
 mod prepare;
 mod said_of_drives;
 mod said_of_wheels;
+mod sharing;
 mod springs;
 mod start;
 mod stated;

@@ -11,6 +11,7 @@ use crate::load::design::at_design;
 use crate::load::masses::masses;
 use crate::load::notes::notes;
 use crate::load::outlier::Outlier;
+use crate::load::sharing::sharing;
 use crate::load::springs::springs;
 use crate::load::task::Task;
 use crate::load::vehicle::with_vehicle;
@@ -156,7 +157,11 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
             .collect(),
         design: design.given(&design.drives),
         led_by: lead.as_ref().map(|lead| lead.measure),
-        names: names.clone().with(springs, masses).designed(&points),
+        names: names
+            .clone()
+            .with(springs, masses)
+            .designed(&points)
+            .sharing(&sharing(&names, &design)),
         notes,
     };
     Ok(Mechanism {
