@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
     assemblies, bake, check, compare, draw, import, list, loads, motion, published, range,
@@ -98,7 +98,7 @@ impl Options {
     pub fn given() -> Self {
         let arguments: Vec<OsString> = std::env::args_os().collect();
         Self::try_parse_from(&arguments)
-            .unwrap_or_else(|mistake| with_suggestion(mistake, &arguments).exit())
+            .unwrap_or_else(|mistake| with_suggestion(mistake, &Self::command(), &arguments).exit())
     }
 
     /// Does what the command asks for, or without one the published motion.

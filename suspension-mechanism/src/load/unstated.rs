@@ -5,6 +5,7 @@ use suspension_core::listing::{Kind, Parts};
 use suspension_runtime::Listing;
 
 use crate::file::{MotionFile, Offset, Position};
+use crate::load::points::points;
 use crate::mechanism::Axes;
 use crate::number::rounded;
 
@@ -67,7 +68,7 @@ struct Points<'a> {
 
 impl<'a> Points<'a> {
     fn of(listing: &'a Listing, file: &MotionFile, axes: Axes) -> Self {
-        let names: Vec<&str> = super::points(listing).collect();
+        let names: Vec<&str> = points(listing).collect();
         let mut listed = vec![None; names.len()];
         for (point, at) in listing.stated() {
             listed[point] = Some(axes.turned(at));
