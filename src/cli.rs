@@ -1,9 +1,10 @@
 //! The command line's options and help.
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
     assemblies, bake, check, compare, draw, import, list, loads, motion, published, range,
@@ -11,6 +12,7 @@ use crate::commands::{
 };
 use crate::failure::Failure;
 use crate::interrupt;
+use crate::mistyped::with_suggestion;
 
 /// Suspension kinematics: positions, velocities and accelerations of a driven suspension.
 ///
@@ -92,6 +94,13 @@ pub enum Command {
 }
 
 impl Options {
+    /// What the program was given. Prints the help that was asked for, or a mistake with what may have been meant, and ends.
+    pub fn given() -> Self {
+        let arguments: Vec<OsString> = std::env::args_os().collect();
+        Self::try_parse_from(&arguments)
+            .unwrap_or_else(|mistake| with_suggestion(mistake, &Self::command(), &arguments).exit())
+    }
+
     /// Does what the command asks for, or without one the published motion.
     ///
     /// # Errors

@@ -2,7 +2,11 @@
 
 use std::str::FromStr;
 
-use crate::mechanism::{Axis, Description, From, Grid, evenly_spaced};
+use suspension_core::listing::DriveKind;
+
+use crate::failure::Failure;
+use crate::kinematics::Kinematics;
+use crate::mechanism::{Axis, Coordinate, Description, From, Grid, MOST_PLACES, evenly_spaced};
 
 /// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +39,11 @@ impl FromStr for Swept {
                 let count = count.ok_or_else(|| {
                     format!("COUNT is a whole number, at least 2; one value is {name}={from}")
                 })?;
+                if count > MOST_PLACES {
+                    return Err(format!(
+                        "COUNT is {count}; at most {MOST_PLACES} are allowed"
+                    ));
+                }
                 (first, last, count)
             }
             _ => return Err(wanted.to_owned()),
@@ -63,12 +72,25 @@ impl Swept {
     }
 }
 
-/// The grid of drives that options name.
+/// The grid of drives that options name, for the file `source`. What is doubtful in them goes to standard error.
 ///
 /// # Errors
 ///
-/// What is wrong with the options, in words.
-pub fn grid(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Grid, String> {
+/// [`Failure::Input`] with what is wrong with the options.
+pub fn grid(
+    mechanism: &dyn Kinematics,
+    source: &str,
+    swept: &[Swept],
+    absolute: bool,
+) -> Result<Grid, Failure> {
+    let grid = stated(mechanism, swept, absolute).map_err(Failure::Input)?;
+    for doubt in doubts(mechanism, swept, absolute) {
+        eprintln!("note: {source}: {doubt}");
+    }
+    Ok(grid)
+}
+
+fn stated(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Grid, String> {
     let mut axes: Vec<Axis> = Vec::new();
     for of_one in swept {
         let mut drives = Vec::new();
@@ -98,6 +120,32 @@ pub fn grid(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<
     Grid::new(mechanism, axes, from)
 }
 
+/// Doubts about the values that options give drives, in words.
+fn doubts(mechanism: &dyn Kinematics, swept: &[Swept], absolute: bool) -> Vec<String> {
+    let size = Coordinate::extent(mechanism.points());
+    let (from, way) = if absolute {
+        (From::Zero, "; without --absolute they are changes")
+    } else {
+        (From::Start, "; with --absolute they are its own")
+    };
+    let of_one = |of_one: &Swept| {
+        let (name, _) = of_one.drives().next()?;
+        let drives = mechanism.names.drives.iter().zip(&mechanism.design);
+        let (drive, design) = drives.into_iter().find(|(drive, _)| drive.name == name)?;
+        let coordinate = Coordinate {
+            name,
+            design: *design,
+            size,
+            unit: mechanism.unit.length,
+        };
+        let ends = [of_one.from.min(of_one.to), of_one.from.max(of_one.to)];
+        let is_one = drive.kind == DriveKind::Coordinate;
+        is_one.then(|| coordinate.doubt(ends, from, way)).flatten()
+    };
+    let doubts = swept.iter().filter_map(of_one);
+    doubts.map(|doubt| format!("--drive: {doubt}")).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,6 +166,10 @@ mod tests {
             ("bump", "write NAME=FROM:TO:COUNT"),
             ("bump=1:2", "write NAME=FROM:TO:COUNT"),
             ("bump=a:2:3", "`a` is not a finite number"),
+            (
+                "bump=0:1:10000000000000",
+                "COUNT is 10000000000000; at most 1000000 are allowed",
+            ),
             ("bump=0:inf:3", "`inf` is not a finite number"),
             (
                 "bump=0:0:1",

@@ -11,6 +11,7 @@ pub mod cli;
 pub mod commands;
 pub mod grid;
 pub mod layouts;
+mod mistyped;
 pub mod output;
 
 pub use suspension_mechanism::{

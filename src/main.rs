@@ -2,10 +2,9 @@
 
 use std::process::ExitCode;
 
-use clap::Parser;
 use suspension::cli::{Options, exit_code_of};
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options = Options::given();
     exit_code_of(|interrupted| options.run(interrupted))
 }

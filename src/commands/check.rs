@@ -12,7 +12,7 @@ use crate::assemblies::Tally;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
-use crate::load::load;
+use crate::load::{Loaded, load};
 use crate::output::files::print;
 use crate::reach::DriveRange;
 use condition::Condition;
@@ -38,25 +38,23 @@ impl Arguments {
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        self.check(
-            &*loaded.at_design_without_notes()?,
-            source.name(),
-            interrupted,
-        )
+        self.check(&loaded, source.name(), interrupted)
     }
 
     fn check(
         &self,
-        mechanism: &dyn Kinematics,
+        loaded: &Loaded<'_>,
         name: &str,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
+        let mechanism = &*loaded.at_design_without_notes()?;
         let condition = Condition::of(mechanism);
         let is_singular = condition.is_singular();
-        let ranges = if is_singular {
-            Vec::new()
+        let (ranges, motion) = if is_singular {
+            (Vec::new(), None)
         } else {
-            ranges(mechanism, interrupted)?
+            let ranges = ranges(mechanism, interrupted)?;
+            (ranges, motion(loaded, interrupted)?)
         };
         let report = Report {
             file: name,
@@ -67,6 +65,7 @@ impl Arguments {
             design: &mechanism.design,
             condition,
             ranges,
+            motion,
             tally: self.assemblies.then(|| tally(mechanism)),
             notes: &mechanism.notes,
         };
@@ -94,6 +93,16 @@ fn ranges(
     ranges.collect()
 }
 
+/// Whether the file's own motion is within reach; `None` where the user interrupts.
+fn motion(loaded: &Loaded<'_>, interrupted: &AtomicBool) -> Result<Option<String>, Failure> {
+    let ends = loaded.own_motion_ends(interrupted)?;
+    let in_words = match ends {
+        None => "the file's own is within reach, from its first instant to its last".to_owned(),
+        Some(why) => format!("the file's own is OUT OF REACH: {why}"),
+    };
+    Ok((!interrupted.load(Ordering::Relaxed)).then_some(in_words))
+}
+
 fn tally(mechanism: &dyn Kinematics) -> Tally {
     let (_, tally) = mechanism.assemblies().at(&mechanism.first_drives());
     tally
@@ -109,7 +118,9 @@ Reads a file as the other commands do and prints of its design position, that of
   conditioning                the singular values of the Jacobian: near zero the design is near a singularity. Equations and
                               unknowns are lengths, so that they have no unit and need no scaling
   elimination                 the smallest pivot in the order that real-time steps keep, and how rounding grows there
-  each drive                  the nearest lock to either side; suspension range has the whole curve
+  reach                       of each drive from the design position, the others held as there: the nearest lock to either side;
+                              suspension range goes from the first instant, and has the whole curve
+  motion                      whether the file's own motion is within reach, from its first instant to its last
   assemblies                  with --assemblies: how many ways there are to put the parts together
   notes                       what the file says that its author may not have meant
 

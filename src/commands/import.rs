@@ -61,8 +61,8 @@ pub struct Arguments {
     /// has the other not.
     #[arg(long, conflicts_with = "side")]
     axle: bool,
-    /// Write the motion file to PATH, an axle's NAME_corner.linkage beside it; both replace what is there. Without it beside FILE,
-    /// with the ending .toml, where there is none yet.
+    /// Write the motion file to PATH in place of what is there, an axle's NAME_corner.linkage beside it where there is no other of
+    /// that name. Without it beside FILE, with the ending .toml, where there is none yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
@@ -95,17 +95,17 @@ impl Arguments {
         let stated = format::read(&source, &names)?;
         let out = self.out.clone();
         let out = out.unwrap_or_else(|| file.with_extension("toml"));
-        self.check_place(&out, &out)?;
+        self.check_place(&out)?;
         let written = self.import(&stated, &out, &names)?;
         announce(&written);
         Ok(())
     }
 
-    /// Refuses to write over the file that is read, and unasked over another; `out` is the motion file.
-    fn check_place(&self, path: &Path, out: &Path) -> Result<(), Failure> {
-        refuse_input(path, "--out")?;
+    /// Refuses to write over the file that is read, and unasked over another.
+    fn check_place(&self, out: &Path) -> Result<(), Failure> {
+        refuse_input(out, "--out")?;
         match self.out {
-            None => refuse_existing(path, out),
+            None => refuse_existing(out, out),
             Some(_) => Ok(()),
         }
     }
@@ -135,9 +135,7 @@ impl Arguments {
         }
         let other = self.beside(&one)?;
         let axle = Axle::of(&one.choice, out);
-        if let Some((path, _)) = &axle.corner {
-            self.check_place(path, out)?;
-        }
+        axle.check_corner(out)?;
         axle.written(out, |listing| {
             written_out(&Draft::of_axle([&one, &other], &axle, listing), out)
         })

@@ -134,8 +134,10 @@ impl Work<'_> {
         forms: &Forms,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let grid = grid(self.mechanism, &arguments.drives, arguments.absolute);
-        let grid = grid.map_err(Failure::Input)?;
+        let Arguments {
+            drives, absolute, ..
+        } = arguments;
+        let grid = grid(self.mechanism, self.source, drives, *absolute)?;
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let visited = self
             .mechanism

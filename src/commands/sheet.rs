@@ -49,7 +49,16 @@ impl Arguments {
         let loaded = load(&source)?;
         refuse_input(&out, "--out")?;
         let mechanism = loaded.at_design()?;
-        let (page, missing) = self.page(&*mechanism, &loaded, source.name(), interrupted)?;
+        let motion_ends = loaded.own_motion_ends(interrupted)?;
+        if let Some(why) = &motion_ends {
+            eprintln!("note: {why}");
+        }
+        let (page, missing) = self.page(
+            &*mechanism,
+            &loaded,
+            (source.name(), motion_ends),
+            interrupted,
+        )?;
         write_file(&out, &page)?;
         announce(&[out]);
         missing.map_or(Ok(()), Err)
@@ -60,7 +69,7 @@ impl Arguments {
         &self,
         mechanism: &dyn Kinematics,
         loaded: &Loaded<'_>,
-        name: &str,
+        (name, motion_ends): (&str, Option<String>),
         interrupted: &AtomicBool,
     ) -> Result<(String, Option<Failure>), Failure> {
         let unit = mechanism.unit;
@@ -76,6 +85,7 @@ impl Arguments {
             drives: mechanism
                 .names
                 .drives_in_words(&mechanism.design, unit, None),
+            motion_ends,
             missing: failures.iter().map(Failure::to_string).collect(),
             parameters: parameters(mechanism, unit, interrupted),
             curves: ways

@@ -87,7 +87,7 @@ impl Arguments {
         forms: &Forms,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let grid = grid(mechanism, &self.drives, self.absolute).map_err(Failure::Input)?;
+        let grid = grid(mechanism, source, &self.drives, self.absolute)?;
         let table = GridTable::of(mechanism, self.derivatives.into());
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let order = match self.derivatives {

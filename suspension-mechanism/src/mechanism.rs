@@ -2,6 +2,7 @@
 
 mod derivatives;
 mod description;
+mod doubtful;
 mod drives;
 mod end;
 mod grid;
@@ -24,9 +25,10 @@ mod words;
 
 pub use derivatives::Order;
 pub use description::Description;
+pub use doubtful::Coordinate;
 pub use drives::{DriveLaws, Law, follow};
 pub use end::{End, Stop};
-pub use grid::{Axis, From, Grid, evenly_spaced};
+pub use grid::{Axis, From, Grid, MOST_PLACES, evenly_spaced};
 pub use lead::Lead;
 pub use locking::Lock;
 pub use locking::from_design;

@@ -132,3 +132,44 @@ fn the_elimination_is_ordered_for_the_points_of_the_file() {
         "{told}"
     );
 }
+
+/// A file whose own motion locks has a healthy design: check and sheet say both.
+#[test]
+fn a_motion_that_is_out_of_reach_is_told_from_the_design_too() {
+    let moved = "start = 0.0\nstop = 1.0\nstep = 0.5";
+    let file = |bump: &str| {
+        let timed = CORNER.replace(
+            "{ instants = [0.0] }",
+            &format!("{{ {} }}", moved.replace('\n', ", ")),
+        );
+        timed.replace("bump = 0.3", bump)
+    };
+    let folder = folder();
+    for (bump, expected) in [
+        ("bump = [0.3, 0.05]", None),
+        ("bump = [0.3, 0.5]", Some("the motion ends at t = ")),
+        (
+            "bump = [30.0, 0.5]",
+            Some("the first instant, t = 0 s with bump = 30 m"),
+        ),
+    ] {
+        let content = file(bump);
+        let output = check(&content, &[]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let motion = line(&output, "motion ");
+        std::fs::write(folder.path().join("a.toml"), content).expect("written");
+        let output = run(folder.path(), &["sheet", "a.toml", "--out", "a.html"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let page = std::fs::read_to_string(folder.path().join("a.html")).expect("a page");
+        let said = [motion, text(&output.stderr), page.as_str()];
+        let Some(expected) = expected else {
+            assert!(motion.contains("is within reach"), "{motion}");
+            assert_eq!(text(&output.stderr), "wrote a.html\n");
+            continue;
+        };
+        for said in said {
+            assert!(said.contains(expected), "{said}");
+        }
+        assert!(motion.contains("OUT OF REACH") && page.contains("own motion is out of reach"));
+    }
+}

@@ -292,7 +292,7 @@ fn range_and_assemblies_start_from_where_the_measure_leads_to() {
     );
     let theta = table(folder.path(), &["motion", "a.toml"])[0]["theta_rad"];
     for (command, before, after, digits) in [
-        ("range", "deg (", " rad), the other drives held", 1e-11),
+        ("range", "deg (", " rad) at the first instant", 1e-11),
         ("assemblies", "At theta = ", " rad:", 1e-5),
     ] {
         let output = run(folder.path(), &[command, "a.toml"]);

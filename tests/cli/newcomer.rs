@@ -56,6 +56,21 @@ fn a_mistyped_drive_of_an_option_is_told_the_one_that_was_meant() {
 }
 
 #[test]
+fn a_mistyped_option_is_told_the_one_that_was_meant() {
+    for (command, wrong, meant) in [
+        ("motion", "--cvs", "--csv"),
+        ("motion", "--jsno", "--json"),
+        ("sweep", "--drives", "--drive"),
+        ("sheet", "--otu", "--out"),
+    ] {
+        let said = refusal(command, &[("a.toml", CORNER)], &[wrong, "x"]);
+        let expected = format!("tip: a similar argument exists: '{meant}'");
+        assert!(said.contains(&expected), "{said}");
+        assert!(!said.contains("to pass"), "{said}");
+    }
+}
+
+#[test]
 fn a_key_that_is_missing_is_told_with_what_to_write() {
     for (line, expected) in [
         (

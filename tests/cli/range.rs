@@ -1,6 +1,6 @@
 //! The ranges of drives.
 
-use super::program::{edited, example, folder, rows, run, text};
+use super::program::{CORNER, edited, example, folder, rows, run, text};
 
 /// Where the published drive turns, from a 40-digit solution, rad.
 const ENDS: [f64; 2] = [0.662_460_552_146_186_5, 2.178_426_263_359_593];
@@ -32,6 +32,31 @@ fn both_ends_and_when_the_motion_locks() {
         assert!((locks - LOCKS).abs() <= 1e-9, "{locks}");
         assert!(report.contains("after its last instant, 1.95 s"));
         assert!(report.contains("4 turning points"), "{report}");
+    }
+}
+
+/// Both say from where they measure: the one from the first instant, the other from the design position.
+#[test]
+fn a_range_says_from_where_it_is() {
+    let folder = folder();
+    let at = |bump: &str| CORNER.replace("bump = 0.3", bump);
+    for (bump, expected) in [
+        (
+            "bump = 0.34",
+            "Drive bump, from 0.34 m at the first instant, the other drives held as there",
+        ),
+        (
+            "bump = 30",
+            "Drive bump, from 0.3 m at the design position, the other drives held as there",
+        ),
+    ] {
+        std::fs::write(folder.path().join("a.toml"), at(bump)).expect("written");
+        let output = run(folder.path(), &["range", "a.toml"]);
+        assert!(text(&output.stdout).contains(expected), "{output:?}");
+        let output = run(folder.path(), &["check", "a.toml"]);
+        let expected =
+            "reach         of each drive from the design position, the others held as there";
+        assert!(text(&output.stdout).contains(expected), "{output:?}");
     }
 }
 

@@ -107,6 +107,8 @@ fn what_is_not_met_is_told_with_the_box_that_stops_it() {
     assert_eq!(output.status.code(), Some(3), "{output:?}");
     let told = "a.toml: not met: bump_steer; at the end of their boxes: rack_height";
     assert!(text(&output.stderr).contains(told), "{output:?}");
+    let heading = text(&output.stdout).lines().next();
+    assert_eq!(heading, Some("a.toml: not tuned, 1 of 1 target not met"));
     assert!(
         text(&output.stdout).contains("rack_height  -0.001"),
         "{output:?}"

@@ -18,6 +18,8 @@ pub(super) struct Report<'a> {
     pub(super) design: &'a [f64],
     pub(super) condition: Condition,
     pub(super) ranges: Vec<DriveRange>,
+    /// Whether the file's own motion is within reach.
+    pub(super) motion: Option<String>,
     pub(super) tally: Option<Tally>,
     pub(super) notes: &'a [String],
 }
@@ -47,7 +49,13 @@ impl Report<'_> {
             ("conditioning".to_owned(), self.conditioning()),
             ("elimination".to_owned(), self.elimination()),
         ];
-        lines.extend(self.ranges.iter().flat_map(|range| self.reach(range)));
+        if !self.ranges.is_empty() {
+            let from = "of each drive from the design position, the others held as there; suspension range: from the first instant";
+            lines.push(("reach".to_owned(), from.to_owned()));
+            lines.extend(self.ranges.iter().flat_map(|range| self.reach(range)));
+        }
+        let motion = self.motion.iter();
+        lines.extend(motion.map(|motion| ("motion".to_owned(), motion.clone())));
         let tally = self.tally.iter();
         lines.extend(tally.map(|tally| ("assemblies".to_owned(), assemblies(tally))));
         let none = [("notes".to_owned(), "none".to_owned())];

@@ -8,7 +8,7 @@ use suspension_runtime::Listing;
 use super::choice::Choice;
 use super::imported::Imported;
 use crate::failure::Failure;
-use crate::output::files::write_file;
+use crate::output::files::{refuse_input, write_file};
 
 /// An axle of a layout of the catalogue.
 pub(super) struct Axle {
@@ -62,6 +62,24 @@ impl Axle {
             format!("{:?}", [x, 0.0, z]),
             "in the middle of the vehicle, beside the rack".to_owned(),
         ])
+    }
+
+    /// Refuses to lose a listing that is none of this corner: the option names the motion file alone.
+    pub(super) fn check_corner(&self, out: &Path) -> Result<(), Failure> {
+        let Some((path, corner)) = &self.corner else {
+            return Ok(());
+        };
+        refuse_input(path, "--out")?;
+        let is_same = fs::read(path).is_ok_and(|there| there == corner.as_bytes());
+        if is_same || !path.exists() {
+            return Ok(());
+        }
+        let (path, out) = (path.display(), out.display());
+        let message = format!(
+            "{path}: exists already, with other statements than the axle of {out} needs there; move it, or name another \
+             motion file by --out"
+        );
+        Err(Failure::Input(message))
     }
 
     /// Writes the motion file, `text` of the axle's listing, and the listing that it includes; where it cannot be built all is as

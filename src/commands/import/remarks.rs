@@ -94,19 +94,15 @@ impl Imported<'_> {
     /// A free point of a corner that is on the other side of the vehicle than its wheel.
     fn point_across(&self) -> Option<String> {
         let Choice { listing, found, .. } = &self.choice;
-        let [chassis, free] = [Kind::ChassisPoint, Kind::FreePoint].map(|kind| listing.count(kind));
-        let free = chassis..chassis + free;
-        let is_free = |name: &str| {
-            listing
-                .point(name)
-                .is_some_and(|point| free.contains(&point))
-        };
+        let chassis = listing.count(Kind::ChassisPoint);
+        let is_pick_up = |name: &str| listing.point(name).is_some_and(|point| point < chassis);
         let y = self.corner.at.iter().map(|[_, y, _]| *y);
         let points = found.iter().zip(y);
         let (_, centre) = points
             .clone()
             .find(|((name, _), _)| name == "wheel_centre")?;
-        let (_, point) = only_on_wrong_side(points.filter(|((name, _), _)| is_free(name)), centre)?;
+        let points = points.map(|(point, y)| (point, y, is_pick_up(&point.0)));
+        let (_, point) = only_on_wrong_side(points, centre)?;
         let (name, line) = (&point.name, self.stated.line(&point.place));
         Some(format!(
             "`{name}` ({line}) is on the other side of the vehicle than the wheel centre: is the sign of its y right?"

@@ -68,6 +68,7 @@ fn wheel(name: &str, travel: usize, axle: Axle) -> Wheel {
         brake_share: Some(0.5),
         drive_share: Some(0.5),
         design: None,
+        moves_another: false,
     }
 }
 

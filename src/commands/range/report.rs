@@ -19,12 +19,18 @@ pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
         mechanism.axes.in_words()
     );
     let unit = mechanism.unit;
+    let starts = ranges.iter().map(|range| range.start);
+    let start = if starts.eq(mechanism.design.iter().copied()) {
+        "the design position"
+    } else {
+        "the first instant"
+    };
     for range in ranges {
         let in_words = |value| value_in_words(range.kind, unit, value, DIGITS);
         let [lower, upper] = &range.ends;
         let _ = write!(
             out,
-            "\nDrive {}, from {}, the other drives held\n  \
+            "\nDrive {}, from {} at {start}, the other drives held as there\n  \
              lower end   {}: {}\n  upper end   {}: {}\n",
             range.name,
             in_words(range.start),

@@ -18,6 +18,8 @@ pub(super) struct Page<'a> {
     /// The drives at the design position, in words.
     pub(super) drives: String,
     /// What could not be solved.
+    /// Where and why the file's own motion ends too early.
+    pub(super) motion_ends: Option<String>,
     pub(super) missing: Vec<String>,
     pub(super) parameters: Vec<Parameter>,
     pub(super) curves: Vec<Curves>,
@@ -46,6 +48,9 @@ impl Page<'_> {
             }
             div.drawings {
                 @for drawing in &self.drawings { (PreEscaped(drawing)) }
+            }
+            @if let Some(why) = &self.motion_ends {
+                p { strong { "The file's own motion is out of reach: " } (why) }
             }
             @for missing in &self.missing {
                 p { strong { "The curves are cut short: " } (missing) }

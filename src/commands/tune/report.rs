@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::mechanism::Description;
-use crate::number::{aligned, number, rounded};
+use crate::number::{aligned, counted, number, rounded};
 use crate::tune::{Deviations, Move, Target, Tuned, Wanted};
 
 /// Digits of moves and of what targets are off.
@@ -34,10 +34,21 @@ impl Report<'_> {
         });
         let targets = self.targets.iter().zip(&self.tuned.targets);
         let targets = targets.map(|(target, [before, after])| self.line(target, before, after));
-        let mut out = format!("{}: tuned\n\n", self.file);
+        let mut out = format!("{}: {}\n\n", self.file, self.outcome());
         table(&mut out, "move", "by", moves.collect());
         table(&mut out, "target", "off by at most", targets.collect());
         out
+    }
+
+    /// How many targets are met.
+    fn outcome(&self) -> String {
+        let targets = self.targets.iter().zip(&self.tuned.targets);
+        let unmet = targets.filter(|(target, [_, after])| !target.is_met_by(after));
+        let (unmet, all) = (unmet.count(), counted(self.targets.len(), "target"));
+        match unmet {
+            0 => format!("tuned, {all} met"),
+            unmet => format!("not tuned, {unmet} of {all} not met"),
+        }
     }
 
     fn line(

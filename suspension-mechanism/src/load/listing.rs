@@ -11,9 +11,9 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source};
 use crate::kinematics::Kinematics;
-use crate::load::included;
 use crate::load::points::points;
 use crate::load::prepare::{Request, prepare};
+use crate::load::{included, unstated};
 use crate::mechanism::{Axes, Length, Mechanism};
 
 /// The listing of a motion file.
@@ -23,6 +23,8 @@ pub(super) struct Chosen {
     pub(super) name: String,
     /// Its statements.
     pub(super) listing: Listing,
+    /// What is said of points that the file does not state.
+    said: Option<String>,
 }
 
 impl Chosen {
@@ -42,8 +44,17 @@ impl Chosen {
             (None, None, Some(text)) => ("statements".to_owned(), of_text(source, file, text)?),
             (None, None, None) => return Err(source.refuse(place, "no listing")),
         };
-        let listing = with_points(listing, file, place);
-        Ok(Self { name, listing })
+        let axes = match file.linkage {
+            Some(_) => file.axes,
+            None => Axes::Iso,
+        };
+        let said = unstated::note(&listing, file, &name, axes);
+        let listing = with_points(listing, file, place, axes);
+        Ok(Self {
+            said: said.map(|said| format!("{}: {said}", source.name())),
+            name,
+            listing,
+        })
     }
 
     /// The mechanism, in one of two sizes: a third between them would walk listings of 16 to 30 unknowns a sixth faster, and
@@ -67,7 +78,8 @@ impl Chosen {
     where
         Room<N>: Size,
     {
-        let mechanism: Mechanism<Model<'c, f64, N>, N> = prepare(request, &self.name, listing)?;
+        let mut mechanism: Mechanism<Model<'c, f64, N>, N> = prepare(request, &self.name, listing)?;
+        mechanism.description.notes.extend(self.said.clone());
         Ok(Box::new(mechanism))
     }
 }
@@ -193,11 +205,12 @@ fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
 
 /// Adds to the file the points that the listing alone states, those of the catalogue turned to the file's axes, and
 /// orders the elimination by the file's where the listing states none.
-fn with_points(listing: Listing, file: &mut MotionFile, place: &Range<usize>) -> Listing {
-    let axes = match file.linkage {
-        Some(_) => file.axes,
-        None => Axes::Iso,
-    };
+fn with_points(
+    listing: Listing,
+    file: &mut MotionFile,
+    place: &Range<usize>,
+    axes: Axes,
+) -> Listing {
     let stated = file.points.get_mut();
     for (point, at) in listing.stated() {
         let name = listing.name(Part::Point(point));

@@ -194,7 +194,7 @@ impl Loaded<'_> {
     ///
     /// Those of [`at_design`](Self::at_design).
     pub fn at_design_without_notes(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.listing.kinematics(self.request(Start::Design))
+        self.kinematics(self.request(Start::Design))
     }
 
     /// The mechanism at the first instant, for a command whose motion drives must lead.
@@ -227,11 +227,18 @@ impl Loaded<'_> {
     }
 
     pub(super) fn noted(&self, request: Request<'_>) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        let mechanism = self.listing.kinematics(request)?;
+        let mechanism = self.kinematics(request)?;
         for note in &mechanism.notes {
             eprintln!("note: {note}");
         }
         Ok(mechanism)
+    }
+
+    pub(super) fn kinematics(
+        &self,
+        request: Request<'_>,
+    ) -> Result<Box<dyn Kinematics + '_>, Failure> {
+        self.listing.kinematics(request)
     }
 
     pub(super) fn request(&self, to: Start) -> Request<'_> {

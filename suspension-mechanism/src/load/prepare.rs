@@ -11,10 +11,11 @@ use crate::load::design::at_design;
 use crate::load::masses::masses;
 use crate::load::notes::notes;
 use crate::load::outlier::Outlier;
+use crate::load::sharing::sharing;
 use crate::load::springs::springs;
 use crate::load::task::Task;
 use crate::load::vehicle::with_vehicle;
-use crate::load::{led, said_of_wheels, start};
+use crate::load::{led, said_of_drives, said_of_wheels, start};
 use crate::mechanism::{Description, DriveLaws, Instants, Mechanism, Names, Suspension};
 
 /// What is to be prepared.
@@ -112,6 +113,8 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let mut notes = notes(&task, &guess, &design.points, design.off, outlier.as_ref());
     notes.extend(said_of_wheels::notes(&task, &design));
     let drives = task.drive_laws(design.drives.values());
+    let doubts = said_of_drives::doubts(&task, &design, &drives, instants);
+    notes.extend(doubts.iter().cloned());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &file.drives)?;
     let at_design = || {
@@ -126,7 +129,10 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
                 notes.push(format!("{unreached}; it stays at the design position"));
                 at_design()
             }
-            Err(unreached) => return Err(outlier_first(unreached)),
+            Err(unreached) => {
+                let unreached = doubts.iter().fold(unreached, doubted);
+                return Err(outlier_first(unreached));
+            }
         },
         Some(stand_in) => {
             let lead =
@@ -151,7 +157,11 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
             .collect(),
         design: design.given(&design.drives),
         led_by: lead.as_ref().map(|lead| lead.measure),
-        names: names.clone().with(springs, masses).designed(&points),
+        names: names
+            .clone()
+            .with(springs, masses)
+            .designed(&points)
+            .sharing(&sharing(&names, &design)),
         notes,
     };
     Ok(Mechanism {
@@ -160,6 +170,14 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         start,
         lead,
     })
+}
+
+/// What is out of reach, and below it what may be mistaken.
+fn doubted(unreached: Failure, doubt: &String) -> Failure {
+    match unreached {
+        Failure::Solver(text) => Failure::Solver(format!("{text}\n{doubt}")),
+        other => other,
+    }
 }
 
 fn check_names(task: &Task<'_>) -> Result<Option<StandIn>, Failure> {

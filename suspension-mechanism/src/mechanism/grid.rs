@@ -3,7 +3,7 @@
 use crate::mechanism::description::Description;
 
 /// The most places that a grid may have.
-const MOST_PLACES: usize = 1_000_000;
+pub const MOST_PLACES: usize = 1_000_000;
 
 /// Drives and the values that they take, in local coordinates.
 #[derive(Clone, Debug, Default)]

@@ -120,6 +120,14 @@ impl Names {
         self
     }
 
+    /// The same with wheels that know whether they move another one.
+    pub fn sharing(mut self, sharing: &[bool]) -> Self {
+        for (wheel, moves_another) in self.wheels.iter_mut().zip(sharing) {
+            wheel.moves_another = *moves_another;
+        }
+        self
+    }
+
     /// The markers' names.
     pub fn markers(&self) -> &[String] {
         &self.points[self.chassis + self.free..]

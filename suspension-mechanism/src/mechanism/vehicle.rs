@@ -54,6 +54,8 @@ pub struct Wheel {
     pub drive_share: Option<f64>,
     /// The points of its axis at the design position, in local coordinates; of a listing without points none.
     pub design: Option<[Vector3<f64>; 2]>,
+    /// Whether its travel moves the carrier of another wheel, as on a twist beam.
+    pub moves_another: bool,
 }
 
 /// The points of a wheel, by number.

@@ -67,9 +67,12 @@ impl Rolling {
         })
     }
 
-    /// Whether the body that carries it carries no other wheel.
+    /// Whether the body that carries it carries no other wheel, and its travel moves none.
     pub(super) fn is_alone(&self, names: &Names) -> bool {
         let carrier = self.points.carrier;
+        if names.wheels[self.number].moves_another {
+            return false;
+        }
         let others = names.wheels.iter().enumerate();
         let mut others = others.filter(|(number, _)| *number != self.number);
         !others.any(|(_, other)| other.points.carrier == carrier)

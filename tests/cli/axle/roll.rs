@@ -1,5 +1,6 @@
 //! Roll centre, roll camber and roll steer.
 
+use super::super::program::{folder, run, text};
 use super::{DESIGN, Row, assert_near, file, steered, table};
 
 /// The drives' rates at which the left contact point rises by one and the right one falls by one.
@@ -85,4 +86,35 @@ fn a_symmetric_axle_has_the_roll_centre_of_each_wheel() {
         let of_wheel = row[&format!("{wheel}_roll_centre_m")] + ground;
         assert_near(row["axle_roll_centre_z"], of_wheel, 1e-12, wheel);
     }
+}
+
+/// Wheels of a twist beam move each other: what a lateral force on one of them lifts is no matter of its own arm, and the roll
+/// centre is that of the axle.
+#[test]
+fn wheels_that_move_each_other_have_no_roll_centre_of_their_own() {
+    let names = |linkage: &str, drives: &str| {
+        let folder = folder();
+        let file = format!(
+            "linkage = \"{linkage}\"\nunit = \"m\"\nvehicle = {{ wheel_radius = 0.3 }}\ntime = {{ instants = [0.0] }}\n\
+             drives = {{ {drives} }}\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let sweep = ["sweep", "a.toml", "--drive", "bump_left=0", "--csv", "-"];
+        let output = run(folder.path(), &sweep);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        text(&output.stdout)
+            .lines()
+            .next()
+            .expect("a header")
+            .to_owned()
+    };
+    let beam = names("twist_beam", "bump_left = 0.29, bump_right = 0.29");
+    let steered = names(
+        "steered_axle",
+        "bump_left = 0.3, bump_right = 0.3, steer = 0.34",
+    );
+    for own in ["left_roll_centre_m", "right_jacking_percent"] {
+        assert!(!beam.contains(own) && steered.contains(own), "{own}");
+    }
+    assert!(beam.contains("axle_roll_centre_z"), "{beam}");
 }

@@ -120,7 +120,6 @@ fn each_side_is_the_corner_alone_and_the_rack_is_one() {
 
 #[test]
 fn every_corner_of_the_catalogue_makes_an_axle_within_the_limits() {
-    let folder = folder();
     let mut made = 0;
     for (linkage, listing) in LISTINGS {
         let listing = Listing::parse(listing).expect("a listing");
@@ -134,6 +133,7 @@ fn every_corner_of_the_catalogue_makes_an_axle_within_the_limits() {
             points.push(("wheel_centre", [-1.27, 0.415, 0.218]));
         }
         let options = ["--axle", "--linkage", linkage];
+        let folder = folder();
         let imported = import(folder.path(), "own.csv", &table(&points), &options);
         let drives = imported.motion["drives"].as_table().expect("a table");
         let steered = listing.drive("steer").is_some();
@@ -213,13 +213,16 @@ fn what_is_no_corner_is_no_axle() {
         assert_eq!(output.status.code(), Some(2), "{output:?}");
         assert!(text(&output.stderr).contains(expected), "{output:?}");
     }
-    std::fs::write(path.join("a_corner.linkage"), "mine").expect("written");
-    let output = run(path, &["import", "a.csv", "--axle"]);
-    assert_eq!(output.status.code(), Some(2), "{output:?}");
-    assert!(
-        text(&output.stderr).contains("a_corner.linkage: exists already; --out a.toml replaces it"),
-        "{output:?}"
-    );
+    let listing = path.join("a_corner.linkage");
+    for options in [&[][..], &["--out", "a.toml"]] {
+        std::fs::write(&listing, "mine").expect("written");
+        let output = run(path, &[&["import", "a.csv", "--axle"], options].concat());
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let expected = "a_corner.linkage: exists already, with other statements than the axle of a.toml needs there; move it";
+        assert!(text(&output.stderr).contains(expected), "{output:?}");
+        let kept = std::fs::read_to_string(&listing).expect("there");
+        assert_eq!(kept, "mine");
+    }
     assert!(!path.join("a.toml").exists());
 }
 

@@ -32,7 +32,7 @@ fn a_point_on_the_other_side_of_the_vehicle_is_doubted() {
     ] {
         assert!(imported.notes.contains(&expected), "{}", imported.notes);
     }
-    // A chassis point may be anywhere.
+    // A chassis point may be a little beyond the middle.
     let damper = table(&CORNER).replace("4, -20, 530", "4, 20, 530");
     for file in [table(&CORNER), damper] {
         let imported = import(folder.path(), "a.csv", &file, &[]);

@@ -18,7 +18,7 @@ catalogue! {
         sign: "positive above the contact point",
         definition: "of an axle of independent wheels, symmetric about y = 0: where the normal to the velocity in travel of the \
                      contact point, as a point of the carrier, meets that plane in the front view; none of wheels \
-                     on one body, which have axle_roll_centre",
+                     that move each other, on one body or a twist beam, which have axle_roll_centre",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
         read: |names| of_independent(names, Kind::Length, |moving| {

@@ -1,0 +1,42 @@
+//! Whether a file's own motion is within reach, for commands that work from the design position.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::failure::Failure;
+use crate::load::loaded::Loaded;
+use crate::load::prepare::Start;
+use crate::mechanism::{End, Instants};
+
+/// Instants at which an interrupt is looked for on the way.
+const LOOKS: usize = 101;
+
+impl Loaded<'_> {
+    /// Where and why the file's own motion ends before its last instant, in words; `None` where it does not, or where the
+    /// user interrupts.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] with a place where the file is wrong.
+    pub fn own_motion_ends(&self, interrupted: &AtomicBool) -> Result<Option<String>, Failure> {
+        let mechanism = match self.kinematics(self.request(Start::FirstInstant)) {
+            Ok(mechanism) => mechanism,
+            Err(Failure::Solver(out_of_reach)) => return Ok(Some(out_of_reach)),
+            Err(other) => return Err(other),
+        };
+        let [first, last] = mechanism.instants.ends();
+        let end = mechanism.move_through(&Instants::dense(first, last, LOOKS), &mut |_| {
+            let cut = interrupted.load(Ordering::Relaxed);
+            Ok(if cut {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            })
+        })?;
+        let name = self.source.name();
+        Ok(match end {
+            End::Stopped(stop) => Some(format!("{name}: {}", stop.in_words(name))),
+            End::Complete | End::Cut => None,
+        })
+    }
+}
