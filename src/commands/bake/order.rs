@@ -3,10 +3,6 @@
 mod curve;
 mod surface;
 
-use std::f64::consts::PI;
-
-use suspension_core::listing::DriveKind;
-
 use crate::bake::source::{About, Ranged, Sheet, Table};
 use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
@@ -153,11 +149,9 @@ impl Ordered<'_> {
                 "{in_words} is no range; --from must be less than --to"
             )));
         }
-        if kind == DriveKind::Angle && !(0.0 <= range[0] && range[1] <= PI) {
-            return Err(self.refuse(&format!(
-                "{in_words}: the angle of a link from an axis lies between 0 and {}",
-                angle.half_turn()
-            )));
+        let mut bounds = range.into_iter();
+        if let Some(bounds) = bounds.find_map(|end| angle.bounds_exceeded(kind, end)) {
+            return Err(self.refuse(&format!("{in_words}: {bounds}")));
         }
         Ok(range)
     }
