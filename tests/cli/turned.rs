@@ -174,11 +174,7 @@ fn sensitivities_of_what_an_angle_drives_are_differences() {
         .into_iter()
         .find(|record| &record[0] == "pushrod_upper.z")
         .expect("a row");
-    for quantity in [
-        "camber_rad_per_turn",
-        "bump_m_per_turn",
-        "toe_rad_per_turn",
-    ] {
+    for quantity in ["camber_rad_per_turn", "bump_m_per_turn", "toe_rad_per_turn"] {
         let column = headers
             .iter()
             .position(|name| name == quantity)
