@@ -13,3 +13,4 @@ mod plane;
 mod rocker;
 mod slide;
 mod trailing_arm;
+mod turned;

@@ -1,4 +1,4 @@
-//! `suspension bake`: a motion along one drive as a source file.
+//! `suspension bake`: a motion along drives, or along a measure, as a source file.
 
 pub mod order;
 
@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::output::files::{refuse_input, write_file};
-use order::{Order, Ordered, Wished};
+use order::{Order, Ordered, Wished, WishedMeasure};
 
 /// What `suspension bake` is given.
 #[derive(Args, Clone, Debug)]
@@ -27,6 +27,10 @@ pub struct Arguments {
     /// file's first instant. The range may stand behind the name, in place of --from and --to.
     #[arg(long = "drive", value_name = "NAME[=FROM:TO]")]
     drives: Vec<Wished>,
+    /// A measure of the listing, a damper's length say, in place of the drive that --drive names, over a range of its own
+    /// values in the file's units: the outputs are functions of the measure.
+    #[arg(long, value_name = "MEASURE=FROM:TO", conflicts_with_all = ["from", "to"])]
+    along: Option<WishedMeasure>,
     /// The drive's first value, its own, as the file's [drives] have it, not a change from the design, in the
     /// file's units. Without it the least that it has in the file's motion.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
@@ -46,7 +50,7 @@ pub struct Arguments {
     /// The language of the file.
     #[arg(long = "as", value_enum, default_value_t = Form::Rust)]
     language: Form,
-    /// Where to write; else out/NAME_WHAT_by_DRIVE.rs, .h or .toml, NAME being the motion file's.
+    /// Where to write; else out/NAME_WHAT_by_DRIVE.rs, or _by_MEASURE.rs, .h or .toml, NAME being the motion file's.
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
 }
@@ -102,7 +106,10 @@ impl Arguments {
         Ok(())
     }
 
-    fn order(&self) -> Result<Order, Failure> {
+    fn arguments(&self) -> Result<order::Arguments, Failure> {
+        if let Some(along) = &self.along {
+            return self.in_place_of(along);
+        }
         let ends = [self.from, self.to];
         let mut drives = self.drives.clone();
         if drives.is_empty() {
@@ -120,8 +127,26 @@ impl Arguments {
             }
             only.range = ends;
         }
+        Ok(order::Arguments::Drives(drives))
+    }
+
+    /// The measure in place of the drive that is named.
+    fn in_place_of(&self, along: &WishedMeasure) -> Result<order::Arguments, Failure> {
+        let drive = match self.drives.as_slice() {
+            [] => None,
+            [Wished { drive, range }] if *range == [None; 2] => drive.clone(),
+            _ => {
+                let message = "--along takes the place of one drive; name that, without a range, as --drive NAME";
+                return Err(Failure::Input(message.to_owned()));
+            }
+        };
+        let along = along.clone();
+        Ok(order::Arguments::Measure(WishedMeasure { drive, ..along }))
+    }
+
+    fn order(&self) -> Result<Order, Failure> {
         Ok(Order {
-            drives,
+            along: self.arguments()?,
             tolerance: self.tolerance,
             continuity: match self.continuity {
                 0 => Continuity::Position,
@@ -154,6 +179,22 @@ impl FromStr for Wished {
     }
 }
 
+impl FromStr for WishedMeasure {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, range) = text
+            .split_once('=')
+            .ok_or("write MEASURE=FROM:TO, as damper=0.30:0.40")?;
+        let Span(range) = range.parse()?;
+        Ok(Self {
+            name: name.trim().to_owned(),
+            range,
+            drive: None,
+        })
+    }
+}
+
 impl From<Form> for Language {
     fn from(form: Form) -> Self {
         match form {
@@ -180,6 +221,10 @@ Outside its range a curve has no value: Rust returns an error that holds the nea
 returns 1. Near a turning point of the drive positions move as a square root does, which no
 polynomial follows: the range is refused, and the message has one that is possible.
 
+Along a measure the outputs are functions of that, their derivatives those with respect to it; it leads in place of the
+drive, also where that turns. Where the measure itself turns back within the range, or is not reached, the range is
+refused, with one that is possible.
+
 Over two drives, as travel and steering, it is a surface of patches, checked at points all over each; it joins with at
 most one derivative.
 
@@ -195,4 +240,5 @@ mechanism does not go through the range, or not within the tolerance, 130 interr
 
 Example:
   suspension bake examples/five_link.toml --from 0.75 --to 2.0 --tolerance 1e-5 --as c
+  suspension bake examples/double_wishbone.toml --along damper=0.32:0.38 --drive bump --as c
   suspension bake examples/double_wishbone.toml --drive bump=0.24:0.36 --drive steer=0.32:0.36 --tolerance 1e-5"#;

@@ -36,6 +36,7 @@ use crate::linkage::{Linkage, Listing, Values};
 use crate::listing::DriveKind;
 use crate::magnitude::magnitude;
 use crate::motion::Prescribed;
+use crate::path::Chart;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::trigonometry::{FORMULA_ERROR, LARGEST_ANGLE};
@@ -172,7 +173,12 @@ where
                 DriveKind::Angle if is_covered => {
                     coordinate.widened(self.linkage.size() * T::constant(FORMULA_ERROR))
                 }
-                DriveKind::Angle => coordinate / Enclosed::exact(T::zero()),
+                DriveKind::Turn if is_covered => {
+                    let length = Chart::of(&self.linkage, index).largest();
+                    let length = length.unwrap_or_else(T::zero);
+                    coordinate.widened(length * T::constant(FORMULA_ERROR))
+                }
+                DriveKind::Angle | DriveKind::Turn => coordinate / Enclosed::exact(T::zero()),
             }
         }))
     }

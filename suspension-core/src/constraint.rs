@@ -11,24 +11,28 @@
 //! written anywhere else.
 
 mod along;
+mod bilinear;
 mod carried;
 mod distance;
 mod frame;
 mod held;
 mod product;
 mod stretch;
+mod turn;
 
 use crate::scalar::Scalar;
 use crate::signal::Signal;
 use crate::trigonometry::sine_cosine;
 
 pub use along::{Along, AlongGradient, InPlane, OnLine};
+pub use bilinear::Bilinear;
 pub use carried::{Carried, CarriedGradient};
 pub use distance::Distance;
 pub use frame::Frame;
 pub use held::Held;
 pub use product::Product;
 pub use stretch::Stretch;
+pub use turn::{Turn, turn_to_coordinate};
 
 /// The coordinate that a driving angle prescribes: `h = L cos(theta)` and its rates by the
 /// chain rule. The angle stays outside the algebra (Attia 2003, eq. 1.15).

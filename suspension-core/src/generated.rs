@@ -7,7 +7,8 @@ pub use suspension_macros::{Named, linkage as expand};
 
 pub use crate::assemble::best_rigid_fit;
 pub use crate::constraint::{
-    Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, angle_to_coordinate,
+    Bilinear, Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, Turn,
+    angle_to_coordinate, turn_to_coordinate,
 };
 pub use crate::corner;
 pub use crate::error::GeometryError;

@@ -132,6 +132,15 @@ pub enum DriveKind {
     /// The angle in radians, from 0 to pi, between a link and the positive direction of an axis.
     /// Only its cosine enters: an angle beyond that range acts as the one within that has the same.
     Angle,
+    /// The angle in radians between two lines about a third one, less than a whole turn to either side.
+    Turn,
+}
+
+impl DriveKind {
+    /// Whether it is in radians.
+    pub fn is_angle(self) -> bool {
+        self != Self::Coordinate
+    }
 }
 
 /// What a measure is.

@@ -127,7 +127,7 @@ impl<T: Real> LocalOrigin<T> {
         L::Drives::from_values(each.enumerate().map(
             |(drive, value)| match linkage.drive_kind(drive) {
                 DriveKind::Coordinate => value,
-                DriveKind::Angle => T::zero(),
+                DriveKind::Angle | DriveKind::Turn => T::zero(),
             },
         ))
     }

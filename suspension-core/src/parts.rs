@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 
-use crate::constraint::{Carried, Distance, Frame, InPlane, OnLine, Product, Stretch};
+use crate::constraint::{
+    Bilinear, Carried, Distance, Frame, InPlane, OnLine, Product, Stretch, Turn,
+};
 use crate::error::GeometryError;
 use crate::factored::growth_limit;
 use crate::handedness::Linked;
@@ -178,6 +180,48 @@ pub fn product_at<T: Real>(
         Ok(Product::new(now.cosine(), lengths))
     } else {
         Err(GeometryError::NoLine { point: end })
+    }
+}
+
+/// Products over the length of a line, or of two lines the geometric mean, `end` being the index of the last of their
+/// ends.
+///
+/// # Errors
+///
+/// [`GeometryError::NoLine`] where a line has no length, or is too long to square.
+pub fn bilinear<T: Real, const K: usize>(
+    end: usize,
+    lines: [T; K],
+) -> Result<Bilinear<T>, GeometryError> {
+    if lines.into_iter().all(is_usable) {
+        Ok(Bilinear::new(mean(lines)))
+    } else {
+        Err(GeometryError::NoLine { point: end })
+    }
+}
+
+/// The angle between two lines about a third one as they stand, `end` being the index of the last of their ends.
+///
+/// # Errors
+///
+/// [`GeometryError::NoLine`] where a line has no length, is too long to square, or where one of the first two is along
+/// the third.
+pub fn turn<T: Real>(end: usize, lines: [Vector3<T>; 3]) -> Result<Turn<T>, GeometryError> {
+    let lengths = lines.map(|line| line.norm());
+    let [of_d, of_e, _] = lengths;
+    let turn = Turn::new(lines, mean([of_d, of_e]));
+    let turn = turn.filter(|_| lengths.into_iter().all(is_usable));
+    turn.ok_or(GeometryError::NoLine { point: end })
+}
+
+/// The length itself, or the geometric mean of two.
+fn mean<T: Real, const K: usize>(lengths: [T; K]) -> T {
+    match lengths.as_slice() {
+        [length] => *length,
+        lengths => {
+            let roots = lengths.iter().map(|length| length.sqrt());
+            roots.fold(T::one(), |mean, root| mean * root)
+        }
     }
 }
 

@@ -16,6 +16,7 @@
 //!   number of crossings within one step is not seen.
 
 mod arc;
+mod chart;
 mod configuration;
 mod correct;
 mod course;
@@ -38,6 +39,7 @@ use crate::newton::Newton;
 use crate::scalar::Real;
 use crate::tracker::CORRECTION_OF_MOVE;
 
+pub(crate) use chart::Chart;
 pub use configuration::Configuration;
 pub use curve::Curve;
 pub use lead::measured;
@@ -137,8 +139,8 @@ impl<T: Real> Continuation<T> {
         let bound = T::constant(CORRECTION_OF_MOVE) * size;
         let (configuration, report) = curve.correct(&self.newton, guess, parameter, bound)?;
         let linear = curve.linear(&configuration, parameter)?;
-        // The angle increases where its cosine decreases.
-        let sign = increasing == curve.length().is_none();
+        // An angle from an axis increases where its cosine decreases.
+        let sign = increasing == curve.chart().is_increasing();
         let forwards = Configuration {
             drive: if sign { T::one() } else { -T::one() },
             ..Configuration::zero()

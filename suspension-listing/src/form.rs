@@ -4,22 +4,26 @@
 //! tells the forms apart; everything else asks a form what [`Equations`] has it answer.
 
 mod along;
+mod bilinear;
 mod carried;
 mod distance;
 mod linear;
 mod product;
 mod stretch;
+mod turn;
 
 use crate::name::Name;
 use crate::site::Site;
 use crate::vector::Vector;
 
 pub use along::Along;
+pub use bilinear::{Bilinear, Factor, Multiplied, Variable};
 pub use carried::Carried;
 pub use distance::Distance;
 pub use linear::{Linear, Prescribed, Term};
 pub use product::Product;
 pub use stretch::Stretch;
+pub use turn::Turn;
 
 /// One of the forms.
 #[derive(Clone, Debug)]
@@ -30,6 +34,8 @@ pub enum Form {
     Along(Along),
     Stretch(Stretch),
     Product(Product),
+    Bilinear(Bilinear),
+    Turn(Turn),
 }
 
 impl Form {
@@ -42,6 +48,8 @@ impl Form {
             Self::Along(form) => form,
             Self::Stretch(form) => form,
             Self::Product(form) => form,
+            Self::Bilinear(form) => form,
+            Self::Turn(form) => form,
         }
     }
 }
@@ -56,8 +64,9 @@ pub trait Equations {
         Vec::new()
     }
 
-    /// Their values where the sites are; `None` where others tell them.
-    fn scalars_at(&self, _at: &[Vector]) -> Option<Vec<f64>> {
+    /// Their values where the sites are, and where equations before have put those that they define; `None` where
+    /// others tell them.
+    fn scalars_at(&self, _at: &[Vector], _known: &[f64]) -> Option<Vec<f64>> {
         None
     }
 

@@ -3,7 +3,7 @@
 use crate::name::Name;
 
 /// A point of the mechanism and how it moves.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Site {
     pub name: Name,
     /// Which of the chassis points, or of the free points, it is.

@@ -74,7 +74,7 @@ pub struct Drive {
     pub quantity: Quantity,
     /// The chassis point that it moves; of free points it is an equation.
     pub moves: Option<Site>,
-    /// The distance whose angle it is.
+    /// The equation with whose length an angle becomes a coordinate.
     pub angle_of: Option<Name>,
 }
 
@@ -151,6 +151,11 @@ pub fn length_name(drive: &Name) -> Name {
 /// The distance from the first point of a plane towards another under its name in the generated code.
 pub fn distance_name(plane: &Name, towards: &Name) -> Name {
     Name::made(format!("{plane}_{towards}"))
+}
+
+/// Part of the equations of an angle about an axis under its name in the generated code.
+pub fn turn_name(drive: &Name, part: &str) -> Name {
+    Name::made(format!("{drive}_{part}"))
 }
 
 /// A coordinate of a vector under its name in the generated code.
@@ -242,11 +247,15 @@ impl System {
         };
         for equation in &self.equations {
             let form = equation.form.equations();
-            let values = form.scalars_at(&positions.of_sites(form));
-            for ((name, _), value) in form.scalars().into_iter().zip(values.into_iter().flatten()) {
-                if let Some(index) = self.scalar(name) {
-                    positions.scalars[index] = value;
-                }
+            let indices = form.scalars().into_iter();
+            let indices: Vec<usize> = indices.filter_map(|(name, _)| self.scalar(name)).collect();
+            let known: Vec<f64> = indices
+                .iter()
+                .map(|&index| positions.scalars[index])
+                .collect();
+            let values = form.scalars_at(&positions.of_sites(form), &known);
+            for (index, value) in indices.into_iter().zip(values.into_iter().flatten()) {
+                positions.scalars[index] = value;
             }
         }
         positions

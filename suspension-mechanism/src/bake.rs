@@ -1,7 +1,7 @@
 //! Bakes motions into piecewise polynomials, for [`suspension_core::baked`].
 //!
 //! The solver gives the exact motion and its derivatives with respect to a drive at any place
-//! ([`path`]); each segment is the polynomial that meets them at given places ([`scheme`]); the
+//! ([`path`]), or to a measure that leads in place of one ([`LedPath`]); each segment is the polynomial that meets them at given places ([`scheme`]); the
 //! difference from the solver is then measured between those places ([`certify`]). The number of
 //! segments is the smallest with which the tolerance is met ([`fit`]); two drives make a
 //! [`surface`]. Curves are written as files that people read ([`source`]).
@@ -9,6 +9,7 @@
 pub mod certify;
 mod driven;
 pub mod fit;
+mod led;
 pub mod path;
 pub mod scheme;
 pub mod source;
@@ -18,6 +19,7 @@ pub mod widest;
 pub use certify::Reached;
 pub use driven::{Derivatives, Output, Wish};
 pub use fit::{Baked, Unmet, Wanted, bake};
+pub use led::LedPath;
 pub use path::{Exact, OutOfReach, Path};
 pub use scheme::{Continuity, TERMS};
 pub use surface::{BakedSurface, UnmetSurface, WantedSurface, bake_surface};

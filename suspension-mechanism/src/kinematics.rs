@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 use suspension_core::{Inputs, Still, Tracker, Values};
 
 use crate::bake::{
-    BakedSurface, Exact, OutOfReach, Path, UnmetSurface, WantedSurface, Wish, bake_surface,
+    BakedSurface, Exact, LedPath, OutOfReach, Path, UnmetSurface, WantedSurface, Wish, bake_surface,
 };
 use crate::failure::Failure;
 use crate::mechanism::{
@@ -87,6 +87,19 @@ pub trait Kinematics: Deref<Target = Description> {
     fn path(
         &self,
         drive: usize,
+        range: [f64; 2],
+        wish: Wish,
+    ) -> Result<Box<dyn Exact + '_>, OutOfReach>;
+
+    /// The motion along a measure over a range in place of a drive, by their numbers, in local coordinates, the other
+    /// drives held as at the first instant.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfReach`] where the measure does not lead the mechanism through the range.
+    fn led_path(
+        &self,
+        measure_and_drive: [usize; 2],
         range: [f64; 2],
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach>;
@@ -195,6 +208,24 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
     ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
         let held = L::Drives::from_values(self.first_drives());
         let path = Path::new(&self.model, &self.start, held, drive, range, wish)?;
+        Ok(Box::new(path))
+    }
+
+    fn led_path(
+        &self,
+        measure_and_drive: [usize; 2],
+        range: [f64; 2],
+        wish: Wish,
+    ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
+        let held = L::Drives::from_values(self.first_drives());
+        let path = LedPath::new(
+            &self.model,
+            &self.start,
+            held,
+            measure_and_drive,
+            range,
+            wish,
+        )?;
         Ok(Box::new(path))
     }
 

@@ -7,7 +7,6 @@ mod site;
 use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use suspension_core::listing::DriveKind;
 use suspension_runtime::{Listing, Statement};
 
 use crate::kinematics::Kinematics;
@@ -182,7 +181,7 @@ fn bearing(
 /// Moments about angles per metre, not per the unit of lengths.
 fn in_newton_metres(mechanism: &Description, mut on_drives: Vec<f64>) -> Vec<f64> {
     for (load, drive) in on_drives.iter_mut().zip(&mechanism.names.drives) {
-        if drive.kind == DriveKind::Angle {
+        if drive.kind.is_angle() {
             *load /= mechanism.unit.metre();
         }
     }

@@ -1,5 +1,7 @@
 //! The units of a file.
 
+use std::f64::consts::{PI, TAU};
+
 use serde::Deserialize;
 use suspension_core::listing::{DriveKind, MeasureKind};
 
@@ -95,11 +97,20 @@ impl Angle {
         }
     }
 
-    /// Half a turn, in words.
-    pub fn half_turn(self) -> &'static str {
-        match self {
+    /// Between which values a drive lies, in words, where `value`, in radians if it is an angle, is not there.
+    pub fn bounds_exceeded(self, kind: DriveKind, value: f64) -> Option<String> {
+        let half_turn = match self {
             Self::Radian => "pi",
             Self::Degree => "180 deg",
+        };
+        match kind {
+            DriveKind::Coordinate => None,
+            DriveKind::Angle => (!(0.0..=PI).contains(&value)).then(|| {
+                format!("the angle of a link from an axis lies between 0 and {half_turn}")
+            }),
+            DriveKind::Turn => (value.is_nan() || value.abs() >= TAU).then(|| {
+                "an angle about an axis is driven less than a whole turn to either side".to_owned()
+            }),
         }
     }
 }
@@ -133,7 +144,7 @@ impl Unit {
     /// The symbol of a drive's unit.
     pub fn of_drive(self, kind: DriveKind) -> &'static str {
         match kind {
-            DriveKind::Angle => self.angle.symbol(),
+            DriveKind::Angle | DriveKind::Turn => self.angle.symbol(),
             DriveKind::Coordinate => self.symbol(),
         }
     }
@@ -149,7 +160,7 @@ impl Unit {
     /// What a drive's value inside is multiplied with for that in the file.
     pub fn per_drive(self, kind: DriveKind) -> f64 {
         match kind {
-            DriveKind::Angle => self.angle.radian(),
+            DriveKind::Angle | DriveKind::Turn => self.angle.radian(),
             DriveKind::Coordinate => 1.0,
         }
     }

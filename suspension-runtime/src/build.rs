@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::constraint::{
-    Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch,
+    Bilinear, Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, Turn,
 };
 use suspension_core::generated::dot;
 use suspension_core::handedness::Linked;
@@ -12,6 +12,7 @@ use crate::fitted::Fitted;
 use crate::model::Model;
 use crate::plan::Measure;
 use crate::readout::{coordinate, measured, sum};
+use crate::site::Site;
 use crate::size::{Few, Points, Room, Size};
 use crate::table::Table;
 
@@ -36,6 +37,8 @@ where
             planes: Default::default(),
             stretches: Default::default(),
             products: Default::default(),
+            turns: Default::default(),
+            scales: Default::default(),
             held: Default::default(),
             markers: Default::default(),
             cluster_frames: Default::default(),
@@ -53,6 +56,8 @@ where
             planes: model.planes_at(design)?,
             stretches: model.stretches_at(design)?,
             products: model.products_at(design)?,
+            turns: model.turns_at(design)?,
+            scales: model.scales_at(design)?,
             held: model.held_at(design),
             linked: model.linked_at(design, &cluster_frames)?,
             markers: model.markers_at(design)?,
@@ -138,6 +143,34 @@ where
             let [_, [_, end]] = points;
             let lines = points.map(|[from, to]| design.get(to) - design.get(from));
             parts::product(end.into(), lines)
+        }))
+    }
+
+    fn turns_at(&self, design: &Points<Vector3<T>, N>) -> Result<Few<Turn<T>, N>, GeometryError> {
+        fill(self.plan().turns.iter().map(|turn| {
+            let points = turn.lines.map(|line| line.map(|site| self.point(site)));
+            let [.., [_, end]] = points;
+            let lines = points.map(|[from, to]| design.get(to) - design.get(from));
+            parts::turn(end.into(), lines)
+        }))
+    }
+
+    fn scales_at(
+        &self,
+        design: &Points<Vector3<T>, N>,
+    ) -> Result<Few<Bilinear<T>, N>, GeometryError> {
+        fill(self.plan().scales.iter().map(|scale| {
+            let length = |line: &[Site; 2]| {
+                let [from, to] = line.map(|site| design.get(self.point(site)));
+                (to - from).norm()
+            };
+            let end = scale.lines.as_flattened().last();
+            let end = end.map_or(usize::MAX, |end| self.point(*end).into());
+            match scale.lines.as_slice() {
+                [line] => parts::bilinear(end, [length(line)]),
+                [first, second] => parts::bilinear(end, [first, second].map(length)),
+                _ => Err(GeometryError::NoLine { point: end }),
+            }
         }))
     }
 

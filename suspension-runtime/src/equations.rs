@@ -69,6 +69,15 @@ where
                 put(rows, product.row, constant.residual(d, e));
             }
         }
+        for (turn, constant) in plan.turns.iter().zip(self.turns.as_slice()) {
+            if let Some([sine, cosine]) = turn.parts(&sites) {
+                put(rows, turn.row, constant.residual(sine, cosine));
+            }
+        }
+        for bilinear in &plan.bilinear {
+            let constant = self.scales.get(bilinear.constant);
+            put(rows, bilinear.row, bilinear.residual(&constant, &sites));
+        }
         result
     }
 
@@ -106,6 +115,12 @@ where
         }
         for (product, constant) in plan.products.iter().zip(self.products.as_slice()) {
             product.write_dense(constant, &sites, &mut matrix);
+        }
+        for (turn, constant) in plan.turns.iter().zip(self.turns.as_slice()) {
+            turn.write_dense(constant, &sites, &mut matrix);
+        }
+        for bilinear in &plan.bilinear {
+            bilinear.write_dense(&self.scales.get(bilinear.constant), &sites, &mut matrix);
         }
         for beyond in usize::from(plan.unknowns)..N {
             if let Some(entry) = matrix.get_mut((beyond, beyond)) {
@@ -159,6 +174,15 @@ where
             if let (Some(v), Some(w)) = (product.vectors(&v), product.vectors(&w)) {
                 put(rows, product.row, constant.curvature(v, w));
             }
+        }
+        for (turn, constant) in plan.turns.iter().zip(self.turns.as_slice()) {
+            if let (Some(v), Some(w)) = (turn.parts(&v), turn.parts(&w)) {
+                put(rows, turn.row, constant.curvature(v, w));
+            }
+        }
+        for bilinear in &plan.bilinear {
+            let constant = self.scales.get(bilinear.constant);
+            put(rows, bilinear.row, bilinear.curvature(&constant, &v, &w));
         }
         result
     }

@@ -92,6 +92,12 @@ where
         for (product, constant) in plan.products.iter().zip(model.products.as_slice()) {
             product.write(constant, &sites, numbers);
         }
+        for (turn, constant) in plan.turns.iter().zip(model.turns.as_slice()) {
+            turn.write(constant, &sites, numbers);
+        }
+        for bilinear in &plan.bilinear {
+            bilinear.write(&model.scales.get(bilinear.constant), &sites, numbers);
+        }
         *numbers.place(ZERO) = T::zero();
     }
 

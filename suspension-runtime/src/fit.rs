@@ -51,6 +51,7 @@ where
             let distances = constant.distances(at(plane.point), at(plane.from), ends);
             plane.put(distances, &mut q);
         }
+        self.put_turned(&mut q, fixed);
         for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
             let length = stretch
                 .span

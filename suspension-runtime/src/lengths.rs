@@ -1,7 +1,7 @@
 //! Constant lengths: into the model, and out of it.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Carried, Distance, Frame, OnLine, Product};
+use suspension_core::constraint::{Bilinear, Carried, Distance, Frame, OnLine, Product};
 use suspension_core::handedness::Linked;
 use suspension_core::{GeometryError, Real, Values, parts};
 
@@ -56,6 +56,7 @@ where
             carried,
             lines: self.lines_with(lengths, &frames, &carried)?,
             products: self.products_with(lengths, &frames, &carried)?,
+            scales: self.scales_with(lengths, &frames, &carried)?,
             linked: self.linked_with(lengths, &cluster_frames)?,
             frames,
             cluster_frames,
@@ -106,6 +107,25 @@ where
                 [(first, a), (second, b)].map(kept),
             )
         }))
+    }
+
+    fn scales_with(
+        &self,
+        lengths: &Lengths<T, N>,
+        frames: &Few<Frame<T>, N>,
+        carried: &Few<Carried<T>, N>,
+    ) -> Result<Few<Bilinear<T>, N>, GeometryError> {
+        let scales = self.plan().scales.iter().zip(self.scales.as_slice());
+        fill(
+            scales.map(|(scale, now)| match (scale.kept, scale.lines.as_slice()) {
+                (Some(kept), &[line]) => {
+                    let [_, end] = line;
+                    let length = self.kept(lengths, frames, carried, (kept, line));
+                    parts::bilinear(self.point(end).into(), [length])
+                }
+                _ => Ok(*now),
+            }),
+        )
     }
 
     /// The length of a line with given lengths.

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::Scalar;
 use suspension_core::constraint::{
-    Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch,
+    Bilinear, Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, Turn,
 };
 use suspension_core::generated::gather_vector;
 use suspension_core::handedness::Linked;
@@ -36,6 +36,10 @@ where
     pub(crate) stretches: Few<Stretch<T>, N>,
     /// Of the angles between lines that stay as they are.
     pub(crate) products: Few<Product<T>, N>,
+    /// Of the angles about axes that drives prescribe.
+    pub(crate) turns: Few<Turn<T>, N>,
+    /// Of the lengths that sums of products are over.
+    pub(crate) scales: Few<Bilinear<T>, N>,
     /// Of the sums of coordinates that stay as they are.
     pub(crate) held: Few<Held<T>, N>,
     pub(crate) markers: Few<Carried<T>, N>,
@@ -93,6 +97,12 @@ where
             }),
             products: first(plan.products.len(), |at| {
                 Product::gather(|model| model.products.get(at), number)
+            }),
+            turns: first(plan.turns.len(), |at| {
+                Turn::gather(|model| model.turns.get(at), number)
+            }),
+            scales: first(plan.scales.len(), |at| {
+                Bilinear::gather(|model| model.scales.get(at), number)
             }),
             held: first(plan.held().count(), |at| {
                 Held::gather(|model| model.held.get(at), number)

@@ -14,7 +14,9 @@ use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::{SiteMotion, System};
 
-use crate::form::{Along, Body, Distance, InputRates, Linear, Product, Stretch};
+use crate::form::{
+    Along, Bilinear, Body, Distance, InputRates, Linear, Product, Scale, Stretch, Turn,
+};
 use crate::site::Site;
 use crate::table::index;
 
@@ -42,6 +44,10 @@ pub(crate) struct Plan {
     pub(crate) planes: Vec<Along<2>>,
     pub(crate) stretches: Vec<Stretch>,
     pub(crate) products: Vec<Product>,
+    pub(crate) turns: Vec<Turn>,
+    pub(crate) bilinear: Vec<Bilinear>,
+    /// The lengths that these are over, each once.
+    pub(crate) scales: Vec<Scale>,
     /// What drives contribute to rates, with the chassis points that they move.
     pub(crate) driven: InputRates,
     /// What the other chassis points contribute.
@@ -63,7 +69,8 @@ impl Plan {
         let lengths = LengthNames::new(system);
         let (mut distances, mut linear) = (Vec::new(), Vec::<Linear>::new());
         let (mut lines, mut planes, mut stretches) = (Vec::new(), Vec::new(), Vec::new());
-        let mut products = Vec::new();
+        let (mut products, mut turns) = (Vec::new(), Vec::new());
+        let (mut bilinear, mut scales) = (Vec::new(), Vec::<Scale>::new());
         let mut bodies: Vec<Body> = (system.bodies.iter())
             .map(|body| Body::new(body, &lengths))
             .collect();
@@ -93,6 +100,16 @@ impl Plan {
                     planes.extend(Along::new(system, form, row, &lengths, entry));
                 }
                 Form::Stretch(form) => stretches.push(Stretch::new(system, form, row, entry)),
+                Form::Turn(form) => turns.push(Turn::new(system, form, row, entry)),
+                Form::Bilinear(form) => {
+                    let scale = Scale::new(form, &lengths);
+                    let known = scales.iter().position(|other| *other == scale);
+                    let constant = known.unwrap_or(scales.len());
+                    if known.is_none() {
+                        scales.push(scale);
+                    }
+                    bilinear.push(Bilinear::new(system, form, row, constant, entry));
+                }
                 Form::Product(form) => products.push(Product::new(form, row, &lengths, entry)),
             }
             row += equation.form.equations().rows();
@@ -119,6 +136,9 @@ impl Plan {
             planes,
             stretches,
             products,
+            turns,
+            bilinear,
+            scales,
             elimination,
         }
     }

@@ -100,6 +100,14 @@ where
                 put(rows, product.row, sum);
             }
         }
+        for &(index, motion) in &inputs.bilinear {
+            if let Some(bilinear) = plan.bilinear.get(usize::from(index))
+                && let constant = self.scales.get(bilinear.constant)
+                && let Some(sum) = bilinear.input_rate(&constant, motion, &sites, &rates)
+            {
+                put(rows, bilinear.row, sum);
+            }
+        }
         for linear in &inputs.linear {
             let of_drive = linear.drive.map(&drive_rate);
             let terms = linear.terms.iter();

@@ -1,12 +1,12 @@
 //! All points and their rates from the unknowns, what the listing measures, and how drives enter.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::constraint::{Carried, Frame, angle_to_coordinate};
+use suspension_core::constraint::{Carried, Frame, angle_to_coordinate, turn_to_coordinate};
 use suspension_core::generated::{difference, dot, moved_along};
-use suspension_core::{Real, Scalar, Signal, measure};
+use suspension_core::{Real, Scalar, Signal, Values, measure};
 
 use crate::model::Model;
-use crate::plan::{Coordinate, Measure};
+use crate::plan::{Coordinate, Drive, Measure};
 use crate::site::{Site, Sites};
 use crate::size::{Few, Points, Room, Size};
 use crate::table::Table;
@@ -88,21 +88,55 @@ where
                 *place = constant.reach(difference(to, from));
             }
         }
+        let chassis = points.values().take(plan.chassis.into());
+        self.put_turned(&mut q, &Few::<_, N>::from_values(chassis));
         q
+    }
+
+    /// Puts in the unknowns of driven angles about axes.
+    pub(crate) fn put_turned(&self, q: &mut SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
+        let plan = self.plan();
+        let positions = *q;
+        let sites = Sites::new(&positions, fixed);
+        let at = |site| sites.get(site).unwrap_or_default();
+        let [unknowns] = &mut q.data.0;
+        for (turn, constant) in plan.turns.iter().zip(self.turns.as_slice()) {
+            turn.put(constant, at, unknowns);
+        }
+        for bilinear in &plan.bilinear {
+            let constant = self.scales.get(bilinear.constant);
+            let defined = bilinear.defined(&constant, &Sites::new(q, fixed));
+            if let Some((unknown, value)) = defined
+                && let Some(place) = q.get_mut(usize::from(unknown))
+            {
+                *place = value;
+            }
+        }
     }
 
     #[inline(always)]
     pub(crate) fn coordinates_of(&self, drives: &Signal<Few<T, N>>) -> Signal<Few<T, N>> {
         let mut coordinates = *drives;
         for (place, drive) in (0..).zip(&self.plan().drives) {
-            let of = drive.angle_of.map(usize::from);
-            if let Some(distance) = of.and_then(|distance| self.distances.get(distance)) {
-                let angle = drives.map(|each| each.get(place));
-                let coordinate = angle_to_coordinate(distance.length(), angle);
+            let angle = drives.map(|each| each.get(place));
+            if let Some(coordinate) = self.coordinate_of(drive, angle) {
                 coordinates.set(coordinate, |drives| drives.place(place));
             }
         }
         coordinates
+    }
+
+    /// The coordinate that a driving angle prescribes.
+    #[inline(always)]
+    fn coordinate_of(&self, drive: &Drive, angle: Signal<T>) -> Option<Signal<T>> {
+        let of = drive.angle_of?;
+        Some(match drive.quantity {
+            Measure::Between { .. } => turn_to_coordinate(self.turns.get(of).length(), angle),
+            _ => {
+                let distance = self.distances.get(usize::from(of))?;
+                angle_to_coordinate(distance.length(), angle)
+            }
+        })
     }
 
     #[inline(always)]

@@ -30,6 +30,7 @@ listings! {
     live_axle_watt: "../../suspension-core/src/linkages/live_axle_watt.linkage",
     macpherson: "../../suspension-core/src/linkages/macpherson.linkage",
     pillar: "listings/pillar.linkage",
+    rotary: "listings/rotary.linkage",
     tripod: "listings/tripod.linkage",
     trombone: "listings/trombone.linkage",
     twist_beam: "../../suspension-core/src/linkages/twist_beam.linkage",
@@ -122,6 +123,7 @@ fn every_statement_is_walked_as_it_is_written() {
     compare!(double_carrier, 18, f64, 30, 200);
     compare!(guides, 19, f64, 30, 200);
     compare!(pillar, 11, f64, 15, 0);
+    compare!(rotary, 38, f64, 60, 200);
     compare!(tripod, 12, f64, 15, 0);
     compare!(trombone, 13, f64, 15, 0);
 }

@@ -64,13 +64,24 @@ where
 
     /// What drives prescribe, cosines of all digits.
     fn coordinates(&self, drives: &L::Drives) -> <Exact<L, N> as Linkage<N>>::Drives {
-        // At an angle of zero the coordinate of a link is its length.
-        let lengths = self.exact.coordinates(&Signal::default()).value;
-        let each = lengths.values().zip(drives.values()).enumerate();
+        // At an angle of zero the coordinate of a link is its length, and the rate of an angle about an axis a
+        // quarter of it.
+        let one = DoubleDouble::from(1.0);
+        let at_zero = self.exact.coordinates(&Signal {
+            rate: Values::from_values(std::iter::repeat(one)),
+            ..Signal::default()
+        });
+        let quarters = at_zero.rate.values();
+        let lengths = at_zero.value.values().zip(quarters);
+        let each = lengths.zip(drives.values()).enumerate();
         named(each.map(
-            |(index, (length, drive))| match self.exact.drive_kind(index) {
+            |(index, ((length, quarter), drive))| match self.exact.drive_kind(index) {
                 DriveKind::Coordinate => DoubleDouble::from(drive),
                 DriveKind::Angle => length * DoubleDouble::from(drive).sine_cosine().1,
+                DriveKind::Turn => {
+                    let four = DoubleDouble::from(4.0);
+                    quarter * four * (DoubleDouble::from(drive) / four).sine_cosine().0
+                }
             },
         ))
     }

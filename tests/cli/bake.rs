@@ -1,5 +1,6 @@
 //! Baked files.
 
+mod along;
 mod contents;
 mod languages;
 mod orders;

@@ -122,7 +122,7 @@ fn design(listing: &Listing) -> Vec<Vector3<f64>> {
 fn offset(kind: DriveKind) -> f64 {
     match kind {
         DriveKind::Coordinate => OFFSETS[0],
-        DriveKind::Angle => OFFSETS[1],
+        DriveKind::Angle | DriveKind::Turn => OFFSETS[1],
     }
 }
 

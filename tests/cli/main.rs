@@ -37,6 +37,7 @@ mod sweep;
 mod tables;
 mod tolerances;
 mod tune;
+mod turned;
 mod units;
 
 /// The program that is run.

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use suspension::bake::source::Table;
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::order::{Order, Ordered, Wished};
+use suspension::commands::bake::order::{Arguments, Order, Ordered, Wished};
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::{Mechanism, State};
@@ -169,10 +169,10 @@ fn ranges_far_from_the_origin() {
 fn baked_far_from_the_origin() {
     let [here, there] = [[0.0; 3], AWAY].map(|away| {
         let order = Order {
-            drives: vec![Wished {
+            along: Arguments::Drives(vec![Wished {
                 drive: Some("bump".to_owned()),
                 range: [None, Some(0.25 + away[2])],
-            }],
+            }]),
             tolerance: 1e-6,
             continuity: Continuity::Velocity,
             wish: Wish::Wheel,

@@ -1,14 +1,10 @@
 //! The assemblies of a file's mechanism.
 
-use std::f64::consts::PI;
 use std::sync::atomic::{AtomicBool, Ordering};
-
-use suspension_core::listing::DriveKind;
 
 use crate::assemblies::Tally;
 use crate::failure::Failure;
 use crate::kinematics::{Assembly, Kinematics};
-use crate::mechanism::Angle;
 
 /// Where assemblies are wanted.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -58,8 +54,13 @@ pub fn list(
                 let kind = mechanism.names.drives[drive].kind;
                 let inside = value / mechanism.unit.per_drive(kind);
                 let angle = mechanism.unit.angle;
-                is_possible(kind, inside, angle)
-                    .map_err(|bound| refuse(format!("--at {value}: {bound}")))?;
+                let bounds = match value.is_finite() {
+                    true => angle.bounds_exceeded(kind, inside),
+                    false => Some("a drive has a finite value".to_owned()),
+                };
+                if let Some(bounds) = bounds {
+                    return Err(refuse(format!("--at {value}: {bounds}")));
+                }
                 let mut drives = first.clone();
                 drives[drive] = inside - offset;
                 Ok(drives)
@@ -100,19 +101,4 @@ pub fn list(
         "{file}: no assembly was found at {}; --at has the drive's own values, the design is at {design}",
         nowhere.join(", nor at ")
     )))
-}
-
-/// Whether a drive can have a value.
-fn is_possible(kind: DriveKind, value: f64, angle: Angle) -> Result<(), String> {
-    let is_angle = kind == DriveKind::Angle;
-    if value.is_finite() && (!is_angle || (0.0..=PI).contains(&value)) {
-        return Ok(());
-    }
-    Err(match kind {
-        DriveKind::Angle => format!(
-            "the angle of a link from an axis lies between 0 and {}",
-            angle.half_turn()
-        ),
-        DriveKind::Coordinate => "a drive has a finite value".to_owned(),
-    })
 }

@@ -1,11 +1,8 @@
 //! What a user of the command line orders, carried out on a mechanism.
 
 mod curve;
+mod measure;
 mod surface;
-
-use std::f64::consts::PI;
-
-use suspension_core::listing::DriveKind;
 
 use crate::bake::source::{About, Ranged, Sheet, Table};
 use crate::bake::{Continuity, Wish};
@@ -14,17 +11,31 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{Angle, Description, Unit};
 use crate::number::exact;
 
+pub use measure::WishedMeasure;
+
+/// Digits of a range that is possible: it is rounded to lie within what is.
+const DIGITS: usize = 12;
+
 /// An order: what to bake of the mechanism of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Order {
-    /// One drive for a curve, two for a surface.
-    pub drives: Vec<Wished>,
+    /// What the motion is a function of.
+    pub along: Arguments,
     /// How far a point may be off, m.
     pub tolerance: f64,
     /// How segments join.
     pub continuity: Continuity,
     /// Which points.
     pub wish: Wish,
+}
+
+/// What a motion is a function of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Arguments {
+    /// One drive for a curve, two for a surface.
+    Drives(Vec<Wished>),
+    /// A measure in place of a drive, for a curve.
+    Measure(WishedMeasure),
 }
 
 /// A drive and how far it goes.
@@ -82,10 +93,15 @@ impl Ordered<'_> {
             angle: Angle::Radian,
             ..*unit
         };
-        let drives = self.order.drives.iter().map(|wished| self.along(wished));
-        let drives = drives.collect::<Result<Vec<Along>, Failure>>()?;
-        let others = (0..names.drives.len())
-            .filter(|other| drives.iter().all(|along| along.drive != *other));
+        let (moved, arguments, baked) = match &self.order.along {
+            Arguments::Drives(drives) => self.by_drives(drives, inside)?,
+            Arguments::Measure(wished) => {
+                let along = self.along_measure(wished)?;
+                let baked = Table::Curve(self.curve_along(&along)?);
+                (vec![along.drive], vec![self.ranged(&along, inside)], baked)
+            }
+        };
+        let others = (0..names.drives.len()).filter(|other| !moved.contains(other));
         let held = others
             .map(|other| {
                 let drive = &names.drives[other];
@@ -93,28 +109,43 @@ impl Ordered<'_> {
                 format!("{} = {value} {}", drive.name, inside.of_drive(drive.kind))
             })
             .collect::<Vec<_>>();
-        let ranged = drives.iter().map(|along| Ranged {
-            name: names.drives[along.drive].name.clone(),
-            unit: inside.of_drive(names.drives[along.drive].kind),
-            range: along.range,
-        });
         Ok(Sheet {
             about: About {
                 file: self.file.to_owned(),
                 linkage: linkage.clone(),
-                drives: ranged.collect(),
+                arguments,
                 unit: unit.symbol(),
                 axes: self.mechanism.axes.meaning(),
                 held: held.join(", "),
             },
-            baked: match drives.as_slice() {
-                [along] => Table::Curve(self.curve(along)?),
-                [first, second] if first.drive != second.drive => {
-                    Table::Surface(self.surface([first, second])?)
-                }
-                _ => return Err(self.refuse("--drive names one drive, or two different ones")),
-            },
+            baked,
         })
+    }
+
+    /// The drives that move, what is said of them, and what is baked; `unit` is that of the last.
+    fn by_drives(
+        &self,
+        drives: &[Wished],
+        unit: Unit,
+    ) -> Result<(Vec<usize>, Vec<Ranged>, Table), Failure> {
+        let names = &self.mechanism.names;
+        let drives = drives.iter().map(|wished| self.along(wished));
+        let drives = drives.collect::<Result<Vec<Along>, Failure>>()?;
+        let ranged = drives.iter().map(|along| Ranged {
+            name: names.drives[along.drive].name.clone(),
+            unit: unit.of_drive(names.drives[along.drive].kind),
+            range: along.range,
+            in_place_of: None,
+        });
+        let baked = match drives.as_slice() {
+            [along] => Table::Curve(self.curve(along)?),
+            [first, second] if first.drive != second.drive => {
+                Table::Surface(self.surface([first, second])?)
+            }
+            _ => return Err(self.refuse("--drive names one drive, or two different ones")),
+        };
+        let moved = drives.iter().map(|along| along.drive).collect();
+        Ok((moved, ranged.collect(), baked))
     }
 
     fn along(&self, wished: &Wished) -> Result<Along, Failure> {
@@ -153,11 +184,9 @@ impl Ordered<'_> {
                 "{in_words} is no range; --from must be less than --to"
             )));
         }
-        if kind == DriveKind::Angle && !(0.0 <= range[0] && range[1] <= PI) {
-            return Err(self.refuse(&format!(
-                "{in_words}: the angle of a link from an axis lies between 0 and {}",
-                angle.half_turn()
-            )));
+        let mut bounds = range.into_iter();
+        if let Some(bounds) = bounds.find_map(|end| angle.bounds_exceeded(kind, end)) {
+            return Err(self.refuse(&format!("{in_words}: {bounds}")));
         }
         Ok(range)
     }
@@ -184,4 +213,23 @@ impl Ordered<'_> {
     fn refuse(&self, message: &str) -> Failure {
         Failure::Input(format!("{}: {message}", self.file))
     }
+}
+
+/// The part of a range that can be baked, found by `widest`, in a few digits and the file's coordinates and units, as
+/// `shown` makes them of local ones.
+fn possible_in_few_digits(
+    [from, to]: [f64; 2],
+    shown: impl Fn(f64) -> f64,
+    widest: impl FnOnce([f64; 2]) -> Option<[f64; 2]>,
+) -> Option<[f64; 2]> {
+    /// Of a range: how close to a turning point the mechanism is solved.
+    const CLOSE: f64 = 1e-6;
+    if from >= to {
+        return None;
+    }
+    let inset = CLOSE * (to - from);
+    let [from, to] = widest([from + inset, to - inset])?.map(shown);
+    let steps_a_unit = 10_f64.powf(3.0 - (to - from).log10().floor());
+    let (from, to) = (from * steps_a_unit, to * steps_a_unit);
+    Some([from.ceil(), to.floor()].map(|end| end / steps_a_unit))
 }

@@ -147,7 +147,7 @@ impl<'a> Draft<'a> {
         for (drive, start) in design.iter().enumerate() {
             let rate = match self.listing.drive_kind(drive) {
                 DriveKind::Coordinate => TRAVEL * self.unit.metre(),
-                DriveKind::Angle => TURN,
+                DriveKind::Angle | DriveKind::Turn => TURN,
             };
             let name = self.drive(drive);
             if self.is_travel(drive) {

@@ -146,7 +146,7 @@ pub(super) fn unit_in(measure: &Measure) -> &'static str {
 /// The unit of what a drive bears.
 pub(super) fn unit_of(drive: &Drive) -> &'static str {
     match drive.kind {
-        DriveKind::Angle => "N m",
+        DriveKind::Angle | DriveKind::Turn => "N m",
         DriveKind::Coordinate => "N",
     }
 }

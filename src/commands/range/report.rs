@@ -48,7 +48,7 @@ pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
 
 fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> String {
     match kind {
-        DriveKind::Angle => format!(
+        DriveKind::Angle | DriveKind::Turn => format!(
             "{} deg ({} rad)",
             rounded(value.to_degrees(), digits.min(7)),
             rounded(value, digits)

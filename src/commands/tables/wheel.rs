@@ -102,7 +102,7 @@ impl Wheel {
         let metre = mechanism.unit.metre();
         let in_metres = |drive: usize| match mechanism.names.drives[drive].kind {
             DriveKind::Coordinate => metre,
-            DriveKind::Angle => 1.0,
+            DriveKind::Angle | DriveKind::Turn => 1.0,
         };
         let mut read = |place: &dyn Place| {
             let state = place.state();

@@ -12,7 +12,8 @@ use crate::scalar::Real;
 pub struct Configuration<T, const N: usize> {
     /// `q`, in units of length.
     pub unknowns: SVector<T, N>,
-    /// The drive's coordinate, in units of length: of an angle `h = L cos(theta)`.
+    /// The drive's coordinate, in units of length: of an angle `h = L cos(theta)`, of one
+    /// about an axis `h = L sin(theta / 4)`.
     pub drive: T,
 }
 

@@ -4,15 +4,14 @@ use nalgebra::SVector;
 
 use crate::error::SolveError;
 use crate::linkage::{Factors as _, Linkage, Values};
-use crate::listing::{DriveKind, Kind};
+use crate::listing::Kind;
 use crate::lu::Lu;
 use crate::motion::Prescribed;
-use crate::parts;
+use crate::path::chart::Chart;
 use crate::path::configuration::Configuration;
 use crate::path::linear::{Linear, of_drive};
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
-use crate::trigonometry::sine_cosine;
 
 /// What rounding may grow by where the factors of the Jacobian serve a curve: digits that its rates lose
 /// beside partial pivoting.
@@ -73,34 +72,19 @@ where
     }
 
     /// The drive's value, an angle in radians or the coordinate itself, and its rates, from those
-    /// of its coordinate. At an angle of 0 or pi its rates are infinite or not a number.
+    /// of its coordinate. At an angle of 0 or pi, or about an axis of a whole turn, its rates are infinite or not a number.
     pub fn value(&self, coordinate: &Signal<T>) -> Signal<T> {
-        let Some(length) = self.length() else {
-            return *coordinate;
-        };
-        let (h, rate) = (coordinate.value, coordinate.rate);
-        let across = ((length - h) * (length + h)).max(T::zero()).sqrt();
-        // From h = L cos(theta): differentiated once and twice.
-        let angle_rate = -rate / across;
-        Signal {
-            value: parts::angle(h, length),
-            rate: angle_rate,
-            second_rate: -(coordinate.second_rate + h * angle_rate * angle_rate) / across,
-        }
+        self.chart().value(coordinate)
     }
 
     /// The drive's value at a coordinate.
     pub(crate) fn value_at(&self, coordinate: T) -> T {
-        self.length()
-            .map_or(coordinate, |length| parts::angle(coordinate, length))
+        self.chart().value_at(coordinate)
     }
 
     /// The coordinate at a value of the drive.
     pub(crate) fn coordinate(&self, value: T) -> T {
-        self.length().map_or(value, |length| {
-            let (_, cosine) = sine_cosine(value);
-            length * cosine
-        })
+        self.chart().coordinate(value)
     }
 
     /// The entry that moves fastest along the curve, at a configuration near it.
@@ -121,16 +105,9 @@ where
         best.map(|linear| linear.tangent.largest_entry())
     }
 
-    /// The length of the link whose angle the drive is; `None` where it is a coordinate.
-    pub(crate) fn length(&self) -> Option<T> {
-        let none = L::Drives::default();
-        let at_zero = self.linkage.coordinates(&Signal {
-            value: none,
-            rate: none,
-            second_rate: none,
-        });
-        let length = at_zero.value.values().nth(self.drive)?;
-        (self.linkage.drive_kind(self.drive) == DriveKind::Angle).then_some(length)
+    /// What the free drive's coordinate is of its value.
+    pub(crate) fn chart(&self) -> Chart<T> {
+        Chart::of(self.linkage, self.drive)
     }
 
     /// All points.

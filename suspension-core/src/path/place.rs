@@ -37,8 +37,8 @@ pub struct Stretch<T, const N: usize> {
 pub struct Turning<T, const N: usize> {
     /// Where it is, with the drive's value there.
     pub place: Place<T, N>,
-    /// Whether it is so because the angle itself is 0 or pi there, to rounding, and not because
-    /// the mechanism locks.
+    /// Whether it is so because the angle itself is 0 or pi there, or about an axis a whole turn, to rounding, and
+    /// not because the mechanism locks.
     pub is_end_of_angle: bool,
 }
 

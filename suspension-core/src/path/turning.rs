@@ -46,7 +46,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
             let excess = [drive.rate, drive.second_rate];
             if ahead { excess.map(|x| -x) } else { excess }
         })?;
-        let is_end_of_angle = self.curve.length().is_some_and(|length| {
+        let is_end_of_angle = self.curve.chart().largest().is_some_and(|length| {
             let rounding = self.rounding_at(&place);
             length - place.configuration.drive.abs() <= rounding * T::constant(64.0)
         });

@@ -108,8 +108,8 @@ impl<F: Copy, D: Copy, const K: usize> PrescribedSeries<F, D, K> {
 /// Taylor coefficients of the coordinates `h(theta(t))` that drives `theta` prescribe.
 ///
 /// With `g = dh/dtheta`: `h' = g theta'`, and `g' = -h theta'` of an angle, whose coordinate is
-/// `L cos(theta)`, but `g' = 0` of a coordinate (Griewank, Walther 2008, Evaluating Derivatives,
-/// table 13.2).
+/// `L cos(theta)`, `g' = -h theta' / 16` of one about an axis, with `L sin(theta / 4)`, but `g' = 0` of a
+/// coordinate (Griewank, Walther 2008, Evaluating Derivatives, table 13.2).
 fn coordinates<L, const N: usize, const K: usize>(
     linkage: &L,
     drives: &Jet<L::Drives, K>,
@@ -125,6 +125,7 @@ where
     });
     let bends = L::Drives::from_values((0..).map(|drive| match linkage.drive_kind(drive) {
         DriveKind::Angle => L::Scalar::constant(-1.0),
+        DriveKind::Turn => L::Scalar::constant(-1.0 / 16.0),
         DriveKind::Coordinate => L::Scalar::constant(0.0),
     }));
     let mut h = Jet::constant(start.value, zero);

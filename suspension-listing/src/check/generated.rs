@@ -79,7 +79,10 @@ fn unknowns(listing: &Listing, system: &System) -> impl Iterator<Item = Generate
     let free = system.free.iter().map(|point| &point.named.name);
     let coordinates = free.flat_map(|point| {
         let at = listing.place_of(point, None);
-        (0..3).map(move |axis| (coordinate_name(point, axis), at))
+        let names = (0..3).map(|axis| coordinate_name(point, axis));
+        // Scalars are in one struct with the points.
+        let names = names.chain([point.clone()]);
+        names.map(move |name| (name, at))
     });
     let scalars = system.scalars.iter();
     let scalars = scalars.map(|name| (name.clone(), place_of_scalar(listing, system, name)));

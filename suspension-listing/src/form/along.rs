@@ -40,7 +40,7 @@ impl Equations for Along {
         distances.map(|name| (name, Dependence::Any)).collect()
     }
 
-    fn scalars_at(&self, at: &[Vector]) -> Option<Vec<f64>> {
+    fn scalars_at(&self, at: &[Vector], _known: &[f64]) -> Option<Vec<f64>> {
         let (lines, d) = edges(at);
         Some(match lines.as_slice() {
             [u, v] => {

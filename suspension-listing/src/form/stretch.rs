@@ -27,7 +27,7 @@ impl Equations for Stretch {
         vec![(&self.length, Dependence::Any)]
     }
 
-    fn scalars_at(&self, at: &[Vector]) -> Option<Vec<f64>> {
+    fn scalars_at(&self, at: &[Vector], _known: &[f64]) -> Option<Vec<f64>> {
         Some(vec![length(at)])
     }
 

@@ -2,6 +2,7 @@
 //! a chassis point moves the point.
 
 mod kept;
+mod turned;
 
 use syn::{Error, Ident};
 
@@ -46,8 +47,8 @@ impl Statement for Drive {
         let (name, points) = (&self.named.name, self.quantity.points());
         self.quantity.check(check);
         check.sites(points.iter().copied());
-        if let Quantity::Between { .. } = self.quantity {
-            check.report(not_driven(name));
+        if let Quantity::Between { about: None, .. } = self.quantity {
+            check.report(turned::about_no_axis(name));
         }
         match self.moves() {
             Some(point) => {
@@ -67,15 +68,23 @@ impl Statement for Drive {
         let (name, quantity) = (Name::from(&self.named.name), self.quantity.plain());
         let moves = self.moves().map(|point| lowering.site(point));
         let moves = moves.filter(|site| !site.is_free());
-        if let Quantity::Length { line } = &self.quantity {
-            self.stretch(lowering, line);
-        }
+        let (scalar, turned) = match &self.quantity {
+            Quantity::Length { line } => (Some(self.stretch(lowering, line)), None),
+            Quantity::Between {
+                lines,
+                about: Some(about),
+            } => {
+                let turned::Turned { sine, equation } =
+                    turned::lower(lowering, &name, lines, about);
+                (Some(sine), Some(equation))
+            }
+            _ => (None, None),
+        };
         if moves.is_none() {
             let site = |point: &Ident| lowering.site(point);
-            let is_length = matches!(self.quantity, Quantity::Length { .. });
             let form = Form::Linear(Linear {
                 terms: self.quantity.terms(site),
-                scalar: is_length.then(|| name.clone()),
+                scalar,
                 prescribed: Prescribed::Drive(name.clone()),
             });
             let origin = origin(KIND, &name, None);
@@ -85,7 +94,7 @@ impl Statement for Drive {
             system::Quantity::Angle { line: [a, b], .. } => {
                 distance_between(&lowering.system.equations, a, b).cloned()
             }
-            _ => None,
+            _ => turned,
         };
         lowering.system.drives.push(system::Drive {
             named: self.named.plain(),
@@ -99,6 +108,10 @@ impl Statement for Drive {
         let found = match &self.quantity {
             Quantity::Angle { line, .. } => kept::angle(line, listing, system),
             Quantity::Length { line } => kept::length(line, system),
+            Quantity::Between {
+                lines,
+                about: Some(about),
+            } => turned::check(&self.named.name, lines, about, listing, system),
             _ => None,
         };
         if let Some(error) = found {
@@ -125,7 +138,7 @@ impl Statement for Drive {
 
 impl Drive {
     /// Makes the length between two points an unknown of the drive's name.
-    fn stretch(&self, lowering: &mut Lowering<'_>, line: &[Ident; 2]) {
+    fn stretch(&self, lowering: &mut Lowering<'_>, line: &[Ident; 2]) -> Name {
         let name = Name::from(&self.named.name);
         let [a, b] = line.each_ref().map(|end| lowering.site(end));
         let (from, to) = if b.is_free() { (a, b) } else { (b, a) };
@@ -139,8 +152,9 @@ impl Drive {
             docs: Vec::new(),
         };
         let origin = origin(KIND, &name, None);
-        lowering.system.scalars.push(name);
+        lowering.system.scalars.push(name.clone());
         lowering.equation(named, origin, form);
+        name
     }
 
     /// Checks that a point that one drive moves along a direction is moved by no other.
@@ -162,14 +176,6 @@ impl Drive {
             }
         }
     }
-}
-
-fn not_driven(name: &Ident) -> Error {
-    errors::at(
-        name,
-        "an angle between two lines is measured, or held by an `angle` statement; drive a length or a coordinate \
-         that turns one of them",
-    )
 }
 
 fn moved_twice(name: &Ident, point: &Ident, other: &Ident) -> Error {

@@ -2,11 +2,13 @@
 //! tells the forms apart.
 
 mod along;
+mod bilinear;
 mod carried;
 mod distance;
 mod linear;
 mod product;
 mod stretch;
+mod turn;
 
 use proc_macro2::TokenStream;
 
@@ -74,6 +76,8 @@ pub(super) fn of(equation: &Equation) -> &dyn Emit {
         Form::Along(form) => form,
         Form::Stretch(form) => form,
         Form::Product(form) => form,
+        Form::Bilinear(form) => form,
+        Form::Turn(form) => form,
     }
 }
 

@@ -79,7 +79,8 @@ pub(super) fn measure_kind(quantity: &Quantity) -> TokenStream {
 /// `DriveKind`.
 pub(super) fn drive_kind(quantity: &Quantity) -> TokenStream {
     match quantity {
-        Quantity::Angle { .. } | Quantity::Between { .. } => quote!(DriveKind::Angle),
+        Quantity::Angle { .. } => quote!(DriveKind::Angle),
+        Quantity::Between { .. } => quote!(DriveKind::Turn),
         _ => quote!(DriveKind::Coordinate),
     }
 }
@@ -139,10 +140,14 @@ pub(super) fn driven(drive: &Drive) -> TokenStream {
 
 /// Turns a drive into the coordinate that its equation takes; `None` where it is that.
 pub(super) fn coordinate(drive: &Drive) -> Option<TokenStream> {
-    let (name, distance) = (&drive.named.name, drive.angle_of.as_ref()?);
+    let (name, of) = (&drive.named.name, drive.angle_of.as_ref()?);
+    let to_coordinate = match drive.quantity {
+        Quantity::Between { .. } => quote!(turn_to_coordinate),
+        _ => quote!(angle_to_coordinate),
+    };
     Some(quote! {
         let angle = drives.map(|drives| drives.#name);
-        let coordinate = angle_to_coordinate(self.#distance.length(), angle);
+        let coordinate = #to_coordinate(self.#of.length(), angle);
         coordinates.set(coordinate, |drives| &mut drives.#name);
     })
 }

@@ -135,8 +135,12 @@ impl<'a, L> Driven<'a, L> {
         })
     }
 
+    pub(super) fn model(&self) -> &'a L {
+        self.model
+    }
+
     /// The outputs of points.
-    fn read<P: Values<Vector3<f64>>>(&self, points: &Signal<P>) -> Vec<Derivatives> {
+    pub(super) fn read<P: Values<Vector3<f64>>>(&self, points: &Signal<P>) -> Vec<Derivatives> {
         let by_order = [&points.value, &points.rate, &points.second_rate];
         let by_order = by_order.map(|points| points.values().collect::<Vec<_>>());
         let point = |point: usize| [0, 1, 2].map(|order| by_order[order][point]);

@@ -51,7 +51,7 @@ pub trait Exact {
     fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach>;
 }
 
-const ANCHORS: u32 = 65;
+pub(super) const ANCHORS: u32 = 65;
 
 impl<'a, L: Suspension<N>, const N: usize> Path<'a, L, N> {
     /// The path of drive number `drive` over `range`, with the other drives held at `held`. The

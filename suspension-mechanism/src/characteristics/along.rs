@@ -71,9 +71,11 @@ pub fn ways(
                 note_length(file, &course.title, span, unit);
                 span.0.map(|end| end / unit.metre() * metre)
             }
-            (Some(Span(ends)), DriveKind::Angle) => ends.map(|end| end / unit.angle.radian()),
+            (Some(Span(ends)), DriveKind::Angle | DriveKind::Turn) => {
+                ends.map(|end| end / unit.angle.radian())
+            }
             (None, DriveKind::Coordinate) => [-metres, metres].map(|end| end * metre),
-            (None, DriveKind::Angle) => [-USUAL_ANGLE, USUAL_ANGLE],
+            (None, DriveKind::Angle | DriveKind::Turn) => [-USUAL_ANGLE, USUAL_ANGLE],
         };
         let is_same = |way: &&Along| way.way.split(' ').next() == Some(course.kind);
         let number = 1 + ways.iter().filter(is_same).count();

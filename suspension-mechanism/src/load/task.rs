@@ -1,9 +1,7 @@
 //! A file that is being prepared.
 
-use std::f64::consts::PI;
-
 use suspension_core::GeometryError;
-use suspension_core::listing::{DriveKind, Part, Parts};
+use suspension_core::listing::{Part, Parts};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -73,22 +71,20 @@ impl Task<'_> {
         }))
     }
 
-    /// Checks that driving angles lie where a link's angle from an axis can lie, from 0 to pi. `table` has
-    /// the drives' places.
+    /// Checks that driving angles lie where they can lie. `table` has the drives' places.
     pub(super) fn check_angles<V>(
         &self,
         values: impl Iterator<Item = f64>,
         table: &Table<V>,
     ) -> Result<(), Failure> {
         for (drive, value) in self.names.drives.iter().zip(values) {
-            if drive.kind == DriveKind::Angle && !(0.0..=PI).contains(&value) {
-                let (name, angle) = (&drive.name, self.file.angle);
+            let (name, angle) = (&drive.name, self.file.angle);
+            if let Some(bounds) = angle.bounds_exceeded(drive.kind, value) {
                 let place = table.get_ref().get(name.as_str()).map(Spanned::span);
                 let message = format!(
-                    "drive `{name}` begins at {} {}; the angle of a link from an axis lies between 0 and {}",
+                    "drive `{name}` begins at {} {}; {bounds}",
                     number(value * angle.radian()),
                     angle.symbol(),
-                    angle.half_turn()
                 );
                 return Err(self
                     .source

@@ -148,7 +148,7 @@ impl Names {
     /// The drives and measures that are angles.
     pub fn angles(&self) -> impl Iterator<Item = &str> {
         let drives = self.drives.iter();
-        let drives = drives.filter(|drive| drive.kind == DriveKind::Angle);
+        let drives = drives.filter(|drive| drive.kind.is_angle());
         let measures = self.measures.iter();
         let measures = measures.filter(|measure| measure.kind == MeasureKind::Angle);
         let drives = drives.map(|drive| drive.name.as_str());

@@ -154,7 +154,7 @@ impl From<DriveKind> for Kind {
     fn from(kind: DriveKind) -> Self {
         match kind {
             DriveKind::Coordinate => Self::Length,
-            DriveKind::Angle => Self::Angle,
+            DriveKind::Angle | DriveKind::Turn => Self::Angle,
         }
     }
 }

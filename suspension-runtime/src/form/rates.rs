@@ -1,6 +1,6 @@
 //! What moving chassis points, and drives, contribute to rates: the forms concerned.
 
-use suspension_listing::form::{self, Form};
+use suspension_listing::form::{self, Equations, Form};
 use suspension_listing::system::{self, SiteMotion, System};
 
 use super::linear::Term;
@@ -19,6 +19,8 @@ pub(crate) struct InputRates {
     pub(crate) stretches: Vec<u16>,
     /// Lines at an angle, and which of their ends are such points.
     pub(crate) products: Vec<(u16, [[bool; 2]; 2])>,
+    /// Sums of products of coordinates, and the motion of such points.
+    pub(crate) bilinear: Vec<(u16, SiteMotion)>,
     /// Points on lines, of which something is such a point.
     pub(crate) lines: Vec<MovedLines>,
     /// Points in planes.
@@ -61,7 +63,7 @@ impl InputRates {
     pub(crate) fn new(system: &System, motion: SiteMotion) -> Self {
         let mut rates = Self::default();
         let (mut row, mut distance, mut stretch) = (0, 0, 0);
-        let (mut line, mut plane, mut product) = (0, 0, 0);
+        let (mut line, mut plane, mut product, mut bilinear) = (0, 0, 0, 0);
         let mut carried = vec![0; system.bodies.len()];
         for equation in &system.equations {
             match &equation.form {
@@ -97,6 +99,13 @@ impl InputRates {
                     }
                     product += 1;
                 }
+                Form::Bilinear(form) => {
+                    if form.sites().iter().any(|site| site.motion == motion) {
+                        rates.bilinear.push((bilinear, motion));
+                    }
+                    bilinear += 1;
+                }
+                Form::Turn(_) => {}
                 Form::Stretch(form) => {
                     if form.from.motion == motion {
                         rates.stretches.push(stretch);

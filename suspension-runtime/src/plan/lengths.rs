@@ -24,7 +24,7 @@ pub(crate) enum Length {
 }
 
 /// What keeps the length of a line that a point slides on.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum LineLength {
     /// A length; `None` where both ends are on the chassis.
     Given(Option<u16>),
@@ -33,7 +33,7 @@ pub(crate) enum LineLength {
 }
 
 /// A point of a body.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum BodyPoint {
     /// The first, second or third point of its frame.
     Frame(u16),

@@ -1,5 +1,6 @@
 //! Where parts stand in a listing.
 
+use suspension_listing::form::Form;
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
 
@@ -20,4 +21,11 @@ pub(super) fn distance(system: &System, name: &Name) -> u16 {
     let equations = system.equations.iter();
     let kept = equations.filter(|equation| equation.form.equations().keeps().is_some());
     position(kept.map(|equation| &equation.named.name), name)
+}
+
+/// The place of a driven angle about an axis.
+pub(super) fn turn(system: &System, name: &Name) -> u16 {
+    let equations = system.equations.iter();
+    let turns = equations.filter(|equation| matches!(equation.form, Form::Turn(_)));
+    position(turns.map(|equation| &equation.named.name), name)
 }

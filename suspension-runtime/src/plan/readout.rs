@@ -4,14 +4,14 @@ use suspension_core::listing::{DriveKind, MeasureKind, WheelPlaces};
 use suspension_listing::name::Name;
 use suspension_listing::system::{self, Quantity, System};
 
-use super::places::{distance, point};
+use super::places::{distance, point, turn};
 use crate::table::index;
 
 /// How a drive enters.
 #[derive(Clone, Debug)]
 pub(crate) struct Drive {
     pub(crate) quantity: Measure,
-    /// The distance whose angle it is.
+    /// The distance, or the angle about an axis, with whose length an angle becomes a coordinate.
     pub(crate) angle_of: Option<u16>,
     /// The chassis point that it moves.
     pub(crate) moves: Option<u16>,
@@ -89,7 +89,8 @@ impl Measure {
 
     pub(crate) fn drive_kind(&self) -> DriveKind {
         match self {
-            Self::Angle { .. } | Self::Between { .. } => DriveKind::Angle,
+            Self::Angle { .. } => DriveKind::Angle,
+            Self::Between { .. } => DriveKind::Turn,
             _ => DriveKind::Coordinate,
         }
     }
@@ -133,7 +134,10 @@ pub(super) fn wheels(system: &System) -> Vec<Wheel> {
 pub(super) fn drives(system: &System) -> Vec<Drive> {
     let drive = |drive: &system::Drive| Drive {
         quantity: Measure::new(system, &drive.quantity),
-        angle_of: drive.angle_of.as_ref().map(|name| distance(system, name)),
+        angle_of: (drive.angle_of.as_ref()).map(|name| match drive.quantity {
+            Quantity::Between { .. } => turn(system, name),
+            _ => distance(system, name),
+        }),
         moves: drive.moves.as_ref().map(|site| index(site.index)),
     };
     system.drives.iter().map(drive).collect()

@@ -40,6 +40,12 @@ impl Plan {
             (self.lines.len(), few, "slides"),
             (self.planes.len(), few, "planes"),
             (self.products.len(), few, "angles"),
+            (self.turns.len(), few, "driven angles about axes"),
+            (
+                self.scales.len(),
+                few,
+                "lengths of driven angles about axes",
+            ),
             (self.held().count(), few, "couples"),
             (self.stretches.len(), few, "driven lengths"),
             (self.lengths.len(), lengths, "lengths"),

@@ -16,7 +16,7 @@ pub(super) fn numbers(value: &toml::Value) -> Vec<f64> {
 }
 
 /// The segments of a file in TOML.
-fn table(text: &str) -> (toml::Table, Vec<[[f64; 6]; 6]>) {
+pub(super) fn table(text: &str) -> (toml::Table, Vec<[[f64; 6]; 6]>) {
     let table: toml::Table = text.parse().expect("TOML");
     let flat = numbers(&table["segments"]);
     let (rows, rest) = flat.as_chunks::<6>();

@@ -56,7 +56,7 @@ where
         let drive = |place| {
             let unit = match rounded.drive_kind(place) {
                 DriveKind::Coordinate => "m",
-                DriveKind::Angle => "rad",
+                DriveKind::Angle | DriveKind::Turn => "rad",
             };
             row[&format!("{}_{unit}", rounded.name(Part::Drive(place)))]
         };
@@ -143,17 +143,30 @@ where
 
     /// What the drives prescribe, cosines of all digits.
     fn coordinates(&self, steps: &Steps) -> <Model<'m, DoubleDouble, N> as Linkage<N>>::Drives {
-        // At an angle of zero the coordinate of a link is its length.
-        let lengths = self.exact.coordinates(&Signal::default()).value;
-        let drives = self.drives.iter().zip(steps).zip(lengths.values());
-        let each = drives.enumerate().map(|(place, ((drive, steps), length))| {
-            let drive = DoubleDouble::from(*drive)
-                + DoubleDouble::from(STEP) * DoubleDouble::from(f64::from(*steps));
-            match self.exact.drive_kind(place) {
-                DriveKind::Coordinate => drive,
-                DriveKind::Angle => length * drive.sine_cosine().1,
-            }
+        // At an angle of zero the coordinate of a link is its length, and the rate of an angle about an axis a
+        // quarter of it.
+        let one = DoubleDouble::from(1.0);
+        let at_zero = self.exact.coordinates(&Signal {
+            rate: Values::from_values(std::iter::repeat(one)),
+            ..Signal::default()
         });
+        let quarters = at_zero.rate.values();
+        let lengths = at_zero.value.values().zip(quarters);
+        let drives = self.drives.iter().zip(steps).zip(lengths);
+        let each = drives
+            .enumerate()
+            .map(|(place, ((drive, steps), (length, quarter)))| {
+                let drive = DoubleDouble::from(*drive)
+                    + DoubleDouble::from(STEP) * DoubleDouble::from(f64::from(*steps));
+                match self.exact.drive_kind(place) {
+                    DriveKind::Coordinate => drive,
+                    DriveKind::Angle => length * drive.sine_cosine().1,
+                    DriveKind::Turn => {
+                        let four = DoubleDouble::from(4.0);
+                        quarter * four * (drive / four).sine_cosine().0
+                    }
+                }
+            });
         Values::from_values(each)
     }
 }

@@ -1,5 +1,7 @@
 //! The motion to about 30 digits, that errors are measured against.
 
+use std::iter::repeat;
+
 use nalgebra::SVector;
 use suspension_core::listing::DriveKind;
 use suspension_core::lu::Lu;
@@ -132,18 +134,33 @@ fn prescribed<M, const N: usize>(
 where
     M: Linkage<N, Scalar = DoubleDouble>,
 {
-    // At an angle of zero the coordinate of a link is its length.
-    let lengths = exact.coordinates(&Signal::default()).value;
+    // At an angle of zero the coordinate of a link is its length, and the rate of an angle about an axis a quarter of it.
+    let [zero, one] = [0.0, 1.0].map(DoubleDouble::from);
+    let [zeros, ones] = [zero, one].map(|number| M::Drives::from_values(repeat(number)));
+    let at_zero = exact.coordinates(&Signal {
+        value: zeros,
+        rate: ones,
+        second_rate: zeros,
+    });
+    let quarters = at_zero.rate.values();
+    let lengths = at_zero.value.values().zip(quarters);
     let mut coordinates = Vec::new();
-    let each = lengths.values().zip(drives.value.values());
+    let each = lengths.zip(drives.value.values());
     let rates = drives.rate.values().zip(drives.second_rate.values());
-    for (drive, ((length, value), (rate, second_rate))) in each.zip(rates).enumerate() {
+    for (drive, (((length, quarter), value), (rate, second_rate))) in each.zip(rates).enumerate() {
         coordinates.push(match exact.drive_kind(drive) {
             DriveKind::Coordinate => [value, rate, second_rate],
             DriveKind::Angle => {
                 let (sine, cosine) = value.sine_cosine();
                 let second = cosine * rate * rate + sine * second_rate;
                 [cosine, -sine * rate, -second].map(|of_one| length * of_one)
+            }
+            DriveKind::Turn => {
+                let four = DoubleDouble::from(4.0);
+                let [value, rate, second_rate] = [value, rate, second_rate].map(|of| of / four);
+                let (sine, cosine) = value.sine_cosine();
+                let second = cosine * second_rate - sine * rate * rate;
+                [sine, cosine * rate, second].map(|of_one| quarter * four * of_one)
             }
         });
     }

@@ -152,7 +152,7 @@ fn tolerated<T: Real, L: Suspension<N>, const N: usize>(model: &L, motion: &Moti
     let rounding = epsilon * size.max(motion.position.amax());
     let residual = FEW * Newton::<f64>::near_by().tolerance.length(rounding);
     match model.drive_kind(0) {
-        DriveKind::Angle => residual / size,
+        DriveKind::Angle | DriveKind::Turn => residual / size,
         DriveKind::Coordinate => residual,
     }
 }
@@ -160,7 +160,7 @@ fn tolerated<T: Real, L: Suspension<N>, const N: usize>(model: &L, motion: &Moti
 /// The unit of distances along the first drive, and what it is in the unit of the motion.
 pub fn unit_of_first_drive(model: &impl Parts, metre: f64) -> (&'static str, f64) {
     match model.drive_kind(0) {
-        DriveKind::Angle => ("rad", 1.0),
+        DriveKind::Angle | DriveKind::Turn => ("rad", 1.0),
         DriveKind::Coordinate => ("m", metre),
     }
 }

@@ -3,13 +3,10 @@
 use crate::bake::fit::{MOST_SEGMENTS, Unmet};
 use crate::bake::widest::widest;
 use crate::bake::{Baked, Exact, OutOfReach, Wanted, bake};
-use crate::commands::bake::order::{Along, Ordered};
+use crate::commands::bake::order::{Along, DIGITS, Ordered, possible_in_few_digits};
 use crate::failure::Failure;
 use crate::mechanism::advice;
 use crate::number::{number, rounded};
-
-/// Digits of a range that is possible: it is rounded to lie within what is.
-const DIGITS: usize = 12;
 
 impl Ordered<'_> {
     pub(super) fn curve(&self, along: &Along) -> Result<Baked, Failure> {
@@ -47,7 +44,7 @@ impl Ordered<'_> {
                 ..*wanted
             },
         );
-        let [from, to] = wanted.range.map(|end| number(self.given(drive, end)));
+        let [from, to] = wanted.range.map(|end| number(self.in_file(drive, end)));
         let advice = possible.map_or_else(
             || "no part of the range can be baked".to_owned(),
             |ends| {
@@ -89,18 +86,22 @@ impl Ordered<'_> {
         (inside, locks)
     }
 
-    /// The part of a range that can be baked, in a few digits and the file's coordinates.
+    /// The part of a range that can be baked, in a few digits and the file's coordinates and units.
     fn possible(&self, drive: usize, wanted: &Wanted) -> Option<[f64; 2]> {
-        /// Of a range: how close to a turning point the mechanism is solved.
-        const CLOSE: f64 = 1e-6;
-        let [from, to] = wanted.range;
-        let range = [from + CLOSE * (to - from), to - CLOSE * (to - from)];
-        let path = self.path(drive, range).ok()?;
-        let widest = widest(&Wanted { range, ..*wanted }, &*path)?;
-        let [from, to] = widest.map(|end| self.given(drive, end));
-        let steps_a_unit = 10_f64.powf(3.0 - (to - from).log10().floor());
-        let (from, to) = (from * steps_a_unit, to * steps_a_unit);
-        Some([from.ceil(), to.floor()].map(|end| end / steps_a_unit))
+        possible_in_few_digits(
+            wanted.range,
+            |end| self.in_file(drive, end),
+            |range| {
+                let path = self.path(drive, range).ok()?;
+                widest(&Wanted { range, ..*wanted }, &*path)
+            },
+        )
+    }
+
+    /// A local value in the file's coordinates and units.
+    fn in_file(&self, drive: usize, local: f64) -> f64 {
+        let kind = self.mechanism.names.drives[drive].kind;
+        self.given(drive, local) * self.mechanism.unit.per_drive(kind)
     }
 
     fn path(&self, drive: usize, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {
@@ -109,7 +110,7 @@ impl Ordered<'_> {
 
     /// Where the motion is lost within what the drive reaches, in words.
     fn between(&self, drive: usize, error: &OutOfReach) -> String {
-        let [from, to] = error.reached.map(|end| number(self.given(drive, end)));
+        let [from, to] = error.reached.map(|end| number(self.in_file(drive, end)));
         let names = &self.mechanism.names;
         let cause = error
             .cause

@@ -12,8 +12,8 @@ pub struct About {
     pub file: String,
     /// The linkage's name.
     pub linkage: String,
-    /// The drives that the outputs are functions of.
-    pub drives: Vec<Ranged>,
+    /// The drives that the outputs are functions of, or a measure.
+    pub arguments: Vec<Ranged>,
     /// The unit of lengths.
     pub unit: &'static str,
     /// Where the axes point.
@@ -22,7 +22,7 @@ pub struct About {
     pub held: String,
 }
 
-/// A drive over its baked range.
+/// A drive over its baked range, or a measure.
 #[derive(Clone, Debug)]
 pub struct Ranged {
     /// Its name.
@@ -31,6 +31,30 @@ pub struct Ranged {
     pub unit: &'static str,
     /// Its first and last value.
     pub range: [f64; 2],
+    /// The drive that a measure stands in for.
+    pub in_place_of: Option<String>,
+}
+
+impl Ranged {
+    /// What it is.
+    pub(super) fn kind(&self) -> &'static str {
+        match self.in_place_of {
+            None => "drive",
+            Some(_) => "measure",
+        }
+    }
+
+    /// A line of the header.
+    fn line(&self) -> String {
+        let [from, to] = self.range.map(exact);
+        let Self { name, unit, .. } = self;
+        match &self.in_place_of {
+            None => format!("Drive: {name} from {from} to {to} {unit}."),
+            Some(drive) => {
+                format!("Measure: {name} from {from} to {to} {unit}, in place of drive {drive}.")
+            }
+        }
+    }
 }
 
 impl About {
@@ -40,8 +64,12 @@ impl About {
             Some(Output::Point(_)) => "points",
             _ => "wheel",
         };
-        let drives = self.drives.iter().map(|drive| drive.name.as_str());
-        format!("{what}_by_{}", drives.collect::<Vec<_>>().join("_and_"))
+        format!("{what}_by_{}", self.names().join("_and_"))
+    }
+
+    fn names(&self) -> Vec<&str> {
+        let arguments = self.arguments.iter();
+        arguments.map(|argument| argument.name.as_str()).collect()
     }
 
     /// The table's name in a file: the file's own, so that two files in one program differ.
@@ -66,25 +94,20 @@ impl About {
             Some(Output::Point(_)) => counted(outputs.len(), "point"),
             _ => "wheel centre and spin axis (unit length, outboard)".to_owned(),
         };
-        let names: Vec<&str> = self
-            .drives
-            .iter()
-            .map(|drive| drive.name.as_str())
-            .collect();
-        let drives = if names.len() > 1 { "drives" } else { "drive" };
+        let kind = match self.arguments.as_slice() {
+            [argument] => argument.kind(),
+            _ => "drives",
+        };
         let mut lines = vec![
             format!(
-                "The {what} of {} as a function of {drives} {}.",
+                "The {what} of {} as a function of {kind} {}.",
                 self.linkage,
-                names.join(" and ")
+                self.names().join(" and ")
             ),
             format!("Baked by `suspension bake` from {}.", self.file),
             String::new(),
         ];
-        lines.extend(self.drives.iter().map(|Ranged { name, unit, range }| {
-            let [from, to] = range.map(exact);
-            format!("Drive: {name} from {from} to {to} {unit}.")
-        }));
+        lines.extend(self.arguments.iter().map(Ranged::line));
         if !self.held.is_empty() {
             lines.push(format!("Held: {}.", self.held));
         }

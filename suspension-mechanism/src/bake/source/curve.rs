@@ -1,4 +1,4 @@
-//! A curve of one drive as a file.
+//! A curve of one drive, or of a measure, as a file.
 
 mod c;
 mod rust;
@@ -14,18 +14,18 @@ use crate::number::{counted, rounded};
 /// What is written of a curve.
 struct Sheet<'a> {
     about: &'a About,
-    drive: &'a Ranged,
+    argument: &'a Ranged,
     baked: &'a Baked,
 }
 
-/// The text of a file; empty without a drive.
+/// The text of a file; empty without an argument.
 pub(super) fn text(about: &About, baked: &Baked, language: Language, name: &str) -> String {
-    let [drive] = about.drives.as_slice() else {
+    let [argument] = about.arguments.as_slice() else {
         return String::new();
     };
     let sheet = Sheet {
         about,
-        drive,
+        argument,
         baked,
     };
     match language {
@@ -49,10 +49,10 @@ impl Sheet<'_> {
     fn header(&self) -> Vec<String> {
         let Self {
             about,
-            drive,
+            argument,
             baked,
         } = self;
-        let (unit, drive_unit) = (about.unit, drive.unit);
+        let (unit, per) = (about.unit, argument.unit);
         let joined = match baked.wanted.continuity {
             Continuity::Position => "position",
             Continuity::Velocity => "position and first derivative",
@@ -67,7 +67,7 @@ impl Sheet<'_> {
         lines.extend([
             format!("Continuous where segments join: {joined}."),
             format!("Tolerance asked: {} {unit}; reached: {position} {unit}.", rounded(baked.wanted.tolerance, 3)),
-            format!("First derivative within {first} {unit}/{drive_unit}, second within {second} {unit}/{drive_unit}^2."),
+            format!("First derivative within {first} {unit}/{per}, second within {second} {unit}/{per}^2."),
             format!("The spin axis counts as a point 1 m from the wheel centre. Checked against the solver at {SAMPLES}"),
             "Chebyshev points a segment; a bound for smooth motions, not a proof.".to_owned(),
             format!("{} of degree {}, {bytes} bytes.", counted(count, "segment"), TERMS - 1),

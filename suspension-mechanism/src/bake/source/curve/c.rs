@@ -17,6 +17,7 @@ pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
     let per_unit = sheet.baked.segments_per_unit();
     let segments = sheet.coefficients(["{", "}"]);
     let outputs = sheet.output_names().join(", ");
+    let kind = sheet.argument.kind();
     let _ = write!(
         text,
         " *
@@ -43,19 +44,19 @@ static const {name}_number {name}_segments[{count}][{TERMS}][{width}] = {{
 {segments}}};
 
 /*
- * Position, velocity and acceleration where the drive has the value `drive` and moves at `rate`
+ * Position, velocity and acceleration where the {kind} has the value `{kind}` and moves at `rate`
  * per second and `second_rate` per second squared. Where `acceleration`, or `velocity` as well, is
- * NULL it is not computed. Returns 0; or 1 where the drive is outside the range, and then writes
+ * NULL it is not computed. Returns 0; or 1 where the {kind} is outside the range, and then writes
  * nothing.
  */
-static inline int {name}({name}_number drive, {name}_number rate, {name}_number second_rate,
+static inline int {name}({name}_number {kind}, {name}_number rate, {name}_number second_rate,
         {name}_number position[{width}], {name}_number velocity[{width}],
         {name}_number acceleration[{width}])
 {{
-    if (!(drive >= {name}_range[0] && drive <= {name}_range[1]))
+    if (!({kind} >= {name}_range[0] && {kind} <= {name}_range[1]))
         return 1;
     const {name}_number per_unit = {per_unit:?};
-    const {name}_number along = (drive - {name}_range[0]) * per_unit;
+    const {name}_number along = ({kind} - {name}_range[0]) * per_unit;
     const int whole = (int)along < {count} ? (int)along : {last};
     const {name}_number variable = along - whole;
     const {name}_number (*terms)[{width}] = {name}_segments[whole];

@@ -11,14 +11,19 @@ pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
     let mut text = commented("#", &sheet.header());
     let reached = sheet.baked.reached;
     let [from, to] = sheet.baked.wanted.range;
+    let argument = sheet.argument;
+    let in_place_of = argument.in_place_of.iter();
+    let in_place_of: String = in_place_of
+        .map(|drive| format!("in_place_of = {drive:?}\n"))
+        .collect();
     let _ = write!(
         text,
         "
 name = {name:?}
 linkage = {linkage:?}
-drive = {drive:?}
-drive_unit = {drive_unit:?}
-unit = {unit:?}
+{kind} = {name_of:?}
+{kind}_unit = {unit_of:?}
+{in_place_of}unit = {unit:?}
 range = [{from:?}, {to:?}]
 tolerance = {tolerance:?}
 reached = {{ position = {:?}, first = {:?}, second = {:?} }}
@@ -33,8 +38,9 @@ segments = [
         reached.first,
         reached.second,
         linkage = sheet.about.linkage,
-        drive = sheet.drive.name,
-        drive_unit = sheet.drive.unit,
+        kind = argument.kind(),
+        name_of = argument.name,
+        unit_of = argument.unit,
         unit = sheet.about.unit,
         tolerance = sheet.baked.wanted.tolerance,
         per_unit = sheet.baked.segments_per_unit(),

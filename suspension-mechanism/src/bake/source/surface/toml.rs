@@ -9,7 +9,7 @@ use crate::bake::source::surface::Sheet;
 /// The text of a file.
 pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
     let mut text = commented("#", &sheet.header());
-    let drives = &sheet.about.drives;
+    let drives = &sheet.about.arguments;
     let names: Vec<&str> = drives.iter().map(|drive| drive.name.as_str()).collect();
     let units: Vec<&str> = drives.iter().map(|drive| drive.unit).collect();
     let _ = write!(

@@ -1,0 +1,117 @@
+//! The coordinate by which a drive enters the equations, and the way back to the drive's value.
+
+use crate::linkage::{Linkage, Values};
+use crate::listing::DriveKind;
+use crate::parts;
+use crate::scalar::Real;
+use crate::signal::Signal;
+use crate::trigonometry::sine_cosine;
+
+/// What a drive's coordinate `h` is of its value `theta`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Chart<T> {
+    /// The value itself.
+    Value,
+    /// `L cos(theta)`, with `theta` from 0 to pi.
+    Cosine { length: T },
+    /// `L sin(theta / 4)`, with `theta` less than a whole turn to either side.
+    QuarterSine { length: T },
+}
+
+impl<T: Real> Chart<T> {
+    pub(crate) fn of<L: Linkage<N, Scalar = T>, const N: usize>(linkage: &L, drive: usize) -> Self {
+        let none = L::Drives::default();
+        let at_zero = linkage.coordinates(&Signal {
+            value: none,
+            rate: none.with(drive, T::one()),
+            second_rate: none,
+        });
+        let entry = |drives: &L::Drives| drives.values().nth(drive).unwrap_or_default();
+        match linkage.drive_kind(drive) {
+            DriveKind::Coordinate => Self::Value,
+            DriveKind::Angle => Self::Cosine {
+                length: entry(&at_zero.value),
+            },
+            DriveKind::Turn => Self::QuarterSine {
+                length: entry(&at_zero.rate) * T::constant(4.0),
+            },
+        }
+    }
+
+    /// The largest magnitude that the coordinate of an angle has; `None` where it has none.
+    pub(crate) fn largest(self) -> Option<T> {
+        match self {
+            Self::Value => None,
+            Self::Cosine { length } | Self::QuarterSine { length } => Some(length),
+        }
+    }
+
+    /// Whether value and coordinate increase together.
+    pub(crate) fn is_increasing(self) -> bool {
+        !matches!(self, Self::Cosine { .. })
+    }
+
+    /// The value at a coordinate.
+    pub(crate) fn value_at(self, coordinate: T) -> T {
+        match self {
+            Self::Value => coordinate,
+            Self::Cosine { length } => parts::angle(coordinate, length),
+            Self::QuarterSine { length } => {
+                coordinate.atan2(beside(coordinate, length)) * T::constant(4.0)
+            }
+        }
+    }
+
+    /// The coordinate at a value.
+    pub(crate) fn coordinate(self, value: T) -> T {
+        match self {
+            Self::Value => value,
+            Self::Cosine { length } => {
+                let (_, cosine) = sine_cosine(value);
+                length * cosine
+            }
+            Self::QuarterSine { length } => {
+                let (sine, _) = sine_cosine(value * T::constant(0.25));
+                length * sine
+            }
+        }
+    }
+
+    /// The value and its rates from those of the coordinate, differentiated once and twice. At the ends of an angle's
+    /// range the rates are infinite or not a number.
+    pub(crate) fn value(self, coordinate: &Signal<T>) -> Signal<T> {
+        let Signal {
+            value: h,
+            rate,
+            second_rate,
+        } = *coordinate;
+        let value = self.value_at(h);
+        match self {
+            Self::Value => *coordinate,
+            Self::Cosine { length } => {
+                let across = beside(h, length);
+                let angle_rate = -rate / across;
+                Signal {
+                    value,
+                    rate: angle_rate,
+                    second_rate: -(second_rate + h * angle_rate * angle_rate) / across,
+                }
+            }
+            Self::QuarterSine { length } => {
+                let (along, four) = (beside(h, length), T::constant(4.0));
+                let quarter_rate = rate / along;
+                Signal {
+                    value,
+                    rate: quarter_rate * four,
+                    second_rate: (second_rate + h * quarter_rate * quarter_rate) / along * four,
+                }
+            }
+        }
+    }
+}
+
+/// The other side of a right triangle.
+fn beside<T: Real>(side: T, longest: T) -> T {
+    let square = (longest - side) * (longest + side);
+    square.max(T::zero()).sqrt()
+}

@@ -1,0 +1,180 @@
+//! Products over a length `L`: `z + k L + sum f u v / L`, with `z`, where there is one, an unknown that it defines,
+//! and `u` and `v` other unknowns or coordinates of lines.
+
+use super::{Dependence, Equations};
+use crate::name::Name;
+use crate::site::Site;
+use crate::vector::{Vector, dot};
+
+#[derive(Clone, Debug)]
+pub struct Bilinear {
+    pub defines: Option<Name>,
+    /// What stands beside it, in lengths `L`.
+    pub constant: f64,
+    pub products: Vec<Multiplied>,
+    /// The lines whose length, or geometric mean of lengths, `L` is: of one line it is kept whatever the lengths are,
+    /// of two it is that of the design.
+    pub length: Vec<[Site; 2]>,
+}
+
+/// A product of two factors, times a constant.
+#[derive(Clone, Debug)]
+pub struct Multiplied {
+    pub by: f64,
+    pub factors: [Factor; 2],
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum Factor {
+    Unknown(Name),
+    /// A coordinate of a line.
+    Edge {
+        line: [Site; 2],
+        axis: usize,
+    },
+}
+
+/// What a derivative is by.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Variable<'a> {
+    Unknown(&'a Name),
+    Coordinate { site: &'a Site, axis: usize },
+}
+
+impl Factor {
+    /// The variables that it is made of, each with its sign.
+    fn variables(&self) -> Vec<(f64, Variable<'_>)> {
+        match self {
+            Self::Unknown(name) => vec![(1.0, Variable::Unknown(name))],
+            Self::Edge { line, axis } => {
+                let [from, to] = line
+                    .each_ref()
+                    .map(|site| Variable::Coordinate { site, axis: *axis });
+                vec![(1.0, to), (-1.0, from)]
+            }
+        }
+    }
+}
+
+impl Bilinear {
+    /// By each variable, in the order in which they stand, the factors that it is multiplied with.
+    pub fn derivatives(&self) -> Vec<(Variable<'_>, Vec<(f64, &Factor)>)> {
+        let mut derivatives: Vec<(Variable<'_>, Vec<(f64, &Factor)>)> = Vec::new();
+        for Multiplied { by, factors } in &self.products {
+            let [u, v] = factors;
+            for (factor, other) in [(u, v), (v, u)] {
+                for (sign, variable) in factor.variables() {
+                    let term = (sign * by, other);
+                    match derivatives.iter_mut().find(|(by, _)| *by == variable) {
+                        Some((_, terms)) => terms.push(term),
+                        None => derivatives.push((variable, vec![term])),
+                    }
+                }
+            }
+        }
+        derivatives
+    }
+
+    fn factors(&self) -> impl Iterator<Item = &Factor> {
+        self.products.iter().flat_map(|product| &product.factors)
+    }
+
+    fn value(&self, factor: &Factor, at: &[Vector], scalars: &[f64]) -> f64 {
+        match factor {
+            Factor::Unknown(name) => {
+                let mut known = self.scalars().into_iter().zip(scalars);
+                known
+                    .find(|((other, _), _)| *other == name)
+                    .map_or(0.0, |(_, value)| *value)
+            }
+            Factor::Edge { line, axis } => {
+                let sites = self.sites();
+                let [from, to] = line.each_ref().map(|end| {
+                    let mut places = sites.iter().zip(at);
+                    let place = places.find(|(site, _)| site.name == end.name);
+                    place.map_or(0.0, |(_, at)| at[*axis])
+                });
+                to - from
+            }
+        }
+    }
+}
+
+impl Equations for Bilinear {
+    fn sites(&self) -> Vec<&Site> {
+        let of_factors = self.factors().filter_map(|factor| match factor {
+            Factor::Edge { line, .. } => Some(line),
+            Factor::Unknown(_) => None,
+        });
+        let mut sites: Vec<&Site> = Vec::new();
+        for site in self.length.iter().chain(of_factors).flatten() {
+            if !sites.iter().any(|other| other.name == site.name) {
+                sites.push(site);
+            }
+        }
+        sites
+    }
+
+    fn scalars(&self) -> Vec<(&Name, Dependence)> {
+        let defined = self.defines.iter().map(|name| (name, Dependence::Unit));
+        let mut scalars: Vec<(&Name, Dependence)> = defined.collect();
+        for factor in self.factors() {
+            if let Factor::Unknown(name) = factor
+                && !scalars.iter().any(|(other, _)| *other == name)
+            {
+                scalars.push((name, Dependence::Any));
+            }
+        }
+        scalars
+    }
+
+    /// What is defined, from the others.
+    fn scalars_at(&self, at: &[Vector], known: &[f64]) -> Option<Vec<f64>> {
+        self.defines.as_ref()?;
+        let mut scalars = known.to_vec();
+        *scalars.first_mut()? = 0.0;
+        let [rest, ..] = self.residual(&self.constants(at)?, at, &scalars);
+        *scalars.first_mut()? = -rest;
+        Some(scalars)
+    }
+
+    fn dependence(&self, _row: usize, site: usize, axis: usize) -> Dependence {
+        let sites = self.sites();
+        let depends = |(variable, _): &(Variable<'_>, Vec<(f64, &Factor)>)| {
+            matches!(variable, Variable::Coordinate { site: of, axis: along }
+                if of.name == sites[site].name && *along == axis)
+        };
+        if self.derivatives().iter().any(depends) {
+            Dependence::Any
+        } else {
+            Dependence::Never
+        }
+    }
+
+    /// The length.
+    fn constants(&self, at: &[Vector]) -> Option<Vector> {
+        let axes = |line: &[Site; 2]| {
+            [0, 1, 2].map(|axis| {
+                let line = line.clone();
+                self.value(&Factor::Edge { line, axis }, at, &[])
+            })
+        };
+        let squares = self.length.iter().map(axes).map(|line| dot(line, line));
+        let product: f64 = squares.map(f64::sqrt).product();
+        let length = product.powf(1.0 / self.length.len() as f64);
+        (length > 0.0).then_some([length, 0.0, 0.0])
+    }
+
+    fn residual(&self, &[length, ..]: &Vector, at: &[Vector], scalars: &[f64]) -> Vector {
+        let products = self.products.iter().map(|Multiplied { by, factors }| {
+            let [u, v] = factors
+                .each_ref()
+                .map(|factor| self.value(factor, at, scalars));
+            by * u * v
+        });
+        let sum: f64 = products.sum();
+        let defined = self.defines.as_ref().and(scalars.first()).copied();
+        let linear = defined.unwrap_or_default() + self.constant * length;
+        [linear + sum / length, 0.0, 0.0]
+    }
+}

@@ -1,0 +1,62 @@
+//! An angle about an axis, by sine `s` and cosine `c` of its quarter: `(s^2 + c^2 - L^2) / (2 L)`, with `L` the
+//! geometric mean of its two lines' lengths in the design.
+
+use super::{Dependence, Equations};
+use crate::name::Name;
+use crate::site::Site;
+use crate::vector::{Vector, cross, dot, minus};
+
+#[derive(Clone, Debug)]
+pub struct Turn {
+    /// From which line to which the angle is, and the line that it is about.
+    pub lines: [[Site; 2]; 3],
+    /// The unknowns' names.
+    pub sine: Name,
+    pub cosine: Name,
+}
+
+fn norm(vector: Vector) -> f64 {
+    dot(vector, vector).sqrt()
+}
+
+fn lines(at: &[Vector]) -> [Vector; 3] {
+    [0, 2, 4].map(|from| minus(at[from + 1], at[from]))
+}
+
+impl Equations for Turn {
+    fn sites(&self) -> Vec<&Site> {
+        self.lines.iter().flatten().collect()
+    }
+
+    fn scalars(&self) -> Vec<(&Name, Dependence)> {
+        [&self.sine, &self.cosine]
+            .map(|name| (name, Dependence::Any))
+            .to_vec()
+    }
+
+    fn scalars_at(&self, at: &[Vector], _known: &[f64]) -> Option<Vec<f64>> {
+        let [length, ..] = self.constants(at)?;
+        let [d, e, n] = lines(at);
+        let normal = cross(n, d);
+        let along = dot(normal, cross(n, e)) / norm(n);
+        let quarter = dot(normal, e).atan2(along) / 4.0;
+        Some(vec![length * quarter.sin(), length * quarter.cos()])
+    }
+
+    fn dependence(&self, _row: usize, _site: usize, _axis: usize) -> Dependence {
+        Dependence::Never
+    }
+
+    /// The length.
+    fn constants(&self, at: &[Vector]) -> Option<Vector> {
+        let [d, e, n] = lines(at);
+        let is_seen = [d, e].map(|line| norm(cross(n, line)) > 0.0);
+        let length = (norm(d) * norm(e)).sqrt();
+        (is_seen == [true; 2]).then_some([length, 0.0, 0.0])
+    }
+
+    fn residual(&self, &[length, ..]: &Vector, _at: &[Vector], scalars: &[f64]) -> Vector {
+        let square: f64 = scalars.iter().map(|part| part * part).sum();
+        [(square / length - length) / 2.0, 0.0, 0.0]
+    }
+}

@@ -1,0 +1,300 @@
+//! Motions baked along a measure that leads in place of a drive.
+
+use std::path::Path;
+
+use suspension_core::baked::Curve;
+
+use super::super::program::{Rows, example, folder, rows, run, text};
+use super::languages::{exit_of_c, numbers, run_with_the_core, table};
+
+const DOUBLE_WISHBONE: &str = include_str!("../../../examples/double_wishbone.toml");
+
+/// The range, and how fast the damper goes through it in the motion beside.
+const ALONG: [&str; 4] = ["--along", "damper=0.21:0.26", "--drive", "bump"];
+const RATE: f64 = 0.05;
+
+/// The example, and its motion led by the damper through the range.
+fn written() -> tempfile::TempDir {
+    let folder = folder();
+    let led = DOUBLE_WISHBONE
+        .replace("bump = [0.30, 0.05]", "damper = [0.21, 0.05]")
+        .replace("steer = [0.34, 0.01]", "steer = 0.34");
+    assert!(led.contains("damper =") && led.contains("steer = 0.34\n"));
+    for (name, content) in [("a.toml", DOUBLE_WISHBONE), ("led.toml", &led)] {
+        std::fs::write(folder.path().join(name), content).expect("written");
+    }
+    folder
+}
+
+fn baked(folder: &Path, language: &str) -> String {
+    let to = [
+        "bake",
+        "a.toml",
+        "--as",
+        language,
+        "--output",
+        "wheel_by_damper",
+    ];
+    let output = run(folder, &[&to, &ALONG[..]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    std::fs::read_to_string(folder.join("wheel_by_damper")).expect("a file")
+}
+
+fn led(folder: &Path) -> Rows {
+    let output = run(folder, &["motion", "led.toml", "--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    rows(&output.stdout)
+}
+
+/// Positions within the tolerance of the motion that the damper leads, rates and second rates within what the file
+/// says of derivatives.
+#[test]
+fn the_wheel_by_the_damper_is_that_of_the_motion_that_the_damper_leads() {
+    let folder = written();
+    let (table, segments) = table(&baked(folder.path(), "toml"));
+    let text_of = |key: &str| table[key].as_str().expect("a text").to_owned();
+    let named = ["measure", "measure_unit", "in_place_of"].map(text_of);
+    assert_eq!(named, ["damper", "m", "bump"].map(str::to_owned));
+    let range: [f64; 2] = numbers(&table["range"]).try_into().expect("two ends");
+    let reached = |order: &str| table["reached"][order].as_float().expect("a number");
+    let curve = Curve {
+        range,
+        segments_per_unit: table["segments_per_unit"].as_float().expect("a number"),
+        segments: &segments,
+    };
+    let led = led(folder.path());
+    assert_eq!((led.len(), range), (51, [0.21, 0.26]));
+    let mut worst = [0.0_f64; 3];
+    for row in &led {
+        let at = row["damper_m"].clamp(range[0], range[1]);
+        let found = curve.at(at).expect("inside").acceleration(RATE, 0.0);
+        for (order, kind) in ["", "v", "a"].into_iter().enumerate() {
+            for (axis, found) in ["x", "y", "z"].iter().zip(found[order]) {
+                let off = (found - row[&format!("wheel_centre_{kind}{axis}")]).abs();
+                worst[order] = worst[order].max(off / RATE.powi(order as i32));
+            }
+        }
+    }
+    let [position, first, second] = worst;
+    assert!(
+        position <= 1e-6 && position <= reached("position"),
+        "{worst:?}"
+    );
+    assert!(
+        first <= reached("first") && second <= reached("second"),
+        "{worst:?}"
+    );
+    // The bounds are of what is there.
+    assert!(position > 1e-9 && first > 1e-7, "{worst:?}");
+}
+
+#[test]
+fn rust_and_c_read_the_same_digits() {
+    let folder = written();
+    let (of_toml, segments) = table(&baked(folder.path(), "toml"));
+    let curve = Curve {
+        range: [0.21, 0.26],
+        segments_per_unit: of_toml["segments_per_unit"].as_float().expect("a number"),
+        segments: &segments,
+    };
+    let (mut asserts, mut lines) = (String::new(), String::new());
+    for part in 0..=20 {
+        let at = (0.21 + 0.05 * f64::from(part) / 20.0).min(0.26);
+        let values = curve.at(at).expect("inside").acceleration(1.5, -0.7);
+        let bits = values.as_flattened().iter();
+        let bits: String = bits.map(|x| format!("{:#x}, ", x.to_bits())).collect();
+        asserts += &format!("    check({at:?}, [{bits}]);\n");
+        lines += &format!("    {{{at:e}, {{{bits}}}}},\n");
+    }
+    let file = baked(folder.path(), "rust");
+    assert!(
+        file.contains("as a function of measure damper.\n")
+            && file.contains("// Measure: damper from 0.21 to 0.26 m, in place of drive bump.\n"),
+        "{}",
+        &file[..600]
+    );
+    let program = format!(
+        "mod baked {{\n{file}}}
+fn check(at: f64, expected: [u64; 18]) {{
+    let found = baked::WHEEL_BY_DAMPER.at(at).unwrap().acceleration(1.5, -0.7);
+    let bits: Vec<u64> = found.as_flattened().iter().map(|x| x.to_bits()).collect();
+    assert_eq!(bits, expected);
+}}
+fn main() {{
+    assert!(baked::WHEEL_BY_DAMPER.at(0.27).is_err());
+    assert_eq!(baked::WHEEL_BY_DAMPER_OUTPUTS[5], \"spin_axis_z\");
+{asserts}}}
+"
+    );
+    let ran = run_with_the_core(folder.path(), &program);
+    assert!(ran.status.success(), "{}", text(&ran.stderr));
+
+    let header = baked(folder.path(), "c");
+    assert!(header.contains("where the measure has the value `measure`"));
+    std::fs::write(folder.path().join("wheel.h"), header).expect("written");
+    let program = format!(
+        r#"#include "wheel.h"
+#include <stdint.h>
+#include <string.h>
+static const struct {{ double at; uint64_t bits[18]; }} rows[] = {{
+{lines}}};
+int main(void)
+{{
+    double found[18];
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {{
+        if (wheel_by_damper(rows[i].at, 1.5, -0.7, found, found + 6, found + 12) != 0)
+            return 1;
+        if (memcmp(found, rows[i].bits, sizeof found) != 0)
+            return 2;
+    }}
+    return wheel_by_damper(0.27, 1.5, -0.7, found, NULL, NULL) == 1 ? 0 : 3;
+}}
+"#
+    );
+    assert_eq!(exit_of_c(folder.path(), &program), Some(0));
+}
+
+#[test]
+fn a_range_in_which_the_measure_turns_back_is_refused_with_one_that_is_possible() {
+    let folder = written();
+    let bake = ["bake", "a.toml", "--drive", "bump"];
+    let output = run(
+        folder.path(),
+        &[&bake[..], &["--along", "damper=0.3:0.4"]].concat(),
+    );
+    let message = text(&output.stderr).trim_end();
+    let begin = "a.toml: damper cannot be baked from 0.3 to 0.4: the measure turns back at damper = 0.375799 m, there is none \
+                 beyond on this branch; possible is ";
+    let possible = message.strip_prefix(begin).expect(message);
+    assert_eq!(output.status.code(), Some(3));
+    let possible: Vec<&str> = possible.split_whitespace().collect();
+    let output = run(folder.path(), &[&bake[..], &possible].concat());
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    let folder = written();
+    for (arguments, message) in [
+        (
+            &["--along", "damper=0.21:0.26"][..],
+            "a.toml: --drive must say in place of which drive `damper` leads: bump, steer",
+        ),
+        (
+            &["--along", "spring=0.21:0.26", "--drive", "bump"],
+            "a.toml: unknown measure `spring`; the measures are damper, bar_arm",
+        ),
+        (
+            &["--along", "steer=0.3:0.4", "--drive", "bump"],
+            "a.toml: `steer` is a drive; --drive steer=FROM:TO bakes along it",
+        ),
+        (
+            &["--along", "damper=0.21:0.26", "--drive", "bump=0.2:0.4"],
+            "--along takes the place of one drive; name that, without a range, as --drive NAME",
+        ),
+        (
+            &[
+                "--along",
+                "damper=0.21:0.26",
+                "--drive",
+                "bump",
+                "--drive",
+                "steer",
+            ],
+            "--along takes the place of one drive; name that, without a range, as --drive NAME",
+        ),
+        (
+            &["--along", "damper", "--drive", "bump"],
+            "error: invalid value 'damper' for '--along <MEASURE=FROM:TO>': write MEASURE=FROM:TO, as damper=0.30:0.40",
+        ),
+        (
+            &["--along", "damper=0.26:0.21", "--drive", "bump"],
+            "error: invalid value 'damper=0.26:0.21' for '--along <MEASURE=FROM:TO>': FROM is less than TO",
+        ),
+        (
+            &[
+                "--along",
+                "damper=0.21:0.26",
+                "--drive",
+                "bump",
+                "--from",
+                "0.2",
+            ],
+            "error: the argument '--along <MEASURE=FROM:TO>' cannot be used with '--from <X>'",
+        ),
+    ] {
+        let output = run(folder.path(), &[&["bake", "a.toml"], arguments].concat());
+        let found = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{found}");
+        assert!(found.starts_with(message), "{found}");
+    }
+}
+
+/// In a file in degrees ranges are in degrees, and what is baked in radians.
+#[test]
+fn a_measure_that_is_an_angle_has_the_units_of_the_file() {
+    let folder = written();
+    let by_angle = DOUBLE_WISHBONE.replace("unit = \"m\"", "unit = \"m\"\nangle = \"deg\"");
+    std::fs::write(folder.path().join("deg.toml"), by_angle).expect("written");
+    let rows = |file| {
+        let sweep = ["sweep", file, "--drive", "bump=0:0.01:2", "--csv", "-"];
+        rows(&run(folder.path(), &sweep).stdout)[0].clone()
+    };
+    let (degrees, radians) = (
+        rows("deg.toml")["bar_arm_deg"],
+        rows("a.toml")["bar_arm_rad"],
+    );
+    assert!((degrees - radians.to_degrees()).abs() < 1e-9);
+    let along = format!("bar_arm={:?}:{:?}", degrees - 1.0, degrees + 1.0);
+    let arguments = [
+        "--drive", "bump", "--along", &along, "--as", "toml", "--output", "a",
+    ];
+    let output = run(
+        folder.path(),
+        &[&["bake", "deg.toml"][..], &arguments].concat(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let file = std::fs::read_to_string(folder.path().join("a")).expect("a file");
+    let (table, _) = table(&file);
+    assert_eq!(table["measure_unit"].as_str(), Some("rad"));
+    let [from, to] = numbers(&table["range"])[..] else {
+        panic!("two ends")
+    };
+    let off = [
+        from - radians + 1_f64.to_radians(),
+        to - radians - 1_f64.to_radians(),
+    ];
+    assert!(off.iter().all(|off| off.abs() < 1e-12), "{off:?}");
+}
+
+/// The advice for a drive's range is in the file's units too.
+#[test]
+fn what_is_possible_is_said_in_degrees_where_the_file_is_in_degrees() {
+    let folder = folder();
+    let [start, rate] = [0.8_f64, 0.6].map(f64::to_degrees);
+    let file = example("five_link.toml").replace("unit = \"mm\"", "unit = \"mm\"\nangle = \"deg\"");
+    let file = file.replace(
+        "theta = [0.8, 0.6]",
+        &format!("theta = [{start:?}, {rate:?}]"),
+    );
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(
+        folder.path(),
+        &["bake", "a.toml", "--from", "30", "--to", "140"],
+    );
+    let message = text(&output.stderr);
+    assert!(
+        message.starts_with("a.toml: theta cannot be baked from 30 to 140: "),
+        "{message}"
+    );
+    let (_, possible) = message
+        .trim_end()
+        .split_once("possible is ")
+        .expect("advice");
+    let possible: Vec<&str> = possible.split_whitespace().collect();
+    let output = run(
+        folder.path(),
+        &[&["bake", "a.toml"], possible.as_slice()].concat(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{message} {output:?}");
+}
