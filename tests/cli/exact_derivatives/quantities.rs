@@ -22,7 +22,7 @@ const LEVER: f64 = 5.0;
 const BRAKE_SHARE: f64 = 0.625;
 const DRIVE_SHARE: f64 = 0.25;
 
-/// What wheels on one body have not.
+/// What wheels that move each other have not.
 const OF_INDEPENDENT: [&str; 2] = ["roll_centre_m", "jacking_percent"];
 
 /// Which axle of a car the suspension is.
@@ -110,13 +110,13 @@ impl Reference<'_> {
             }
             let own = format!("bump_{}", wheel.name);
             let own = drives.iter().position(|name| *name == own);
-            self.of_travel(&mut of_one, &moved_by(own.unwrap_or(travel)), ends);
-            let carried_so = (0..).map_while(|other| model.wheel(other));
-            if carried_so
-                .filter(|other| other.carrier == wheel.carrier)
-                .count()
-                > 1
-            {
+            let own = own.unwrap_or(travel);
+            self.of_travel(&mut of_one, &moved_by(own), ends);
+            let rates: Vec<Vector> = lattice.velocities(at, own).values().collect();
+            let moves = |place: usize| rates[place].iter().any(|rate| rate.nearest().abs() > 1e-9);
+            let others = (0..).map_while(|other| model.wheel(other));
+            let mut others = others.filter(|other| other.name != wheel.name);
+            if others.any(|other| other.carrier.into_iter().any(moves)) {
                 of_one.retain(|(name, _)| !OF_INDEPENDENT.contains(&name.as_str()));
             }
             let prefix = match wheel.name {
