@@ -67,28 +67,27 @@ impl<T: Scalar, const N: usize> Row<'_, T, N> {
     /// What three are by one unknown.
     #[inline(always)]
     pub fn three_by_one(mut self, column: usize, entries: Vector3<T>) -> Self {
-        let [entries] = entries.data.0;
-        for (below, entry) in entries.into_iter().enumerate() {
-            self.put(below, column, entry);
-        }
+        self.put(0, column, entries.x);
+        self.put(1, column, entries.y);
+        self.put(2, column, entries.z);
         self
     }
 
-    /// What three are by a point.
+    /// What three are by a point. A loop would have the matrix in memory, and stacks are small.
     #[inline(always)]
-    pub fn three_by(mut self, column: usize, entries: Matrix3<T>) -> Self {
-        for (axis, entries) in entries.data.0.into_iter().enumerate() {
-            self = self.three_by_one(column + axis, entries.into());
-        }
-        self
+    pub fn three_by(self, column: usize, entries: Matrix3<T>) -> Self {
+        let [[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]] = entries.data.0;
+        self.three_by_one(column, Vector3::new(xx, yx, zx))
+            .three_by_one(column + 1, Vector3::new(xy, yy, zy))
+            .three_by_one(column + 2, Vector3::new(xz, yz, zz))
     }
 
     /// What three are by a point, where this is a multiple of the identity.
     #[inline(always)]
     pub fn diagonal_by(mut self, column: usize, factor: T) -> Self {
-        for axis in 0..3 {
-            self.put(axis, column + axis, factor);
-        }
+        self.put(0, column, factor);
+        self.put(1, column + 1, factor);
+        self.put(2, column + 2, factor);
         self
     }
 }
