@@ -54,10 +54,10 @@ pub fn list(
                 let kind = mechanism.names.drives[drive].kind;
                 let inside = value / mechanism.unit.per_drive(kind);
                 let angle = mechanism.unit.angle;
-                let bounds = match value.is_finite() {
-                    true => angle.bounds_exceeded(kind, inside),
-                    false => Some("a drive has a finite value".to_owned()),
-                };
+                let bounds = angle.bounds_exceeded(kind, inside);
+                let finite =
+                    || (!value.is_finite()).then(|| "a drive has a finite value".to_owned());
+                let bounds = bounds.or_else(finite);
                 if let Some(bounds) = bounds {
                     return Err(refuse(format!("--at {value}: {bounds}")));
                 }
