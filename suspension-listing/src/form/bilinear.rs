@@ -161,7 +161,10 @@ impl Equations for Bilinear {
         };
         let squares = self.length.iter().map(axes).map(|line| dot(line, line));
         let product: f64 = squares.map(f64::sqrt).product();
-        let length = product.powf(1.0 / self.length.len() as f64);
+        let length = match self.length.as_slice() {
+            [_, _] => product.sqrt(),
+            _ => product,
+        };
         (length > 0.0).then_some([length, 0.0, 0.0])
     }
 

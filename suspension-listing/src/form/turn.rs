@@ -23,6 +23,18 @@ fn lines(at: &[Vector]) -> [Vector; 3] {
     [0, 2, 4].map(|from| minus(at[from + 1], at[from]))
 }
 
+/// Cosine and sine of half an angle from those of the angle, which is within half a turn. By square roots, so that C
+/// programs that read listings need no library of mathematics.
+fn half_angle([cosine, sine]: [f64; 2]) -> [f64; 2] {
+    if cosine >= 0.0 {
+        let half = ((1.0 + cosine) / 2.0).sqrt();
+        [half, sine / (2.0 * half)]
+    } else {
+        let half = ((1.0 - cosine) / 2.0).sqrt().copysign(sine);
+        [sine / (2.0 * half), half]
+    }
+}
+
 impl Equations for Turn {
     fn sites(&self) -> Vec<&Site> {
         self.lines.iter().flatten().collect()
@@ -39,8 +51,10 @@ impl Equations for Turn {
         let [d, e, n] = lines(at);
         let normal = cross(n, d);
         let along = dot(normal, cross(n, e)) / norm(n);
-        let quarter = dot(normal, e).atan2(along) / 4.0;
-        Some(vec![length * quarter.sin(), length * quarter.cos()])
+        let across = dot(normal, e);
+        let radius = (along * along + across * across).sqrt();
+        let [cosine, sine] = half_angle(half_angle([along / radius, across / radius]));
+        Some(vec![length * sine, length * cosine])
     }
 
     fn dependence(&self, _row: usize, _site: usize, _axis: usize) -> Dependence {
