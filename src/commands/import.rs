@@ -193,15 +193,13 @@ fn written_out(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
     for remark in &draft.remarks {
         eprintln!("note: {}: {remark}", draft.source);
     }
+    let file = |text: &str| Source::new(out.display().to_string(), text.to_owned());
     // The drives' values at the design position are those of the mechanism.
-    let unmoved = Source::new(
-        out.display().to_string(),
-        draft.text(&vec![0.0; draft.drives()]),
-    );
-    let loaded = load(&unmoved)?;
-    let mechanism = loaded.at_design()?;
-    note_spin_axis(&mechanism.names);
-    Ok(draft.text(&mechanism.design))
+    let unmoved = file(&draft.text(&vec![0.0; draft.drives()]));
+    let text = draft.text(&load(&unmoved)?.at_design_without_notes()?.design);
+    let written = file(&text);
+    note_spin_axis(&load(&written)?.at_design()?.names);
+    Ok(text)
 }
 
 /// Says which line stands in for the spin axis where that is of two points of the hardpoint file.

@@ -108,6 +108,8 @@ fn two_commands_lead_from_adams_names_to_the_sheet() {
     std::fs::write(folder.path().join("front.csv"), file).expect("written");
     let output = run(folder.path(), &["import", "front.csv"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
+    // The drives that it writes are those of the design: nothing is doubtful in them.
+    assert!(!text(&output.stderr).contains("[drives]"), "{output:?}");
     let output = run(folder.path(), &["sheet", "front.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     assert!(folder.path().join("out/front_sheet.html").exists());
