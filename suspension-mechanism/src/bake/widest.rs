@@ -1,5 +1,7 @@
 //! The part of a range that can be baked.
 
+use std::cell::Cell;
+
 use crate::bake::fit::{Fit, MOST_SEGMENTS, Wanted};
 use crate::bake::path::Exact;
 
@@ -9,15 +11,20 @@ pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Option<[f64; 2]> {
     const PARTS: u32 = 64;
     let [from, to] = wanted.range;
     let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
+    // A range that is too wide is so at an end, mostly where the last one was.
+    let suspect = Cell::new(0.5);
     let possible = |first: u32, last: u32| {
         let range = [first, last].map(place);
-        let count = MOST_SEGMENTS;
         let fit = Fit {
             wanted: &Wanted { range, ..*wanted },
             exact,
-            count,
+            count: MOST_SEGMENTS,
         };
-        last > first && matches!(fit.all(0.5), Ok(Ok(_)))
+        let tried = (last > first).then(|| fit.all(suspect.get()));
+        if let Some(Ok(Err(missed))) = tried {
+            suspect.set(missed);
+        }
+        matches!(tried, Some(Ok(Ok(_))))
     };
     let middle = PARTS / 2;
     let half = most(middle, |half| possible(middle - half, middle + half));
