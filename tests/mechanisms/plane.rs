@@ -135,7 +135,7 @@ mod of_the_chassis {
         assert_eq!(
             refused.named(&super::guided::Listing).to_string(),
             "the three points that carry a point, or that a plane goes through, lie in line: point `side`; \
-             name three that form a triangle"
+             move one of them off the line, or name three that form a triangle"
         );
     }
 }
