@@ -11,6 +11,9 @@ pub fn did_you_mean<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) 
 
 /// The sentence about a name that is none of the known ones.
 pub fn unknown(what: &str, wanted: &str, known: &[&str]) -> String {
+    if known.is_empty() {
+        return format!("unknown {what} `{wanted}`; the listing states none");
+    }
     let hint = did_you_mean(wanted, known.iter().copied());
     let known = known.join(", ");
     format!("unknown {what} `{wanted}`; known are {known}{hint}")
@@ -80,6 +83,14 @@ mod tests {
         ] {
             assert_eq!(did_you_mean(wanted, known), expected, "{wanted}");
         }
+    }
+
+    #[test]
+    fn where_none_is_known_none_is_listed() {
+        assert_eq!(
+            unknown("measure", "damper", &[]),
+            "unknown measure `damper`; the listing states none"
+        );
     }
 
     #[test]

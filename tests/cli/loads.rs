@@ -243,7 +243,10 @@ fn what_is_no_load_is_refused_with_its_place() {
             "[loads.a]\nrack = { moment = [1.0, 0.0, 0.0] }\n",
             "`rack` is a chassis point",
         ),
-        ("[loads.a]\nbump = \"dampr\"\n", "`dampr` is no measure"),
+        (
+            "[loads.a]\nbump = \"dampr\"\n",
+            "unknown measure `dampr`; known are damper, bar_arm; did you mean `damper`?",
+        ),
         (
             "[loads.a]\nbum = \"damper\"\n",
             "`bum` is no drive; the drives are bump, steer",

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use suspension_listing::did_you_mean::did_you_mean;
+
 use crate::mechanism::{Description, Length};
 use crate::number::{rounded, without_rounding};
 use crate::sensitivities::Sensitivities;
@@ -120,8 +122,9 @@ impl Report<'_> {
             {
                 let mut known: Vec<String> = self.numbers().map(|number| number.title).collect();
                 known.retain(|title| !title.contains(' '));
+                let hint = did_you_mean(wanted, known.iter().map(String::as_str));
                 return Err(format!(
-                    "no quantity begins with `{wanted}`; known are {}",
+                    "no quantity begins with `{wanted}`; known are {}{hint}",
                     known.join(", ")
                 ));
             }

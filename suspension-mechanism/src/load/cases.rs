@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
-use suspension_listing::did_you_mean::did_you_mean;
+use suspension_listing::did_you_mean::{did_you_mean, unknown};
 use suspension_runtime::Listing;
 use toml::Spanned;
 
@@ -113,8 +113,8 @@ impl Reader<'_> {
                     return refuse(format!("`{name}` is no drive; the drives are {drives}"));
                 }
                 (_, None) => {
-                    let measures = self.mechanism.names.of_measures().join(", ");
-                    return refuse(format!("`{by}` is no measure; the measures are {measures}"));
+                    let measures = self.mechanism.names.of_measures();
+                    return refuse(unknown("measure", by, &measures));
                 }
             },
         }

@@ -165,7 +165,7 @@ impl Names {
         let all = names.join(", ");
         match (wanted, names.as_slice()) {
             (None, [_]) => Ok(0),
-            (None, _) => Err(format!("--drive must say which: {all}")),
+            (None, _) => Err(format!("name one of the drives with --drive: {all}")),
             (Some(wanted), _) => {
                 let found = names.iter().position(|name| *name == wanted);
                 found.ok_or_else(|| match self.of_measures().contains(&wanted) {
