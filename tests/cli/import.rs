@@ -15,6 +15,9 @@ use suspension_runtime::Listing;
 
 use super::program::{folder, rows, run, text};
 
+/// The same points as below, with toe, camber and radius, as a file to try.
+const EXAMPLE: &str = include_str!("../../examples/hardpoints.csv");
+
 /// A double wishbone with pushrod and rocker in names of Adams/Car, front left; x rearward, y right, z up, mm.
 const CORNER: [(&str, [f64; 3]); 15] = [
     ("lca_front", [-140.0, -170.0, 125.0]),
@@ -102,10 +105,7 @@ fn table(points: &[(&str, [f64; 3])]) -> String {
 #[test]
 fn two_commands_lead_from_adams_names_to_the_sheet() {
     let folder = folder();
-    let points = CORNER.map(|(name, at)| (format!("hpl_{name}"), at));
-    let points = points.each_ref().map(|(name, at)| (name.as_str(), *at));
-    let file = table(&points) + "toe_angle, -0.2\ncamber_angle, -1.2\ntire_radius, 229\n";
-    std::fs::write(folder.path().join("front.csv"), file).expect("written");
+    std::fs::write(folder.path().join("front.csv"), EXAMPLE).expect("written");
     let output = run(folder.path(), &["import", "front.csv"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     // The drives that it writes are those of the design: nothing is doubtful in them.
