@@ -1,4 +1,4 @@
-//! Weight and inertia of parts: what the core computes, bit for bit; and what is no mass is told and adds nothing.
+//! Weight and inertia of parts: what the core computes, bit for bit; a wrong mass is refused and adds nothing.
 #![allow(unsafe_code, reason = "it takes what C would pass")]
 
 mod five_link;
@@ -148,7 +148,7 @@ fn by_the_core(
 }
 
 #[test]
-fn of_a_listing_what_is_none_is_told_and_adds_nothing() {
+fn of_a_listing_a_wrong_mass_is_refused_and_adds_nothing() {
     let (listing, corner) = (pushrod(), placed());
     let design = listing.design();
     let count = design.len();
@@ -218,7 +218,7 @@ fn wrong(point: u32, points: u32) -> Vec<(Mass<f64>, Status)> {
 
 /// The same of a linkage that is compiled in; what is at a marker would load nothing.
 #[test]
-fn of_a_linkage_what_is_none_is_told_and_adds_nothing() {
+fn of_a_linkage_a_wrong_mass_is_refused_and_adds_nothing() {
     let design = five_link::DESIGN;
     let points = five_link::made(|points| {
         let drives = five_link_f32::Drives { values: [0.7] };

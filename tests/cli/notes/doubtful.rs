@@ -1,0 +1,156 @@
+//! Notes on what a file states, or leaves to its listing, that was probably meant otherwise.
+
+use super::super::program::{CORNER, folder, run, text};
+use super::notes;
+
+/// Points of a listing that the file does not state stay where the listing has them: a note says so where those around them are elsewhere.
+#[test]
+fn a_point_that_stays_behind_the_others_is_remarked() {
+    let file =
+        |points: &str| CORNER.replace("vehicle =", &format!("points = {{ {points} }}\nvehicle ="));
+    let at_centre = |height: &str| {
+        file(&format!("wheel_centre = [0.0, 0.75, {height}]"))
+            .replace("bump = 0.3", &format!("bump = {height}"))
+    };
+    let relative = "axle = { from = \"wheel_centre\", offset = [0, -0.1, 0] }";
+    for (file, expected) in [
+        // The spin axis has another direction.
+        (
+            at_centre("0.31"),
+            Some((
+                "[points] does not state `axle`, which",
+                "`wheel_centre` is 0.01 m from",
+                relative,
+            )),
+        ),
+        // The file is in order with what the note says.
+        (
+            at_centre("0.31").replace("points = {", &format!("points = {{ {relative},")),
+            None,
+        ),
+        // A change of a hardpoint that may well be meant.
+        (file("tie_ball = [0.12, 0.68, 0.20]"), None),
+        (file("lower_front = [0.20, 0.35, 0.16]"), None),
+        // Another body.
+        (
+            file("upper_ball = [-0.015, 0.60, 0.48], tie_ball = [0.12, 0.60, 0.24]"),
+            Some((
+                "does not state `lower_ball`, `wheel_centre`, `axle`, which keep",
+                "`tie_ball` is 0.0854 m from",
+                "state them too",
+            )),
+        ),
+    ] {
+        let told = notes(&file);
+        let Some((which, beside, remedy)) = expected else {
+            assert_eq!(told, "");
+            continue;
+        };
+        for expected in [which, beside, remedy] {
+            assert!(told.contains(expected), "{told}");
+        }
+    }
+}
+
+/// One point on the other side than its wheel: of a corner, or of an axle one that has the wheel's name.
+#[test]
+fn a_point_on_the_wrong_side_is_remarked() {
+    let corner = |point: &str| {
+        let corner = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
+        let corner = corner.replace("steer = 0.34\n", "");
+        corner.replace("vehicle =", &format!("points = {{ {point} }}\nvehicle =")) + "steer = "
+    };
+    let axle = |point: &str| {
+        format!(
+            "linkage = \"steered_axle\"\nunit = \"m\"\ntime = {{ instants = [0.0] }}\npoints = {{ {point} }}\n\
+             drives = {{ bump_left = 0.3, bump_right = 0.3, steer = 0.34 }}\n"
+        )
+    };
+    for (file, point, centre) in [
+        (
+            corner("lower_rear = [-0.20, -0.35, 0.16]") + "0.34\n",
+            "lower_rear",
+            "wheel_centre",
+        ),
+        (
+            corner("rack = [0.11, -0.34, 0.20]") + "-0.34\n",
+            "rack",
+            "wheel_centre",
+        ),
+        (
+            corner("upper_ball = [-0.015, -0.66, 0.44]") + "0.34\n",
+            "upper_ball",
+            "wheel_centre",
+        ),
+        (
+            axle("right_upper_rear = [-0.15, 0.43, 0.42]"),
+            "right_upper_rear",
+            "right_wheel_centre",
+        ),
+    ] {
+        let expected = format!("`{point}` is on the other side of the vehicle than `{centre}`");
+        let told = notes(&file);
+        assert!(told.contains(&expected), "{told}");
+    }
+    assert_eq!(notes(&axle("right_upper_rear = [-0.15, -0.42, 0.42]")), "");
+}
+
+/// Values of drives in another unit, or counted from elsewhere, than the file's or the option's.
+#[test]
+fn drives_that_are_meant_otherwise_are_remarked() {
+    let folder = folder();
+    let said = |bump: &str, arguments: &[&str]| {
+        let file = CORNER.replace("bump = 0.3", &format!("bump = {bump}"));
+        let file = file.replace("instants = [0.0]", "start = 0.0, stop = 1.0, step = 0.5");
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        text(&run(folder.path(), arguments).stderr).to_owned()
+    };
+    let motion = ["motion", "a.toml"];
+    let sweep = |bump| ["sweep", "a.toml", "--csv", "/dev/null", "--drive", bump];
+    for (bump, arguments, expected) in [
+        (
+            "[300, 50]",
+            motion.as_slice(),
+            "a.toml: [drives]: is `bump` in mm? The file is in m",
+        ),
+        (
+            "[0.3, 50]",
+            &motion,
+            "a.toml: [drives]: is `bump` in mm? The file is in m",
+        ),
+        (
+            "[0.0, 0.05]",
+            &motion,
+            "a.toml: [drives]: the values of `bump` are its own, and no changes from the design position: `bump` is 0.3 m at \
+             the design position; write bump = [0.3, ...]",
+        ),
+        (
+            "0.3",
+            &sweep("bump=-80:80:3"),
+            "note: a.toml: --drive: is `bump` in mm? The file is in m",
+        ),
+        (
+            "0.3",
+            &sweep("bump=0.25:0.35:3"),
+            "note: a.toml: --drive: the values of `bump` are changes from the design position, and not its own: `bump` is 0.3 m \
+             at the design position; with --absolute they are its own",
+        ),
+        (
+            "0.3",
+            &[&sweep("bump=-0.05:0.05:3")[..], &["--absolute"]].concat(),
+            "the values of `bump` are its own, and no changes from the design position: `bump` is 0.3 m at the design position; \
+             without --absolute they are changes",
+        ),
+    ] {
+        let told = said(bump, arguments);
+        assert!(told.contains(expected), "{bump}: {told}");
+    }
+    for arguments in [
+        &motion[..],
+        &sweep("bump=-0.05:0.05:3"),
+        &[&sweep("bump=0.25:0.35:3")[..], &["--absolute"]].concat(),
+    ] {
+        let told = said("[0.3, 0.05]", arguments);
+        assert!(!told.contains("note:"), "{told}");
+    }
+}
