@@ -124,9 +124,9 @@ fn stated(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Gr
 fn doubts(mechanism: &dyn Kinematics, swept: &[Swept], absolute: bool) -> Vec<String> {
     let size = Coordinate::extent(mechanism.points());
     let (from, way) = if absolute {
-        (From::Zero, "; without --absolute they are changes")
+        (From::Zero, "; leave out --absolute to state changes")
     } else {
-        (From::Start, "; with --absolute they are its own")
+        (From::Start, "; use --absolute to state its own values")
     };
     let of_one = |of_one: &Swept| {
         let (name, _) = of_one.drives().next()?;

@@ -62,11 +62,11 @@ impl Coordinate<'_> {
         );
         match from {
             From::Zero if is_elsewhere && starts_small && !spans(self.design) => Some(format!(
-                "the values of `{}` are its own, and no changes from the design position: {at}{way}",
+                "`{}` takes the drive's own value, not a change from the design position: {at}{way}",
                 self.name
             )),
             From::Start if is_elsewhere && spans(self.design) && !spans(0.0) => Some(format!(
-                "the values of `{}` are changes from the design position, and not its own: {at}{way}",
+                "`{}` takes a change from the design position, not the drive's own value: {at}{way}",
                 self.name
             )),
             _ => None,
@@ -137,7 +137,12 @@ mod tests {
                 From::Start,
                 "is `bump` in mm or inches?",
             ),
-            (metres, [0.0, 0.05], From::Zero, "its own, and no changes"),
+            (
+                metres,
+                [0.0, 0.05],
+                From::Zero,
+                "takes the drive's own value",
+            ),
             (
                 metres,
                 [-0.05, 0.05],
@@ -148,13 +153,13 @@ mod tests {
                 metres,
                 [0.22, 0.38],
                 From::Start,
-                "changes from the design position, and not",
+                "takes a change from the design position",
             ),
             (
                 metres,
                 [0.3, 0.3],
                 From::Start,
-                "changes from the design position, and not",
+                "takes a change from the design position",
             ),
             (
                 millimetres,

@@ -121,7 +121,7 @@ fn drives_that_are_meant_otherwise_are_remarked() {
         (
             "[0.0, 0.05]",
             &motion,
-            "a.toml: [drives]: the values of `bump` are its own, and no changes from the design position: `bump` is 0.3 m at \
+            "a.toml: [drives]: `bump` takes the drive's own value, not a change from the design position: `bump` is 0.3 m at \
              the design position; write bump = [0.3, ...]",
         ),
         (
@@ -132,14 +132,14 @@ fn drives_that_are_meant_otherwise_are_remarked() {
         (
             "0.3",
             &sweep("bump=0.25:0.35:3"),
-            "note: a.toml: --drive: the values of `bump` are changes from the design position, and not its own: `bump` is 0.3 m \
-             at the design position; with --absolute they are its own",
+            "note: a.toml: --drive: `bump` takes a change from the design position, not the drive's own value: `bump` is 0.3 m \
+             at the design position; use --absolute to state its own values",
         ),
         (
             "0.3",
             &[&sweep("bump=-0.05:0.05:3")[..], &["--absolute"]].concat(),
-            "the values of `bump` are its own, and no changes from the design position: `bump` is 0.3 m at the design position; \
-             without --absolute they are changes",
+            "`bump` takes the drive's own value, not a change from the design position: `bump` is 0.3 m at the design position; \
+             leave out --absolute to state changes",
         ),
     ] {
         let told = said(bump, arguments);
