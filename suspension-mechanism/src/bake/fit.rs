@@ -168,12 +168,29 @@ pub(super) struct Fit<'a> {
     pub(super) count: usize,
 }
 
+/// Whether the tolerance is met, or where in the range (0 to 1) it is not.
+pub(super) type Met<R = ()> = Result<Result<R, f64>, OutOfReach>;
+
 impl Fit<'_> {
+    /// The first segment, the last one, and the one where the tolerance was not met before.
+    pub(super) fn outermost(&self, suspect: f64) -> Met {
+        for place in [suspect, 0.0, 1.0] {
+            if self.segment(self.index(place))?.is_none() {
+                return Ok(Err(place));
+            }
+        }
+        Ok(Ok(()))
+    }
+
+    /// The number of the segment at a place of the range, 0 to 1.
+    fn index(&self, place: f64) -> usize {
+        ((place * self.count as f64) as usize).min(self.count - 1)
+    }
+
     /// All segments, or where in the range (0 to 1) the tolerance is not met: tried first where it
     /// was not met before.
-    pub(super) fn all(&self, suspect: f64) -> Result<Result<Baked, f64>, OutOfReach> {
-        let first = ((suspect * self.count as f64) as usize).min(self.count - 1);
-        if self.segment(first)?.is_none() {
+    pub(super) fn all(&self, suspect: f64) -> Met<Baked> {
+        if self.segment(self.index(suspect))?.is_none() {
             return Ok(Err(suspect));
         }
         let mut segments = Vec::new();

@@ -1,47 +1,65 @@
 //! The part of a range that can be baked.
 
 use std::cell::Cell;
+use std::ops::Range;
 
-use crate::bake::fit::{Fit, MOST_SEGMENTS, Wanted};
+use crate::bake::fit::{Fit, MOST_SEGMENTS, Met, Wanted};
 use crate::bake::path::Exact;
+
+/// Parts of the range, by the ends of which it is searched.
+const PARTS: u32 = 64;
 
 /// The widest part of the range, to a 64th, that can be baked; `None` where not even the smallest
 /// about the middle can.
+///
+/// A range that is too wide mostly is so at an end: it is searched by its outermost segments alone, which is a
+/// hundredth of the work, and by all of them where what is found so cannot be baked.
 pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Option<[f64; 2]> {
-    const PARTS: u32 = 64;
     let [from, to] = wanted.range;
     let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
-    // A range that is too wide is so at an end, mostly where the last one was.
+    // Where the last range that was too wide was so.
     let suspect = Cell::new(0.5);
-    let possible = |first: u32, last: u32| {
-        let range = [first, last].map(place);
+    let possible = |parts: [u32; 2], by: fn(&Fit<'_>, f64) -> Met| {
+        let range = parts.map(place);
         let fit = Fit {
             wanted: &Wanted { range, ..*wanted },
             exact,
             count: MOST_SEGMENTS,
         };
-        let tried = (last > first).then(|| fit.all(suspect.get()));
-        if let Some(Ok(Err(missed))) = tried {
+        let tried = by(&fit, suspect.get());
+        if let Ok(Err(missed)) = tried {
             suspect.set(missed);
         }
-        matches!(tried, Some(Ok(Ok(_))))
+        matches!(tried, Ok(Ok(())))
     };
-    let middle = PARTS / 2;
-    let half = most(middle, |half| possible(middle - half, middle + half));
-    let before = most(middle, |before| {
-        possible(middle - before.max(half), middle + half)
-    })
-    .max(half);
-    let after = most(middle, |after| {
-        possible(middle - before, middle + after.max(half))
-    })
-    .max(half);
-    (half > 0).then(|| [middle - before, middle + after].map(place))
+    let by_all = |parts| {
+        possible(parts, |fit: &Fit<'_>, suspect| {
+            Ok(fit.all(suspect)?.map(drop))
+        })
+    };
+    let by_ends = |parts| possible(parts, |fit: &Fit<'_>, suspect| fit.outermost(suspect));
+    let found = search(by_ends).filter(|parts| by_all(*parts));
+    Some(found.or_else(|| search(by_all))?.map(place))
 }
 
-/// The largest number up to `limit` that is possible, where all smaller ones are.
-fn most(limit: u32, possible: impl Fn(u32) -> bool) -> u32 {
-    let (mut good, mut bad) = (0, limit + 1);
+/// The widest parts that are possible: widened about the middle, then to either side.
+fn search(possible: impl Fn([u32; 2]) -> bool) -> Option<[u32; 2]> {
+    let middle = PARTS / 2;
+    let half = most(1..middle + 1, |half| {
+        possible([middle - half, middle + half])
+    })?;
+    let beyond = half + 1..middle + 1;
+    let before = most(beyond.clone(), |before| {
+        possible([middle - before, middle + half])
+    })
+    .unwrap_or(half);
+    let after = most(beyond, |after| possible([middle - before, middle + after])).unwrap_or(half);
+    Some([middle - before, middle + after])
+}
+
+/// The largest number in a range that is possible, where all smaller ones are.
+fn most(range: Range<u32>, possible: impl Fn(u32) -> bool) -> Option<u32> {
+    let (mut good, mut bad) = (range.start - 1, range.end);
     while bad - good > 1 {
         let middle = good.midpoint(bad);
         if possible(middle) {
@@ -50,5 +68,5 @@ fn most(limit: u32, possible: impl Fn(u32) -> bool) -> u32 {
             bad = middle;
         }
     }
-    good
+    (good >= range.start).then_some(good)
 }
