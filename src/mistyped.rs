@@ -1,18 +1,27 @@
 //! What a mistyped option may have been meant to be, where clap has no answer: it takes letters in another order for
-//! others, so that `--cvs` is not near `--csv`.
+//! others, so that `--cvs` is not near `--csv`. And which command takes a file that is named without one.
 
 use std::ffi::OsString;
+use std::path::Path;
 
 use clap::Command;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use suspension_listing::did_you_mean::nearest;
 
-/// The mistake in the arguments of `program`, with the option that was meant where one is near.
+/// The mistake in the arguments of `program`, with the option that was meant where one is near, or the command for a file.
 pub(crate) fn with_suggestion(
     mut mistake: clap::Error,
     program: &Command,
     arguments: &[OsString],
 ) -> clap::Error {
+    if let Some(ContextValue::String(command)) = mistake.get(ContextKind::InvalidSubcommand)
+        && let Some(advice) = of_file(command)
+    {
+        mistake.remove(ContextKind::SuggestedSubcommand);
+        let advice = ContextValue::StyledStrs(vec![advice.into()]);
+        mistake.insert(ContextKind::Suggested, advice);
+        return mistake;
+    }
     let has_one = mistake.get(ContextKind::SuggestedArg).is_some();
     if mistake.kind() != ErrorKind::UnknownArgument || has_one {
         return mistake;
@@ -24,6 +33,22 @@ pub(crate) fn with_suggestion(
         mistake.insert(ContextKind::SuggestedArg, ContextValue::String(meant));
     }
     mistake
+}
+
+/// What to do with a file in the place of a command.
+fn of_file(name: &str) -> Option<String> {
+    match Path::new(name).extension()?.to_str()? {
+        "toml" => Some(format!(
+            "for the motion of a file write suspension motion {name}"
+        )),
+        "csv" | "sub" | "shk" => Some(format!(
+            "for a motion file of hardpoints write suspension import {name}"
+        )),
+        "linkage" => Some(format!(
+            "a motion file names a listing: listing = \"{name}\""
+        )),
+        _ => None,
+    }
 }
 
 /// The nearest long option of the command that the arguments name.

@@ -95,9 +95,23 @@ pub fn known_names<V>(
         return Ok(());
     };
     let name = key.get_ref();
-    let hint = did_you_mean(name, known.iter().map(Borrow::borrow));
+    let hint = match home(name) {
+        Some(home) => format!("; {name} stands {home}"),
+        None => did_you_mean(name, known.iter().map(Borrow::borrow)),
+    };
     let message = format!("unknown {kind} `{name}`; {has}{hint}");
     Err(source.refuse(&key.span(), message))
+}
+
+/// Where a key stands that has a place of its own in motion files.
+fn home(key: &str) -> Option<&'static str> {
+    match key {
+        "unit" | "angle" | "axes" | "linkage" | "listing" => Some("above the first table"),
+        "wheel_radius" | "travel" | "wheelbase" | "cg_height" | "brake_share" | "drive_share" => {
+            Some("under [vehicle]")
+        }
+        _ => None,
+    }
 }
 
 /// Checks that all values of a table are finite.

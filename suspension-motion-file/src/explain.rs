@@ -11,12 +11,16 @@ pub(super) fn explained(message: &str, source: &Source) -> String {
     }
     let message = message.trim_end().replace('\n', ", ");
     let message = message.replace("expected f64", "expected a number");
+    let message = message.replace("unknown variant", "unknown word");
     let mut quoted = message.split('`').skip(1).step_by(2);
     let name = quoted.next().unwrap_or_default();
-    let hint = if message.starts_with("unknown field") || message.starts_with("unknown variant") {
+    let hint = if message.starts_with("unknown field") || message.starts_with("unknown word") {
         did_you_mean(name, quoted)
     } else if message.starts_with("missing field") {
         to_write(name).to_owned()
+    } else if message.starts_with("invalid type: string") && message.contains("polynomial of time")
+    {
+        "; unit, angle and axes stand above the first table".to_owned()
     } else {
         String::new()
     };

@@ -185,7 +185,7 @@ fn messages_are_in_degrees() {
     let refused = run(folder.path(), &["check", "a.toml"]);
     assert_eq!(refused.status.code(), Some(2), "{refused:?}");
     assert!(
-        text(&refused.stderr).contains("unknown variant `grad`, expected `rad` or `deg`"),
+        text(&refused.stderr).contains("unknown word `grad`, expected `rad` or `deg`"),
         "{refused:?}"
     );
 }

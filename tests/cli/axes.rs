@@ -183,6 +183,6 @@ fn unknown_axes_are_refused_with_what_was_meant() {
     std::fs::write(folder.path().join("a.toml"), text_of("adams")).expect("written");
     let output = run(folder.path(), &["motion", "a.toml"]);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let expected = "a.toml:3:8: unknown variant `adams`, expected one of `ISO 8855`, `Adams`, `SAE`; did you mean `Adams`?";
+    let expected = "a.toml:3:8: unknown word `adams`, expected one of `ISO 8855`, `Adams`, `SAE`; did you mean `Adams`?";
     assert_eq!(text(&output.stderr).trim_end(), expected);
 }

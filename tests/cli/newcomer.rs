@@ -71,6 +71,45 @@ fn a_mistyped_option_is_told_the_one_that_was_meant() {
 }
 
 #[test]
+fn a_file_in_place_of_a_command_is_told_the_command() {
+    for (file, advice) in [
+        (
+            "a.toml",
+            "for the motion of a file write suspension motion a.toml",
+        ),
+        (
+            "a.csv",
+            "for a motion file of hardpoints write suspension import a.csv",
+        ),
+        (
+            "a.linkage",
+            "a motion file names a listing: listing = \"a.linkage\"",
+        ),
+    ] {
+        let output = run(folder().path(), &[file]);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(said.contains(&format!("tip: {advice}\n")), "{said}");
+    }
+}
+
+#[test]
+fn a_key_in_the_wrong_table_is_told_where_it_stands() {
+    for (line, place) in [
+        ("wheel_radius = 0.3", "wheel_radius stands under [vehicle]"),
+        ("axes = 3", "axes stands above the first table"),
+        (
+            "axes = \"SAE\"",
+            "unit, angle and axes stand above the first table",
+        ),
+    ] {
+        let file = CORNER.replace("steer =", &format!("{line}\nsteer ="));
+        let said = refusal("motion", &[("a.toml", &file)], &[]);
+        assert!(said.ends_with(place), "{said}");
+    }
+}
+
+#[test]
 fn a_key_that_is_missing_is_told_with_what_to_write() {
     for (line, expected) in [
         (

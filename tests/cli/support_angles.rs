@@ -67,7 +67,7 @@ fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
         (CAR, "axle = \"front\" or \"rear\" is missing"),
         ("axle = \"rear\"\nwheelbase = 2.5\n", "cg_height is missing"),
         ("axle = \"rear\"\ncg_height = 0.5\n", "wheelbase is missing"),
-        ("axle = \"middle\"\n", "unknown variant `middle`"),
+        ("axle = \"middle\"\n", "unknown word `middle`"),
         (
             "brake_share = 60\n",
             "brake_share is the axle's share of the force, from 0 to 1",

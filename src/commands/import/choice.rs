@@ -109,7 +109,10 @@ pub(super) fn choose<'a>(
     let choices = listings.map(|listing| Choice::of(*listing, points, names));
     let choices = choices.collect::<Result<_, _>>();
     let mut choices: Vec<Choice<'a>> = choices.map_err(|mistakes| mistakes.to_string())?;
-    choices.sort_by_key(|choice| (choice.missing.len(), usize::MAX - choice.found.len()));
+    choices.sort_by_key(|choice| {
+        let (found, missing) = (choice.found.len(), choice.missing.len());
+        (found == 0, missing, usize::MAX - found)
+    });
     let mut choices = choices.into_iter();
     let Some(best) = choices.next() else {
         return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));

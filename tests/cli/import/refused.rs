@@ -126,6 +126,12 @@ fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
         ),
         (
             "a.csv",
+            "upper_ball, 1, 2, 3\n".to_owned(),
+            vec![],
+            "a.csv: no layout has all its points here; the nearest, double_wishbone, lacks `lower_front`",
+        ),
+        (
+            "a.csv",
             corner.replace("150, -175, 120", "150, -175"),
             vec![],
             "a.csv:2:1: point `lca_rear` needs three numbers",
