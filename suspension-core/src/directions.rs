@@ -1,27 +1,43 @@
 //! How a linkage changes with its drives, in any direction of these, from one factorisation.
 
+use core::ops::{Add, Neg, Sub};
+
 use nalgebra::SVector;
 
+use crate::entrywise::difference;
 use crate::error::SolveError;
 use crate::factored::{smallest_pivot, with_factors};
-use crate::linkage::{Factors, Linkage};
-use crate::motion::{Prescribed, rates_at};
+use crate::linkage::{Factors, Linkage, Values};
+use crate::magnitude::magnitude;
+use crate::motion::Prescribed;
 use crate::scalar::Real;
 use crate::series::{InputSeries, Jet, Series};
-use crate::signal::{Inputs, Signal, Still};
+use crate::signal::{Inputs, Signal};
+use crate::values::combine;
 
 /// A linkage in one configuration with its factored Jacobian: derivatives with respect to its drives. The
 /// chassis rests.
 ///
-/// A direction `a` is a change of all drives. Second and third derivatives in one direction, `D2(a)` and
-/// `D3(a)`, give the mixed ones: `D(a, b) = (D2(a + b) - D2(a) - D2(b)) / 2` and
+/// A direction `a` is a change of all drives. Third derivatives in one direction, `D3(a)`, give the mixed ones:
 /// `D(a, b, b) = (D3(a + b) + D3(a - b) - 2 D3(a)) / 6`.
 #[derive(Clone, Copy)]
 pub struct Directions<'a, L: Linkage<N>, const N: usize> {
     linkage: &'a L,
     drives: L::Drives,
     position: &'a SVector<L::Scalar, N>,
+    fixed: &'a L::Fixed,
+    points: &'a L::Points,
     factors: &'a dyn Factors<L::Scalar, N>,
+}
+
+/// How a linkage moves in one direction: first derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct Direction<L: Linkage<N>, const N: usize> {
+    change: L::Drives,
+    fixed: L::Fixed,
+    unknowns: SVector<L::Scalar, N>,
+    /// Those of all points, per unit of the change of the drives.
+    pub points: L::Points,
 }
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
@@ -40,11 +56,14 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
     ) -> Result<R, E> {
         let inputs = Inputs::still(Signal::still(drives));
         let fixed = Prescribed::new(linkage, &inputs).fixed.value;
+        let points = linkage.points(position, &fixed);
         with_factors(linkage, position, &fixed, smallest_pivot(), |factors| {
             work(&Directions {
                 linkage,
                 drives,
                 position,
+                fixed: &fixed,
+                points: &points,
                 factors,
             })
         })?
@@ -57,14 +76,144 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
     ///
     /// [`SolveError::Overflow`] where a derivative is not finite.
     pub fn points(&self, change: L::Drives) -> Result<Signal<L::Points>, SolveError<T>> {
-        let inputs = Inputs::still(Signal {
+        let direction = self.first(change)?;
+        Ok(Signal {
+            value: *self.points,
+            rate: direction.points,
+            second_rate: self.second(&direction)?,
+        })
+    }
+
+    /// All points.
+    pub fn position(&self) -> &L::Points {
+        self.points
+    }
+
+    /// The first derivatives where the drives change as `change` says.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Overflow`] where one is not finite.
+    pub fn first(&self, change: L::Drives) -> Result<Direction<L, N>, SolveError<T>> {
+        let drives = self.coordinates(change).rate;
+        let fixed = self.anchors(&drives);
+        let terms = self.input_terms(&fixed, &drives);
+        let unknowns = self.factors.solve(&terms);
+        magnitude(&unknowns).map_err(SolveError::overflow)?;
+        Ok(self.direction(change, fixed, unknowns))
+    }
+
+    /// The same, given the unknowns' first derivatives: the velocity of a motion that comes here as the drives change by
+    /// `change` in a second, at a constant rate.
+    pub fn first_of(&self, change: L::Drives, unknowns: SVector<T, N>) -> Direction<L, N> {
+        let fixed = self.anchors(&self.coordinates(change).rate);
+        self.direction(change, fixed, unknowns)
+    }
+
+    /// The second derivatives of all points in a direction.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Overflow`] where one is not finite.
+    pub fn second(&self, direction: &Direction<L, N>) -> Result<L::Points, SolveError<T>> {
+        let drives = self.coordinates(direction.change).second_rate;
+        let fixed = self.anchors(&drives);
+        let unknowns = self.bilinear([direction; 2], &fixed, &drives)?;
+        Ok(self.accelerations(&direction.points, &unknowns, &fixed))
+    }
+
+    /// The same, given the unknowns' second derivatives: the acceleration of such a motion.
+    pub fn second_of(&self, direction: &Direction<L, N>, unknowns: &SVector<T, N>) -> L::Points {
+        let fixed = self.anchors(&self.coordinates(direction.change).second_rate);
+        self.accelerations(&direction.points, unknowns, &fixed)
+    }
+
+    /// The mixed second derivatives of all points in two directions.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Overflow`] where one is not finite.
+    pub fn mixed(&self, [a, b]: [&Direction<L, N>; 2]) -> Result<L::Points, SolveError<T>> {
+        let quarter = T::constant(0.25);
+        // Of what is quadratic in a direction: (Q(a + b) - Q(a - b)) / 4.
+        let drives = |b: L::Drives| {
+            self.coordinates(combine(&a.change, &b, Add::add))
+                .second_rate
+        };
+        let (plus, minus) = (drives(b.change), drives(b.change.map(Neg::neg)));
+        let drives = combine(&plus, &minus, |plus, minus| (plus - minus) * quarter);
+        let fixed = self.anchors(&drives);
+        let unknowns = self.bilinear([a, b], &fixed, &drives)?;
+        let linear = self.linkage.velocities(self.points, &unknowns, &fixed);
+        let (still, at_rest) = (SVector::from([T::zero(); N]), L::Fixed::default());
+        let markers = |velocities| self.accelerations(&velocities, &still, &at_rest);
+        let plus = markers(combine(&a.points, &b.points, Add::add));
+        let minus = markers(combine(&a.points, &b.points, Sub::sub));
+        let quadratic = combine(&plus, &minus, |plus, minus| (plus - minus) * quarter);
+        Ok(combine(&linear, &quadratic, Add::add))
+    }
+
+    /// The drives' coordinates where they change as `change` says.
+    #[inline(always)]
+    fn coordinates(&self, change: L::Drives) -> Signal<L::Drives> {
+        self.linkage.coordinates(&Signal {
             rate: change,
             ..Signal::still(self.drives)
-        });
-        let prescribed = Prescribed::new(self.linkage, &inputs);
-        let rates =
-            rates_at::<_, _, Still, N>(self.linkage, &prescribed, self.position, self.factors);
-        Ok(rates.motion()?.points_with(self.linkage, &prescribed.fixed))
+        })
+    }
+
+    /// Derivatives of the chassis points, given those of the drives' coordinates.
+    #[inline(always)]
+    fn anchors(&self, drives: &L::Drives) -> L::Fixed {
+        self.linkage.drive_anchors(L::Fixed::default(), drives)
+    }
+
+    #[inline(always)]
+    fn input_terms(&self, fixed: &L::Fixed, drives: &L::Drives) -> SVector<T, N> {
+        self.linkage
+            .drive_rate(self.position, self.fixed, fixed, drives)
+    }
+
+    #[inline(always)]
+    fn direction(
+        &self,
+        change: L::Drives,
+        fixed: L::Fixed,
+        unknowns: SVector<T, N>,
+    ) -> Direction<L, N> {
+        Direction {
+            change,
+            fixed,
+            unknowns,
+            points: self.linkage.velocities(self.points, &unknowns, &fixed),
+        }
+    }
+
+    /// Second derivatives of the unknowns in two directions, given those of chassis points and of the drives' coordinates.
+    fn bilinear(
+        &self,
+        [a, b]: [&Direction<L, N>; 2],
+        fixed: &L::Fixed,
+        drives: &L::Drives,
+    ) -> Result<SVector<T, N>, SolveError<T>> {
+        let terms = self.input_terms(fixed, drives);
+        let curvature = self
+            .linkage
+            .curvature(&a.unknowns, &a.fixed, &b.unknowns, &b.fixed);
+        let unknowns = self.factors.solve(&difference(&terms, &curvature));
+        magnitude(&unknowns).map_err(SolveError::overflow)?;
+        Ok(unknowns)
+    }
+
+    #[inline(always)]
+    fn accelerations(
+        &self,
+        velocities: &L::Points,
+        unknowns: &SVector<T, N>,
+        fixed: &L::Fixed,
+    ) -> L::Points {
+        self.linkage
+            .accelerations(self.points, velocities, unknowns, fixed)
     }
 
     /// The unknowns as a polynomial in the multiple of `change` that is added to the drives.

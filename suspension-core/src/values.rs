@@ -42,6 +42,16 @@ pub trait Values<V>: Copy {
     }
 }
 
+/// Values of two, pair by pair.
+#[inline(always)]
+pub(crate) fn combine<V: Copy + Default, S: Values<V>>(
+    a: &S,
+    b: &S,
+    combine: impl Fn(V, V) -> V,
+) -> S {
+    S::from_values(a.values().zip(b.values()).map(|(a, b)| combine(a, b)))
+}
+
 /// Values that are the fields of a struct which `linkage!` writes. Code over any linkage asks the
 /// model for names instead.
 pub trait Named<V>: Values<V> {

@@ -33,6 +33,7 @@ use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::Prescribed;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Signal};
+use crate::values::combine;
 
 /// See [`Tracker::change_of_jacobian`]. Of 560,000 accepted steps of random five-link suspensions 2
 /// ended in another assembly without it, both with a change above 3.7, and none with it; where the
@@ -132,11 +133,6 @@ where
     combine(&signal.rate, &signal.second_rate, |rate, second_rate| {
         (rate - second_rate * half) * dt
     })
-}
-
-#[inline(always)]
-fn combine<V: Copy + Default, S: Values<V>>(a: &S, b: &S, combine: impl Fn(V, V) -> V) -> S {
-    S::from_values(a.values().zip(b.values()).map(|(a, b)| combine(a, b)))
 }
 
 /// A step from one position to another, with the factors of the Jacobian there.
