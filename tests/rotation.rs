@@ -3,7 +3,8 @@
 use nalgebra::{Isometry3, Vector3};
 use suspension_core::Signal;
 use suspension_core::body::{
-    angular_acceleration, angular_acceleration_eq10, angular_velocity, angular_velocity_eq9, pose,
+    angular_acceleration, angular_acceleration_eq10, angular_velocity, angular_velocity_eq9,
+    angular_velocity_of, pose,
 };
 use suspension_core::chassis::RigidMotion;
 use suspension_core::constraint::{Carried, Frame};
@@ -56,6 +57,29 @@ fn assert_rotation(omega: Vector3<f64>, alpha: Vector3<f64>) {
     assert!(
         (found - alpha).norm() <= 1e-11 * alpha.norm(),
         "{found} instead of {alpha}"
+    );
+    let signals = |values: [Vector3<f64>; 3], rates: [Vector3<f64>; 3]| {
+        std::array::from_fn(|point| {
+            let signal = Signal {
+                value: values[point],
+                rate: rates[point],
+                second_rate: Vector3::repeat(f64::NAN),
+            };
+            signal.components()
+        })
+    };
+    let found = angular_velocity_of(
+        &signals(at, velocities),
+        &signals(velocities, accelerations),
+    );
+    let (value, rate) = (found.map(|part| part.value), found.map(|part| part.rate));
+    assert!(
+        (value - omega).norm() <= 1e-11 * omega.norm(),
+        "{value} instead of {omega}"
+    );
+    assert!(
+        (rate - alpha).norm() <= 1e-11 * alpha.norm(),
+        "{rate} instead of {alpha}"
     );
 }
 

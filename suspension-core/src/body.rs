@@ -8,7 +8,7 @@ use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vect
 use crate::constraint::Frame;
 use crate::error::Indeterminate;
 use crate::scalar::Real;
-use crate::signal::Signal;
+use crate::signal::Number;
 
 type Triple<T> = [Vector3<T>; 3];
 
@@ -46,33 +46,20 @@ pub fn angular_velocity<T: Real>(at: &Triple<T>, velocities: &Triple<T>) -> Opti
     fit_rotation(at, velocities)
 }
 
-/// The same with its derivatives, where points and velocities come with theirs; those that are not known
-/// are NaN.
-pub fn angular_velocity_and_rates<T: Real>(
-    at: &Signal<Triple<T>>,
-    velocities: &Signal<Triple<T>>,
-) -> Option<Signal<Vector3<T>>> {
-    let fit = rotation_fit(&at.value)?;
-    let known =
-        |found: Option<Vector3<T>>| found.unwrap_or_else(|| Vector3::repeat(T::constant(f64::NAN)));
-    // v = v0 + omega x r, differentiated.
-    let less = |rates: &Triple<T>, omega: &Vector3<T>, r: &Triple<T>| {
-        let [a, b, c] = rates;
-        let [to_a, to_b, to_c] = r;
-        [
-            a - omega.cross(to_a),
-            b - omega.cross(to_b),
-            c - omega.cross(to_c),
-        ]
-    };
-    let value = fit(&velocities.value)?;
-    let rate = known(fit(&less(&velocities.rate, &value, &at.rate)));
-    let second = less(&velocities.second_rate, &(rate + rate), &at.rate);
-    Some(Signal {
-        value,
-        rate,
-        second_rate: known(fit(&less(&second, &value, &at.second_rate))),
-    })
+/// The angular velocity of numbers that may have derivatives, which it then has too: from `n = u x v` of the edges `u` and
+/// `v` from the first point, `(n x n' + n (n x u) . u' / |u|^2) / |n|^2`.
+///
+/// The velocities are those of a rigid body; not finite where the points are in line.
+pub fn angular_velocity_of<N: Number>(
+    [a, b, c]: &[Vector3<N>; 3],
+    [a_rate, b_rate, c_rate]: &[Vector3<N>; 3],
+) -> Vector3<N> {
+    let (u, v) = (b - a, c - a);
+    let (u_rate, v_rate) = (b_rate - a_rate, c_rate - a_rate);
+    let normal = u.cross(&v);
+    let normal_rate = u_rate.cross(&v) + u.cross(&v_rate);
+    let about_normal = normal.cross(&u).dot(&u_rate) / u.dot(&u);
+    (normal.cross(&normal_rate) + normal * about_normal) / normal.dot(&normal)
 }
 
 /// Angular acceleration, rad/s^2: the least-squares fit of

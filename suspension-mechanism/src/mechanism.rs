@@ -1,11 +1,14 @@
 //! A mechanism ready to move, whatever its linkage: the file's coordinates outside, local ones inside.
 
+mod around;
 mod derivatives;
 mod description;
 mod doubtful;
 mod drives;
 mod end;
+mod gradient;
 mod grid;
+mod known;
 mod lead;
 mod locking;
 mod mass;
@@ -14,6 +17,7 @@ mod moving;
 mod names;
 mod points;
 mod polynomial;
+mod positions;
 mod ready;
 mod spring;
 mod state;
@@ -23,12 +27,13 @@ mod vehicle;
 mod visit;
 mod words;
 
-pub use derivatives::Order;
 pub use description::Description;
 pub use doubtful::Coordinate;
 pub use drives::{DriveLaws, Law, follow};
 pub use end::{End, Stop};
+pub use gradient::{DRIVES_AT_ONCE, Gradient};
 pub use grid::{Axis, From, Grid, MOST_PLACES, evenly_spaced};
+pub use known::Order;
 pub use lead::Lead;
 pub use locking::Lock;
 pub use locking::from_design;
@@ -36,6 +41,7 @@ pub use mass::Mass;
 pub use names::{Drive, Measure, Names, Suspension};
 pub use points::Points;
 pub use polynomial::Polynomial;
+pub use positions::Positions;
 pub use ready::Mechanism;
 pub use spring::Spring;
 pub use state::{Moved, State};

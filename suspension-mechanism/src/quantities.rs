@@ -1,13 +1,17 @@
 //! What is read off a mechanism: one catalogue, from which tables, plots, summaries and help are made.
 
+mod axis;
 mod brake_and_drive;
 mod catalogue;
+mod formulas;
 mod from_design;
 mod in_roll;
 mod inert;
 mod kind;
+mod number;
 mod of_axle;
 mod on_ground;
+mod places;
 mod quantity;
 mod reader;
 mod readings;
@@ -15,6 +19,7 @@ mod sprung;
 mod wheel;
 mod words;
 
+pub use axis::Axis;
 pub use catalogue::{
     ACCELERATIONS, ACKERMANN, ACKERMANN_ERROR, ALPHA, ANTI_DIVE, ANTI_LIFT, ANTI_LIFT_IN_DRIVE,
     ANTI_SQUAT, AXLE_ROLL_CENTRE, BRAKE_ANGLE, CAMBER, CAMBER_TO_GROUND, CASTER, CASTER_OFFSET,
@@ -26,7 +31,9 @@ pub use catalogue::{
     VIRTUAL_PITCH, VIRTUAL_SCRUB_RADIUS, VIRTUAL_TRAIL, WHEEL_RATE, WHEEL_TRAVEL, WHEELBASE_CHANGE,
     catalogue, from_design, of_axles,
 };
+pub use formulas::Compiled;
 pub use kind::Kind;
-pub use quantity::{Axis, Column, Quantity, Shown, columns};
+pub use number::Number;
+pub use quantity::{Column, Quantity, Shown, columns, columns_in};
 pub use reader::Reader;
 pub use words::in_words;

@@ -85,12 +85,12 @@ impl Layout {
         file + &car.vehicle(names[travel_and_steering(&names).0])
     }
 
-    /// The rows at the design position and at the other place.
-    fn swept(&self, listing: &Listing, car: Car, drives: &[f64]) -> [Row; 2] {
+    /// The rows at the design position and at the other place, with derivatives up to an order.
+    fn swept(&self, listing: &Listing, car: Car, drives: &[f64], order: &str) -> [Row; 2] {
         let folder = folder();
         let file = self.file(listing, car, drives);
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
-        let mut arguments = ["sweep", "a.toml", "--derivatives", "2", "--csv", "-"]
+        let mut arguments = ["sweep", "a.toml", "--derivatives", order, "--csv", "-"]
             .map(str::to_owned)
             .to_vec();
         for (drive, name) in drive_names(listing).into_iter().enumerate() {
@@ -151,7 +151,9 @@ impl Work for &Layout {
         let system = self.system();
         let mut worst = Worst::default();
         for car in CARS {
-            for row in self.swept(listing, car, &drives) {
+            let [first, second] = ["1", "2"].map(|order| self.swept(listing, car, &drives, order));
+            for (first, row) in first.iter().zip(second) {
+                worst.compare_rows(self.name, first, &row);
                 let lattice = Lattice::about(&model, &design, &row);
                 let reference = Reference {
                     system: &system,
@@ -208,6 +210,15 @@ impl Worst {
             unknown.is_empty(),
             "{layout}: the reference has no {unknown:?}"
         );
+    }
+
+    /// Holds a row without second derivatives against one with them: other numbers have read it.
+    fn compare_rows(&mut self, layout: &str, first: &Row, row: &Row) {
+        for (name, found) in first {
+            let (what, expected) = (format!("{layout} {name} alone"), row[name]);
+            assert_eq!(found.is_nan(), expected.is_nan(), "{what}");
+            self.hold(&what, *found, expected);
+        }
     }
 
     fn hold(&mut self, what: &str, found: f64, expected: f64) {

@@ -2,14 +2,19 @@
 
 use suspension_core::Signal;
 
-use crate::mechanism::{Description, Place, State};
-use crate::quantities::{self, Column, DRIVES, Reader, Shown, catalogue};
+use crate::mechanism::{DRIVES_AT_ONCE, Description, Gradient, Place, State};
+use crate::quantities::{Column, Compiled, DRIVES, Reader, Shown, catalogue, columns_in};
 
 /// What is read off each place of a grid: all quantities that positions determine, with derivatives up to an order.
 pub struct GridTable {
     /// Each with what its number inside is multiplied with.
     quantities: Vec<(Column, f64)>,
-    /// The same of each drive that there are derivatives with respect to.
+    /// The same quantities with the first derivatives with respect to several drives at once, and where these start in
+    /// a row; `None` of what has none.
+    gradients: Vec<(Column<Gradient>, Option<usize>)>,
+    /// How many numbers a row has.
+    width: usize,
+    /// What a number inside is divided by, of each drive that there are derivatives with respect to.
     drives: Vec<f64>,
     /// Up to which order.
     derivatives: usize,
@@ -19,19 +24,24 @@ impl GridTable {
     /// Of a mechanism; without derivatives, with the first, or with the second too.
     pub fn of(mechanism: &Description, derivatives: usize) -> Self {
         let Description { names, unit, .. } = mechanism;
-        let all = quantities::columns(catalogue(), names).into_iter();
-        let of_positions = all.filter(|column| {
-            column.kind.is_of_positions() && column.quantity.shown != Shown::InSummaries
-        });
         let of_drives = names.drives.iter().filter(|_| derivatives > 0);
+        let drives: Vec<f64> = of_drives.map(|drive| unit.per_drive(drive.kind)).collect();
+        let scaled = |column: Column| {
+            let scale = column.kind.in_file(*unit);
+            (column, scale)
+        };
+        let quantities: Vec<_> = of_positions(mechanism).map(scaled).collect();
+        let mut width = quantities.len();
+        let behind = |column: Column<Gradient>| {
+            let start = has_derivatives(&column).then_some(width);
+            width += start.map_or(0, |_| drives.len() * derivatives);
+            (column, start)
+        };
         Self {
-            quantities: of_positions
-                .map(|column| {
-                    let scale = column.kind.in_file(*unit);
-                    (column, scale)
-                })
-                .collect(),
-            drives: of_drives.map(|drive| unit.per_drive(drive.kind)).collect(),
+            gradients: of_positions(mechanism).map(behind).collect(),
+            quantities,
+            width,
+            drives,
             derivatives,
         }
     }
@@ -57,6 +67,36 @@ impl GridTable {
 
     /// The numbers of a place; derivatives are NaN where the mechanism locks.
     pub fn row(&self, place: &dyn Place) -> Vec<f64> {
+        if self.derivatives == 1 {
+            self.with_gradients(place)
+        } else {
+            self.with_signals(place)
+        }
+    }
+
+    fn with_gradients(&self, place: &dyn Place) -> Vec<f64> {
+        let state = place.state();
+        let mut row = vec![f64::NAN; self.width];
+        for first in (0..self.drives.len()).step_by(DRIVES_AT_ONCE) {
+            let at = place.gradient(&state, first);
+            let reader = Reader::with(&state, &*at);
+            let columns = self.gradients.iter().zip(&self.quantities).enumerate();
+            for (index, ((column, derivatives), (_, scale))) in columns {
+                let number = column.read(&reader);
+                row[index] = number.value * scale;
+                if let Some(start) = derivatives {
+                    let places = row[start + first..].iter_mut();
+                    let per = places.zip(&self.drives[first..]);
+                    for ((place, per), rate) in per.zip(number.rates) {
+                        *place = rate * scale / per;
+                    }
+                }
+            }
+        }
+        row
+    }
+
+    fn with_signals(&self, place: &dyn Place) -> Vec<f64> {
         let read = |state: State| -> Vec<Signal<f64>> {
             let reader = Reader::of(&state);
             let quantities = self.quantities.iter();
@@ -70,8 +110,7 @@ impl GridTable {
         let alone = per.iter().all(Option::is_none).then(|| read(place.state()));
         let values = per.iter().chain([&alone]).flatten().next();
         let values = values.into_iter().flatten().map(|number| number.value);
-        let mut row =
-            Vec::with_capacity(self.quantities.len() * (1 + per.len() * self.derivatives));
+        let mut row = Vec::with_capacity(self.width);
         row.extend(values);
         for (index, _) in self.with_derivatives() {
             for (numbers, scale) in per.iter().zip(&self.drives) {
@@ -88,6 +127,18 @@ impl GridTable {
     /// The columns with derivatives, by number.
     fn with_derivatives(&self) -> impl Iterator<Item = (usize, &Column)> {
         let columns = self.quantities.iter().map(|(column, _)| column).enumerate();
-        columns.filter(|(_, column)| column.has_derivatives && !column.is(&DRIVES))
+        columns.filter(|(_, column)| has_derivatives(column))
     }
+}
+
+fn has_derivatives<N: Compiled>(column: &Column<N>) -> bool {
+    column.has_derivatives && !column.is(&DRIVES)
+}
+
+/// The columns of all quantities that positions determine.
+fn of_positions<N: Compiled>(mechanism: &Description) -> impl Iterator<Item = Column<N>> {
+    let all = columns_in(catalogue(), &mechanism.names).into_iter();
+    all.filter(|column| {
+        column.kind.is_of_positions() && column.quantity.shown != Shown::InSummaries
+    })
 }

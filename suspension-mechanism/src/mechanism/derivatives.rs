@@ -1,217 +1,96 @@
-//! The mechanism about a place: derivatives with respect to its drives.
+//! Derivatives of the points at a place with respect to the drives, each computed once, where one asks for it.
 
 use std::cell::OnceCell;
-use std::rc::Rc;
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::directions::Directions;
-use suspension_core::{Signal, SolveError, Values};
+use suspension_core::Values;
+use suspension_core::directions::{Direction, Directions};
 
+use crate::mechanism::known::Arrival;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::points::Points;
 use crate::mechanism::ready::Mechanism;
-use crate::mechanism::state::{Moved, State};
-use crate::mechanism::vehicle::Pair;
 
-/// Up to which order derivatives of quantities are wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
-    /// The first.
-    First,
-    /// The second too.
-    Second,
-}
-
-impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// A state at a position with the velocities of travel and steering there.
-    pub(crate) fn with_velocities(
-        &self,
-        state: State,
-        drives: L::Drives,
-        position: &SVector<f64, N>,
-    ) -> State {
-        self.around(drives, position, Order::First, |around| {
-            around.with_velocities(state.clone())
-        })
-    }
-
-    /// Gives `work` the mechanism about a place.
-    pub(crate) fn around<R>(
-        &self,
-        drives: L::Drives,
-        position: &SVector<f64, N>,
-        order: Order,
-        mut work: impl FnMut(&Around<'_, L, N>) -> R,
-    ) -> R {
-        let regular = Directions::at(&self.model, drives, position, |directions| {
-            let done = work(&Around::new(self, drives, Some(directions), order));
-            Ok::<R, SolveError<f64>>(done)
-        });
-        regular.unwrap_or_else(|_| work(&Around::new(self, drives, None, order)))
-    }
-}
-
-/// The mechanism about a place. What several of its states need is computed once, where one asks for it.
-pub(crate) struct Around<'a, L: Suspension<N>, const N: usize> {
+/// Derivatives at a place; there are none where the mechanism locks.
+pub(crate) struct Derivatives<'a, L: Suspension<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
-    drives: L::Drives,
-    /// `None` where the mechanism locks.
     directions: Option<&'a Directions<'a, L, N>>,
-    order: Order,
-    /// The states with derivatives with respect to each drive, without the velocities of drives.
-    along: Vec<OnceCell<Option<State>>>,
-    /// The points' mixed second derivatives with respect to two drives, a row for each drive, up to itself.
-    mixed: Vec<OnceCell<Option<Points>>>,
-    /// See [`State::moved`].
-    moved: OnceCell<Rc<[Moved]>>,
-    /// Rates of all points that are not known.
-    unknown: Points,
+    /// How the motion came to the place.
+    arrival: Option<&'a Arrival<N>>,
+    /// Along each drive.
+    along: Vec<OnceCell<Option<Along<L, N>>>>,
+    /// The second ones with respect to two drives, a row for each drive, up to itself.
+    second: Vec<OnceCell<Option<Points>>>,
 }
 
-impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
-    fn new(
+/// How a mechanism moves along a drive.
+pub(crate) struct Along<L: Suspension<N>, const N: usize> {
+    pub(crate) direction: Direction<L, N>,
+    /// The derivatives of the points.
+    pub(crate) points: Points,
+}
+
+impl<'a, L: Suspension<N>, const N: usize> Derivatives<'a, L, N> {
+    pub(crate) fn new(
         mechanism: &'a Mechanism<L, N>,
-        drives: L::Drives,
         directions: Option<&'a Directions<'a, L, N>>,
-        order: Order,
+        arrival: Option<&'a Arrival<N>>,
     ) -> Self {
         let count = mechanism.names.drives.len();
+        let pairs = count * (count + 1) / 2;
         Self {
             mechanism,
-            drives,
             directions,
-            order,
-            along: vec![OnceCell::new(); count],
-            mixed: vec![OnceCell::new(); count * (count + 1) / 2],
-            moved: OnceCell::new(),
-            unknown: vec![Vector3::repeat(f64::NAN); mechanism.names.points.len()].into(),
+            arrival,
+            along: (0..count).map(|_| OnceCell::new()).collect(),
+            second: (0..pairs).map(|_| OnceCell::new()).collect(),
         }
     }
 
-    /// A state with the velocities of travel and steering.
-    pub(crate) fn with_velocities(&self, state: State) -> State {
-        let velocities = |drive: usize| {
-            Some(Signal {
-                value: self.along(drive)?.points.rate.clone(),
-                rate: self.unknown.clone(),
-                second_rate: self.unknown.clone(),
+    /// How the mechanism moves along a drive.
+    pub(crate) fn along(&self, drive: usize) -> Option<&Along<L, N>> {
+        let along = || {
+            let change = direction::<L, N>(drive);
+            let direction = match self.arrival(drive) {
+                Some(arrival) => self.directions?.first_of(change, arrival.first),
+                None => self.directions?.first(change).ok()?,
+            };
+            Some(Along {
+                points: self.mechanism.listed(&direction.points),
+                direction,
             })
         };
-        State {
-            velocities: self.of_moving_drives(velocities),
-            moved: self.moved(),
-            ..state
-        }
+        self.along.get(drive)?.get_or_init(along).as_ref()
     }
 
-    /// The states that springs need: see [`State::moved`].
-    fn moved(&self) -> Rc<[Moved]> {
-        self.moved
-            .get_or_init(|| self.along_travel().into())
-            .clone()
+    /// How the motion came here, where it did by this drive.
+    fn arrival(&self, drive: usize) -> Option<&Arrival<N>> {
+        self.arrival.filter(|arrival| arrival.drive == drive)
     }
 
-    fn along_travel(&self) -> Vec<Moved> {
-        let names = &self.mechanism.names;
-        if names.vehicle.springs.is_empty() {
-            return Vec::new();
-        }
-        let alone = names.vehicle.travel.iter().map(|drive| vec![(*drive, 1.0)]);
-        let pairs = Pair::all(&names.wheels).into_iter();
-        let opposed = pairs.filter_map(|pair| {
-            let [a, b] = pair.wheels.map(|wheel| names.wheels[wheel].travel);
-            Some(vec![(a?, 1.0), (b?, -1.0)])
-        });
-        let state_along = |change: Vec<(usize, f64)>| {
-            let parts = change.iter();
-            let drives = parts.fold(L::Drives::from_values([]), |drives, (drive, part)| {
-                drives.with(*drive, *part)
-            });
-            let points = self.directions?.points(drives);
-            let state = self
-                .mechanism
-                .state(0.0, &self.drives, points.as_ref().ok()?);
-            Some(Moved { change, state })
-        };
-        alone.chain(opposed).filter_map(state_along).collect()
-    }
-
-    /// The state with derivatives with respect to a drive; `None` where the mechanism locks.
-    pub(crate) fn per(&self, drive: usize) -> Option<State> {
-        Some(State {
-            velocities: self.of_moving_drives(|of| self.velocities(of, drive)),
-            moved: self.moved(),
-            ..self.along(drive)?.clone()
-        })
-    }
-
-    /// The velocities of the drives that move wheels or steer them.
-    fn of_moving_drives(
-        &self,
-        velocities: impl Fn(usize) -> Option<Signal<Points>>,
-    ) -> Vec<Option<Signal<Points>>> {
-        let vehicle = &self.mechanism.names.vehicle;
-        let of_one = |drive| {
-            vehicle
-                .is_moved_by(drive)
-                .then(|| velocities(drive))
-                .flatten()
-        };
-        (0..self.along.len()).map(of_one).collect()
-    }
-
-    fn along(&self, drive: usize) -> Option<&State> {
-        let Self {
-            mechanism, drives, ..
-        } = self;
-        let state = || {
-            let points = self.directions?;
-            let points = points.points(direction::<L, N>(&[drive]));
-            Some(mechanism.state(0.0, drives, points.as_ref().ok()?))
-        };
-        self.along[drive].get_or_init(state).as_ref()
-    }
-
-    /// The velocities with respect to one drive, with their derivatives with respect to another or the same.
-    fn velocities(&self, of: usize, per: usize) -> Option<Signal<Points>> {
-        let points = &self.along(of)?.points;
-        let rate = if of == per {
-            &points.second_rate
-        } else {
-            self.mixed(of.min(per), of.max(per))?
-        };
-        let second_rate = match self.order {
-            Order::First => self.unknown.clone(),
-            Order::Second => self.spread(&self.third(of, per)?),
-        };
-        Some(Signal {
-            value: points.rate.clone(),
-            rate: rate.clone(),
-            second_rate,
-        })
-    }
-
-    /// The mixed second derivative of the points with respect to two drives.
-    fn mixed(&self, one: usize, other: usize) -> Option<&Points> {
-        let mixed = || {
-            let both = direction::<L, N>(&[one, other]);
-            let both = self.directions?.points(both);
-            let [a, b] = [one, other].map(|drive| Some(&self.along(drive)?.points.second_rate));
-            let squares = a?.iter().zip(b?.iter());
-            let points = both.as_ref().ok()?.second_rate.values().zip(squares);
-            Some(points.map(|(both, (a, b))| (both - a - b) / 2.0).collect())
+    /// The second derivative of the points with respect to two drives, or to one.
+    pub(crate) fn second(&self, one: usize, other: usize) -> Option<&Points> {
+        let (one, other) = (one.min(other), one.max(other));
+        let second = || {
+            let [a, b] = [&self.along(one)?.direction, &self.along(other)?.direction];
+            let points = match self.arrival(one) {
+                Some(arrival) if one == other => self.directions?.second_of(a, &arrival.second),
+                None if one == other => self.directions?.second(a).ok()?,
+                _ => self.directions?.mixed([a, b]).ok()?,
+            };
+            Some(self.mechanism.listed(&points))
         };
         let row = other * (other + 1) / 2;
-        self.mixed[row + one].get_or_init(mixed).as_ref()
+        self.second.get(row + one)?.get_or_init(second).as_ref()
     }
 
     /// The third derivative of the unknowns, once with respect to one drive and twice to another or the same.
-    fn third(&self, once: usize, twice: usize) -> Option<SVector<f64, N>> {
+    pub(crate) fn third(&self, once: usize, twice: usize) -> Option<SVector<f64, N>> {
         let along = |change: L::Drives| {
             let jet = self.directions?.unknowns::<3>(change).ok()?;
             Some(jet.terms[2] * 6.0)
         };
-        let single = direction::<L, N>(&[once]);
+        let single = direction::<L, N>(once);
         if once == twice {
             return along(single);
         }
@@ -220,7 +99,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
     }
 
     /// Rates of the unknowns as those of points: zero for the chassis, NaN for markers.
-    fn spread(&self, unknowns: &SVector<f64, N>) -> Points {
+    pub(crate) fn spread(&self, unknowns: &SVector<f64, N>) -> Points {
         let names = &self.mechanism.names;
         let free = (0..names.free).map(|point| unknowns.fixed_rows::<3>(3 * point).into_owned());
         let mut points = vec![Vector3::zeros(); names.chassis];
@@ -230,10 +109,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
     }
 }
 
-/// The change of some drives by one.
-fn direction<L: Suspension<N>, const N: usize>(drives: &[usize]) -> L::Drives {
-    let none = L::Drives::from_values([]);
-    drives
-        .iter()
-        .fold(none, |change, drive| change.with(*drive, 1.0))
+/// The change of a drive by one.
+fn direction<L: Suspension<N>, const N: usize>(drive: usize) -> L::Drives {
+    L::Drives::from_values([]).with(drive, 1.0)
 }

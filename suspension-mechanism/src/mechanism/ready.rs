@@ -33,7 +33,7 @@ impl<L, const N: usize> Deref for Mechanism<L, N> {
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// The drives' values in the file's coordinates, from local ones.
     pub(crate) fn given_of(&self, local: &L::Drives) -> Vec<f64> {
-        let local: Vec<f64> = local.values().collect();
-        self.given(&local)
+        let each = local.values().zip(&self.drive_offsets);
+        each.map(|(local, offset)| local + offset).collect()
     }
 }

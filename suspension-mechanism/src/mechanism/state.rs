@@ -78,16 +78,22 @@ impl State {
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// The state of points with their rates, at local values of the drives.
     pub fn state(&self, t: f64, drives: &L::Drives, points: &Signal<L::Points>) -> State {
-        let count = self.names.measures.len();
-        let listed = |all: &L::Measures| all.values().take(count).collect::<Vec<f64>>();
-        let mut measures = self.model.measures(points).map(listed);
-        for (measure, offset) in measures.value.iter_mut().zip(&self.measure_offsets) {
-            *measure += offset;
-        }
+        let listed = points.map(|points| self.listed(points));
+        self.state_of(t, drives, listed, self.measured(points))
+    }
+
+    /// The state of points in lists, and of what the linkage measures.
+    pub(crate) fn state_of(
+        &self,
+        t: f64,
+        drives: &L::Drives,
+        points: Signal<Points>,
+        measures: Signal<Vec<f64>>,
+    ) -> State {
         State {
             t,
             drives: self.given_of(drives),
-            points: self.listed(points),
+            points,
             origin: self.origin,
             axes: self.axes,
             measures,
@@ -102,9 +108,21 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     }
 
     /// The points of the listing.
-    pub(crate) fn listed(&self, points: &Signal<L::Points>) -> Signal<Points> {
-        let count = self.names.points.len();
-        points.map(|points: &L::Points| points.values().take(count).collect())
+    pub(crate) fn listed(&self, points: &L::Points) -> Points {
+        let mut points = points.values();
+        let each = self.names.points.iter();
+        each.map(|_| points.next().unwrap_or_default()).collect()
+    }
+
+    /// What the linkage measures of points with their rates, in the file's coordinates.
+    pub(crate) fn measured(&self, points: &Signal<L::Points>) -> Signal<Vec<f64>> {
+        let count = self.names.measures.len();
+        let listed = |all: &L::Measures| all.values().take(count).collect::<Vec<f64>>();
+        let mut measures = self.model.measures(points).map(listed);
+        for (measure, offset) in measures.value.iter_mut().zip(&self.measure_offsets) {
+            *measure += offset;
+        }
+        measures
     }
 
     /// The same at rest.

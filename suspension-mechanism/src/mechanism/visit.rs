@@ -2,12 +2,15 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use suspension_core::{Inputs, Motion, Signal, Still, Values};
+use suspension_core::{Motion, Values};
 
 use crate::failure::Failure;
-use crate::mechanism::derivatives::{Around, Order};
+use crate::mechanism::around::Around;
+use crate::mechanism::gradient::Gradient;
 use crate::mechanism::grid::Grid;
+use crate::mechanism::known::{Arrival, Known, Lists, Order};
 use crate::mechanism::names::Suspension;
+use crate::mechanism::positions::Positions;
 use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::State;
 use crate::mechanism::words::advice;
@@ -57,6 +60,10 @@ pub trait Place {
 
     /// The state with derivatives with respect to a drive; `None` where the mechanism locks.
     fn per(&self, drive: usize) -> Option<State>;
+
+    /// The [`state`](Self::state) with first derivatives with respect to the drives from `first` on: quantities read so
+    /// have these all at once.
+    fn gradient<'a>(&self, state: &'a State, first: usize) -> Box<dyn Positions<Gradient> + 'a>;
 }
 
 /// Takes a place, by number.
@@ -118,6 +125,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             order,
             interrupted,
             on_place,
+            lists: Lists::of(&self.names),
             end: VisitEnd::default(),
         };
         let start = Reached {
@@ -125,6 +133,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             drives: grid.start.clone(),
             motion: self.start,
             residual: 0.0,
+            arrival: None,
         };
         visitor.along_axes(0, &start);
         visitor.end
@@ -139,6 +148,7 @@ struct Reached<const N: usize> {
     drives: Vec<f64>,
     motion: Motion<f64, N>,
     residual: f64,
+    arrival: Option<Arrival<N>>,
 }
 
 struct Visitor<'a, 'r, L: suspension_core::Linkage<N>, const N: usize> {
@@ -147,6 +157,7 @@ struct Visitor<'a, 'r, L: suspension_core::Linkage<N>, const N: usize> {
     order: Order,
     interrupted: &'a AtomicBool,
     on_place: &'a mut OnPlace<'r>,
+    lists: Lists,
     end: VisitEnd,
 }
 
@@ -190,6 +201,9 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
                         break;
                     }
                 }
+                let change = |(drive, value): &(usize, f64)| (*drive, value - place.drives[*drive]);
+                let changes: Vec<_> = axis[index].iter().map(change).collect();
+                place.arrival = Arrival::of(&place.motion, &changes);
                 for (drive, value) in &axis[index] {
                     place.drives[*drive] = *value;
                 }
@@ -203,47 +217,44 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
         let drives = L::Drives::from_values(reached.drives.iter().copied());
         let position = &reached.motion.position;
         let mechanism = self.mechanism;
-        mechanism.around(drives, position, self.order, |around| {
+        let on_place = |around: &Around<'_, L, N>| {
             let here = Here {
                 around,
-                drives,
-                reached,
-                mechanism,
+                residual: reached.residual,
             };
             (self.on_place)(reached.index, &here);
-        });
+        };
+        let known = Known {
+            order: self.order,
+            lists: &self.lists,
+            arrival: reached.arrival.as_ref(),
+        };
+        mechanism.around(drives, position, known, on_place);
     }
 }
 
 /// What is read of a place.
 struct Here<'a, L: Suspension<N>, const N: usize> {
     around: &'a Around<'a, L, N>,
-    drives: L::Drives,
-    reached: &'a Reached<N>,
-    mechanism: &'a Mechanism<L, N>,
-}
-
-impl<L: Suspension<N>, const N: usize> Here<'_, L, N> {
-    fn points(&self) -> L::Points {
-        let inputs: Inputs<Still, _> = Inputs::still(Signal::still(self.drives));
-        let motion = Motion::at_rest(self.reached.motion.position);
-        motion.points(&self.mechanism.model, &inputs).value
-    }
+    residual: f64,
 }
 
 impl<L: Suspension<N>, const N: usize> Place for Here<'_, L, N> {
     fn state(&self) -> State {
-        let at_rest = self.mechanism.at_rest(0.0, &self.drives, self.points());
-        self.around.with_velocities(State {
-            residual: self.reached.residual,
-            ..at_rest
-        })
+        State {
+            residual: self.residual,
+            ..self.around.state()
+        }
     }
 
     fn per(&self, drive: usize) -> Option<State> {
         Some(State {
-            residual: self.reached.residual,
+            residual: self.residual,
             ..self.around.per(drive)?
         })
+    }
+
+    fn gradient<'a>(&self, state: &'a State, first: usize) -> Box<dyn Positions<Gradient> + 'a> {
+        Box::new(self.around.gradient(state, first))
     }
 }

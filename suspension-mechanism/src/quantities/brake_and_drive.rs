@@ -1,13 +1,12 @@
 //! Readings of how a suspension bears the forces of brakes and drive.
 
-use suspension_core::signal::Number as _;
-
 use crate::mechanism::{Axle, Names, Vehicle};
+use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
+use crate::quantities::number::Number;
 use crate::quantities::on_ground::{moving, of_moving};
-use crate::quantities::quantity::Reading;
 use crate::quantities::readings::of_each_wheel;
-use crate::quantities::wheel::{Along, Moving, Number};
+use crate::quantities::wheel::{Along, Moving};
 
 /// What the wheel's torque is borne by, which decides where the force acts.
 #[derive(Clone, Copy)]
@@ -24,7 +23,7 @@ impl Torque {
     }
 
     /// How far the point where the force acts goes forward and upwards in bump, whichever way the drive moves the wheel.
-    fn forward_and_upward(self, moving: &Moving) -> [Number; 2] {
+    fn forward_and_upward<N: Number>(self, moving: &Moving<N>) -> [N; 2] {
         let velocity = match self {
             Self::OfBrakes => moving.carrier.velocity_of(&moving.contact),
             Self::OfShafts => moving.carrier.velocity,
@@ -38,22 +37,27 @@ impl Torque {
 }
 
 /// The angle of the path in bump from the vertical in the side view.
-pub(super) fn of_support_angle(names: &Names, torque: Torque) -> Vec<Reading> {
+pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<Reading<N>> {
     of_moving(
         names,
         Along::Travel,
         Kind::Angle,
         torque.is_on_ground(),
-        move |moving| {
+        move |moving: &Moving<N>| {
             let [forward, upward] = torque.forward_and_upward(moving);
-            Number::arc_tangent(forward, upward)
+            N::arc_tangent(forward, upward)
         },
     )
 }
 
 /// The part of the car's load transfer that links bear in place of springs; `towards` is 1 where a path forward
 /// in bump bears it, -1 where one rearward does.
-pub(super) fn of_support(names: &Names, axle: Axle, torque: Torque, towards: f64) -> Vec<Reading> {
+pub(super) fn of_support<N: Number>(
+    names: &Names,
+    axle: Axle,
+    torque: Torque,
+    towards: f64,
+) -> Vec<Reading<N>> {
     let Vehicle {
         wheelbase,
         cg_height,
@@ -71,14 +75,14 @@ pub(super) fn of_support(names: &Names, axle: Axle, torque: Torque, towards: f64
         let Some(share) = share.filter(|_| wheel.axle == Some(axle)) else {
             return Vec::new();
         };
-        let factor = Number::still(100.0 * towards * share * wheelbase / cg_height);
+        let factor = N::still(100.0 * towards * share * wheelbase / cg_height);
         let on_ground = torque.is_on_ground();
         moving(
             rolling,
             Along::Travel,
             Kind::Percent,
             on_ground,
-            move |moving| {
+            move |moving: &Moving<N>| {
                 let [forward, upward] = torque.forward_and_upward(moving);
                 forward / upward * factor
             },

@@ -3,12 +3,27 @@
 
 use crate::quantities::quantity::Quantity;
 
-/// Makes a `static` of each row and the list of a file's.
+/// Makes a `static` of each row and the list of a file's. A formula is compiled for each kind of number.
 macro_rules! catalogue {
-    ($($row:ident: $title:literal { $($field:tt)* })+) => {
+    ($($row:ident: $title:literal {
+        name: $name:literal,
+        sign: $sign:literal,
+        definition: $definition:literal,
+        source: $source:literal,
+        shown: $shown:expr,
+        read: $read:expr,
+    })+) => {
         $(
             #[doc = concat!("The row \"", $title, "\".")]
-            pub static $row: Quantity = Quantity { title: $title, $($field)* };
+            pub static $row: Quantity = Quantity {
+                title: $title,
+                name: $name,
+                sign: $sign,
+                definition: $definition,
+                source: $source,
+                shown: $shown,
+                read: crate::quantities::formulas::Formulas { along: $read, gradient: $read },
+            };
         )+
 
         /// The rows of this file.

@@ -1,39 +1,39 @@
 //! An axle as it rolls: its left contact point rises as fast as the right one falls.
 
 use nalgebra::Vector3;
-use suspension_core::Signal;
 use suspension_core::wheel::{
     Carrier, camber_rate, contact_velocity, roll_centre, roll_rate, steer_rate,
 };
 
-use crate::quantities::wheel::{Moving, Number, Rolling, Wheel};
+use crate::quantities::number::Number;
+use crate::quantities::wheel::{Moving, Rolling, Wheel};
 
 /// An axle as it rolls, in the file's coordinates.
-pub(super) struct InRoll {
+pub(super) struct InRoll<N> {
     /// See [`roll_centre`].
-    pub(super) centre: Vector3<Number>,
+    pub(super) centre: Vector3<N>,
     /// The wheels by number, each with what it has per radian of roll.
-    wheels: [(usize, PerRoll); 2],
+    wheels: [(usize, PerRoll<N>); 2],
 }
 
 /// What a wheel has per radian of roll.
 #[derive(Clone, Copy)]
-pub(super) struct PerRoll {
-    pub(super) camber: Number,
-    pub(super) steer: Number,
+pub(super) struct PerRoll<N> {
+    pub(super) camber: N,
+    pub(super) steer: N,
 }
 
 /// A wheel as one drive moves it, or several.
-struct Moved {
-    carrier: Carrier<Number>,
-    axis_rate: Vector3<Number>,
-    contact_velocity: Vector3<Number>,
+struct Moved<N> {
+    carrier: Carrier<N>,
+    axis_rate: Vector3<N>,
+    contact_velocity: Vector3<N>,
 }
 
-impl Moved {
-    fn of(carrier: Carrier<Number>, axis: &Vector3<Number>, radius: f64) -> Self {
+impl<N: Number> Moved<N> {
+    fn of(carrier: Carrier<N>, axis: &Vector3<N>, radius: f64) -> Self {
         let axis_rate = carrier.omega.cross(axis);
-        let (velocity, radius) = (&carrier.velocity, Signal::still(radius));
+        let (velocity, radius) = (&carrier.velocity, N::still(radius));
         Self {
             contact_velocity: contact_velocity(velocity, axis, &axis_rate, radius),
             axis_rate,
@@ -42,12 +42,12 @@ impl Moved {
     }
 }
 
-impl InRoll {
+impl<N: Number> InRoll<N> {
     /// Of the left wheel and the right one, and of what moves a wheel's carrier by a drive; `None` where the mechanism
     /// locks, or a wheel has no drive of travel.
     pub(super) fn of(
-        axle: [(Rolling, &Wheel); 2],
-        moved: impl Fn(Rolling, usize) -> Option<Moving>,
+        axle: [(Rolling, &Wheel<N>); 2],
+        moved: impl Fn(Rolling, usize) -> Option<Moving<N>>,
     ) -> Option<Self> {
         let [left, right] = axle.map(|(rolling, _)| rolling);
         let drives = [left.travel?, right.travel?];
@@ -65,7 +65,7 @@ impl InRoll {
             &right_in_roll.contact_velocity,
         ];
         let roll = roll_rate(contacts, velocities);
-        let per_roll = |(rolling, Wheel { axis, .. }): (Rolling, &Wheel), moved: &Moved| {
+        let per_roll = |(rolling, Wheel { axis, .. }): (Rolling, &Wheel<N>), moved: &Moved<N>| {
             let per = PerRoll {
                 camber: camber_rate(axis, &moved.axis_rate) / roll,
                 steer: steer_rate(axis, &moved.axis_rate) / roll,
@@ -82,7 +82,7 @@ impl InRoll {
     }
 
     /// What a wheel of the axle has per radian of roll.
-    pub(super) fn of_wheel(&self, number: usize) -> Option<PerRoll> {
+    pub(super) fn of_wheel(&self, number: usize) -> Option<PerRoll<N>> {
         let mut wheels = self.wheels.iter();
         wheels
             .find(|(other, _)| *other == number)
@@ -91,8 +91,8 @@ impl InRoll {
 }
 
 /// The rates of both drives at which the left contact point rises as fast as the right one falls.
-fn shares(wheels: [&[Moving; 2]; 2], axle: [Rolling; 2]) -> [Number; 2] {
-    let rises = |by_drive: &[Moving; 2], rolling: Rolling| {
+fn shares<N: Number>(wheels: [&[Moving<N>; 2]; 2], axle: [Rolling; 2]) -> [N; 2] {
+    let rises = |by_drive: &[Moving<N>; 2], rolling: Rolling| {
         by_drive.each_ref().map(|moving| {
             let moved = Moved::of(moving.carrier, &moving.axis, rolling.radius);
             moved.contact_velocity.z
@@ -104,7 +104,7 @@ fn shares(wheels: [&[Moving; 2]; 2], axle: [Rolling; 2]) -> [Number; 2] {
 }
 
 /// A carrier as both drives move it at these rates.
-fn combined([by_left, by_right]: &[Moving; 2], [p, q]: [Number; 2]) -> Carrier<Number> {
+fn combined<N: Number>([by_left, by_right]: &[Moving<N>; 2], [p, q]: [N; 2]) -> Carrier<N> {
     let [one, other] = [&by_left.carrier, &by_right.carrier];
     Carrier {
         centre: one.centre,

@@ -1,20 +1,21 @@
 //! What masses are at the wheels: readings by kinetic energy.
 
 use crate::mechanism::{Names, State};
+use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
-use crate::quantities::quantity::Reading;
+use crate::quantities::number::Number;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
 use crate::quantities::wheel::Rolling;
 
 /// The mass at each wheel centre that moves in height as all parts with masses do in travel.
-pub(super) fn of_wheels(names: &Names) -> Vec<Reading> {
+pub(super) fn of_wheels<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let has_masses = !names.vehicle.masses.is_empty();
     of_each_wheel(names, |rolling| {
         let Some(drive) = rolling.travel.filter(|_| has_masses) else {
             return Vec::new();
         };
-        vec![without_derivatives(Kind::Mass, move |reader| {
-            effective(reader, rolling, drive)
+        vec![without_derivatives(Kind::Mass, move |state| {
+            effective(state, rolling, drive)
         })]
     })
 }

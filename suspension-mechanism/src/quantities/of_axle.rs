@@ -1,17 +1,17 @@
 //! Readings of axles: of two wheels each, one on each side of the vehicle.
 
 use nalgebra::Vector3;
-use suspension_core::Signal;
-use suspension_core::signal::Number as _;
 use suspension_core::wheel::Turn;
 
 use crate::mechanism::{self, Names, Pair};
+use crate::quantities::axis::Axis;
+use crate::quantities::formulas::Reading;
 use crate::quantities::in_roll::PerRoll;
 use crate::quantities::kind::Kind;
-use crate::quantities::quantity::{Axis, Reading};
+use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, reading};
-use crate::quantities::wheel::{Number, Rolling, UNKNOWN, Wheel};
+use crate::quantities::wheel::{Rolling, Wheel};
 
 /// Within this mean steer angle, a degree, toe decides how the wheels of an axle differ, not the steering.
 const STRAIGHT: f64 = std::f64::consts::PI / 180.0;
@@ -55,7 +55,7 @@ impl Axle {
     }
 
     /// Readings under its name.
-    pub(super) fn named(&self, readings: Vec<Reading>) -> Vec<Reading> {
+    pub(super) fn named<N>(&self, readings: Vec<Reading<N>>) -> Vec<Reading<N>> {
         let named = readings.into_iter().map(|reading| Reading {
             wheel: self.name.clone(),
             ..reading
@@ -65,7 +65,7 @@ impl Axle {
 }
 
 /// The left wheel and the right one; `None` where both are on one side.
-fn sided(reader: &Reader<'_>, [a, b]: [Rolling; 2]) -> Option<[Rolling; 2]> {
+fn sided<N: Number>(reader: &Reader<'_, N>, [a, b]: [Rolling; 2]) -> Option<[Rolling; 2]> {
     let is_right = |rolling| reader.wheel(rolling).axis.y.is_below_zero();
     match (is_right(a), is_right(b)) {
         (false, true) => Some([a, b]),
@@ -75,12 +75,12 @@ fn sided(reader: &Reader<'_>, [a, b]: [Rolling; 2]) -> Option<[Rolling; 2]> {
 }
 
 /// A number of both wheels of each axle, the left one first; `on_ground` where the wheel radius is needed.
-pub(super) fn of_both(
+pub(super) fn of_both<N: Number>(
     names: &Names,
     kind: Kind,
     on_ground: bool,
-    value: impl Fn([&Wheel; 2]) -> Number + Clone + 'static,
-) -> Vec<Reading> {
+    value: impl Fn([&Wheel<N>; 2]) -> N + Clone + 'static,
+) -> Vec<Reading<N>> {
     let axles = Axle::all(names).into_iter();
     let axles = axles.filter(|axle| axle.is_on_ground() || !on_ground);
     axles
@@ -88,23 +88,25 @@ pub(super) fn of_both(
         .collect()
 }
 
+/// A number of both wheels of an axle, now and at the design position.
+type FromDesign<N> = fn([&Wheel<N>; 2], [&Wheel<N>; 2]) -> N;
+
 /// The same of wheels on the ground, now and at the design position.
-pub(super) fn of_both_from_design(
+pub(super) fn of_both_from_design<N: Number>(
     names: &Names,
     kind: Kind,
-    value: fn([&Wheel; 2], [&Wheel; 2]) -> Number,
-) -> Vec<Reading> {
+    value: FromDesign<N>,
+) -> Vec<Reading<N>> {
     let of_axle = |axle: Axle| {
         let wheels = axle.wheels;
-        let number = reading(kind, move |reader: &Reader<'_>| {
+        let number = reading(kind, move |reader: &Reader<'_, N>| {
             let number = || {
                 let [left, right] = sided(reader, wheels)?;
-                let [of_left, of_right] =
-                    [left, right].map(|rolling| Wheel::at_design(reader, rolling));
+                let [of_left, of_right] = [left, right].map(|rolling| reader.at_design(rolling));
                 let now = [reader.wheel(left), reader.wheel(right)];
-                Some(value(now, [&of_left?, &of_right?]))
+                Some(value(now, [of_left?, of_right?]))
             };
-            number().unwrap_or(UNKNOWN)
+            number().unwrap_or_else(N::unknown)
         });
         axle.named(vec![number])
     };
@@ -113,11 +115,15 @@ pub(super) fn of_both_from_design(
 }
 
 /// The same of one axle.
-fn both(axle: &Axle, kind: Kind, value: impl Fn([&Wheel; 2]) -> Number + 'static) -> Vec<Reading> {
+fn both<N: Number>(
+    axle: &Axle,
+    kind: Kind,
+    value: impl Fn([&Wheel<N>; 2]) -> N + 'static,
+) -> Vec<Reading<N>> {
     let wheels = axle.wheels;
-    let number = reading(kind, move |reader: &Reader<'_>| {
+    let number = reading(kind, move |reader: &Reader<'_, N>| {
         let wheels = sided(reader, wheels);
-        wheels.map_or(UNKNOWN, |wheels| {
+        wheels.map_or_else(N::unknown, |wheels| {
             value(wheels.map(|rolling| reader.wheel(rolling)))
         })
     });
@@ -125,10 +131,10 @@ fn both(axle: &Axle, kind: Kind, value: impl Fn([&Wheel; 2]) -> Number + 'static
 }
 
 /// An angle of the spin axis of each wheel of a steered axle.
-pub(super) fn of_steered_wheels(
+pub(super) fn of_steered_wheels<N: Number>(
     names: &Names,
-    angle: fn(&Vector3<Number>) -> Number,
-) -> Vec<Reading> {
+    angle: fn(&Vector3<N>) -> N,
+) -> Vec<Reading<N>> {
     let axles = Axle::all(names);
     let is_steered = |rolling: &Rolling| {
         let mut steered = axles.iter().filter(|axle| axle.is_steered());
@@ -141,7 +147,7 @@ pub(super) fn of_steered_wheels(
     of_each_wheel(names, |rolling| {
         let steered = is_steered(&rolling).then_some(rolling).into_iter();
         let readings = steered.map(|rolling| {
-            reading(Kind::Angle, move |reader| {
+            reading(Kind::Angle, move |reader: &Reader<'_, N>| {
                 angle(&reader.wheel(rolling).axis)
             })
         });
@@ -151,11 +157,11 @@ pub(super) fn of_steered_wheels(
 
 /// A number of each axle that steers a vehicle whose wheelbase is known: of the turn, the wheelbase and the track. Straight
 /// ahead there is none.
-pub(super) fn of_turn(
+pub(super) fn of_turn<N: Number>(
     names: &Names,
     kind: Kind,
-    value: fn(&Turn<Number>, Number, Number) -> Number,
-) -> Vec<Reading> {
+    value: fn(&Turn<N>, N, N) -> N,
+) -> Vec<Reading<N>> {
     let Some(wheelbase) = names.vehicle.wheelbase else {
         return Vec::new();
     };
@@ -163,14 +169,15 @@ pub(super) fn of_turn(
     let steers =
         |axle: &Axle| axle.is_on_ground() && axle.is_steered() && !axle.wheels.iter().any(is_rear);
     let of_axle = |axle: Axle| {
-        both(&axle, kind, move |wheels| {
+        both(&axle, kind, move |wheels: [&Wheel<N>; 2]| {
             let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
-            let is_straight = turn.inner.value + turn.outer.value < 2.0 * STRAIGHT;
+            let [inner, outer] = [turn.inner, turn.outer].map(N::value);
+            let is_straight = inner + outer < 2.0 * STRAIGHT;
             // Toe may turn the outer wheel the other way: then there is no circle.
-            if is_straight || turn.outer.value <= 0.0 {
-                return UNKNOWN;
+            if is_straight || outer <= 0.0 {
+                return N::unknown();
             }
-            value(&turn, Signal::still(wheelbase), track(wheels))
+            value(&turn, N::still(wheelbase), track(wheels))
         })
     };
     let axles = Axle::all(names).into_iter().filter(steers);
@@ -178,28 +185,29 @@ pub(super) fn of_turn(
 }
 
 /// From the right contact point to the left one, along y.
-pub(super) fn track([left, right]: [&Wheel; 2]) -> Number {
+pub(super) fn track<N: Number>([left, right]: [&Wheel<N>; 2]) -> N {
     left.contact.y - right.contact.y
 }
 
 /// Where each axle's roll centre is, in the front view.
-pub(super) fn of_roll_centre(names: &Names) -> Vec<Reading> {
+pub(super) fn of_roll_centre<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let of_axle = |axle: Axle| {
         let wheels = axle.wheels;
-        let centre = components(None, Kind::Length, &[Axis::Y, Axis::Z], move |reader| {
+        let of_reader = move |reader: &Reader<'_, N>| {
             let wheels = sided(reader, wheels);
             let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
-            let centre = in_roll.map_or(Vector3::repeat(UNKNOWN), |in_roll| in_roll.centre);
+            let centre = in_roll.map_or(Vector3::repeat(N::unknown()), |in_roll| in_roll.centre);
             reader.axes.turned(centre)
-        });
-        axle.named(centre)
+        };
+        let axes = &[Axis::Y, Axis::Z];
+        axle.named(components(None, Kind::Length, axes, of_reader))
     };
     let axles = Axle::all(names).into_iter().filter(Axle::rolls);
     axles.flat_map(of_axle).collect()
 }
 
 /// What each wheel has per radian of its axle's roll.
-pub(super) fn of_roll(names: &Names, value: fn(PerRoll) -> Number) -> Vec<Reading> {
+pub(super) fn of_roll<N: Number>(names: &Names, value: fn(PerRoll<N>) -> N) -> Vec<Reading<N>> {
     let axles: Vec<Axle> = Axle::all(names).into_iter().filter(Axle::rolls).collect();
     of_each_wheel(names, |rolling| {
         let is_of = |axle: &&Axle| {
@@ -209,11 +217,11 @@ pub(super) fn of_roll(names: &Names, value: fn(PerRoll) -> Number) -> Vec<Readin
         };
         let wheels = axles.iter().find(is_of).map(|axle| axle.wheels).into_iter();
         let readings = wheels.map(|wheels| {
-            reading(Kind::AnglePerAngle, move |reader| {
+            reading(Kind::AnglePerAngle, move |reader: &Reader<'_, N>| {
                 let wheels = sided(reader, wheels);
                 let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
                 let per_roll = in_roll.and_then(|in_roll| in_roll.of_wheel(rolling.number));
-                per_roll.map_or(UNKNOWN, value)
+                per_roll.map_or_else(N::unknown, value)
             })
         });
         readings.collect()

@@ -4,49 +4,55 @@ use nalgebra::Vector3;
 use suspension_core::wheel::{Heading, SteeringAxis};
 
 use crate::mechanism::Names;
+use crate::quantities::axis::Axis;
+use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
-use crate::quantities::quantity::{Axis, Reading};
+use crate::quantities::number::Number;
+use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, place, reading};
-use crate::quantities::wheel::{Along, Moving, Number, Rolling, UNKNOWN, Wheel, at};
+use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
 
 /// The contact point.
-pub(super) fn of_contact(names: &Names) -> Vec<Reading> {
+pub(super) fn of_contact<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_each_wheel(names, |rolling| {
         if !rolling.is_on_ground() {
             return Vec::new();
         }
-        place(None, move |reader| reader.wheel(rolling).contact)
+        place(None, move |reader: &Reader<'_, N>| {
+            reader.wheel(rolling).contact
+        })
     })
 }
 
 /// What a steering axis is to a point of the wheel.
-type Offset = fn(&SteeringAxis<Number>, &Vector3<Number>, &Heading<Number>) -> Number;
+type Offset<N> = fn(&SteeringAxis<N>, &Vector3<N>, &Heading<N>) -> N;
 
 /// Where the kingpin passes the contact point.
-pub(super) fn of_kingpin_at_ground(names: &Names, offset: Offset) -> Vec<Reading> {
+pub(super) fn of_kingpin_at_ground<N: Number>(names: &Names, offset: Offset<N>) -> Vec<Reading<N>> {
     of_kingpin_at(names, true, offset, |wheel| wheel.contact)
 }
 
 /// Where the kingpin passes the wheel centre.
-pub(super) fn of_kingpin_at_centre(names: &Names, offset: Offset) -> Vec<Reading> {
+pub(super) fn of_kingpin_at_centre<N: Number>(names: &Names, offset: Offset<N>) -> Vec<Reading<N>> {
     of_kingpin_at(names, false, offset, |wheel| wheel.centre)
 }
 
 /// `on_ground` where the wheel radius is needed.
-fn of_kingpin_at(
+fn of_kingpin_at<N: Number>(
     names: &Names,
     on_ground: bool,
-    offset: Offset,
-    point: fn(&Wheel) -> Vector3<Number>,
-) -> Vec<Reading> {
+    offset: Offset<N>,
+    point: fn(&Wheel<N>) -> Vector3<N>,
+) -> Vec<Reading<N>> {
     of_each_wheel(names, |rolling| {
         let ends = rolling.points.kingpin;
         let ends = ends.filter(|_| rolling.is_on_ground() || !on_ground);
-        let of = |[lower, upper]: [usize; 2]| {
+        let of = |_| {
             reading(Kind::Length, move |reader| {
-                let wheel = reader.wheel(rolling);
-                let kingpin = SteeringAxis::through([at(reader, lower), at(reader, upper)]);
-                offset(&kingpin, &point(wheel), &wheel.heading)
+                let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));
+                kingpin.map_or_else(N::unknown, |kingpin| {
+                    offset(kingpin, &point(wheel), &wheel.heading)
+                })
             })
         };
         ends.map(of).into_iter().collect()
@@ -54,24 +60,24 @@ fn of_kingpin_at(
 }
 
 /// A number of each carrier as it moves; `on_ground` where the wheel radius is needed.
-pub(super) fn of_moving(
+pub(super) fn of_moving<N: Number>(
     names: &Names,
     along: Along,
     kind: Kind,
     on_ground: bool,
-    value: impl Fn(&Moving) -> Number + Clone + 'static,
-) -> Vec<Reading> {
+    value: impl Fn(&Moving<N>) -> N + Clone + 'static,
+) -> Vec<Reading<N>> {
     of_each_wheel(names, |rolling| {
         moving(rolling, along, kind, on_ground, value.clone())
     })
 }
 
 /// A number of each carrier of one wheel alone in travel, on the ground: a force on that wheel is borne by its links.
-pub(super) fn of_independent(
+pub(super) fn of_independent<N: Number>(
     names: &Names,
     kind: Kind,
-    value: impl Fn(&Moving) -> Number + Clone + 'static,
-) -> Vec<Reading> {
+    value: impl Fn(&Moving<N>) -> N + Clone + 'static,
+) -> Vec<Reading<N>> {
     of_each_wheel(names, |rolling| {
         let rolling = Some(rolling).filter(|rolling| rolling.is_alone(names));
         let readings =
@@ -81,36 +87,36 @@ pub(super) fn of_independent(
 }
 
 /// The same of the carrier of one wheel.
-pub(super) fn moving(
+pub(super) fn moving<N: Number>(
     rolling: Rolling,
     along: Along,
     kind: Kind,
     on_ground: bool,
-    value: impl Fn(&Moving) -> Number + 'static,
-) -> Vec<Reading> {
+    value: impl Fn(&Moving<N>) -> N + 'static,
+) -> Vec<Reading<N>> {
     if !is_moved(&rolling, along, on_ground) {
         return Vec::new();
     }
     vec![reading(kind, move |reader| {
         let moving = reader.moving(along, rolling);
-        moving.map_or(UNKNOWN, &value)
+        moving.map_or_else(N::unknown, &value)
     })]
 }
 
 /// Coordinates of a place that the carrier's motion tells.
-pub(super) fn of_moving_place(
+pub(super) fn of_moving_place<N: Number>(
     names: &Names,
     along: Along,
     axes: &[Axis],
-    place: fn(&Moving) -> Vector3<Number>,
-) -> Vec<Reading> {
+    place: fn(&Moving<N>) -> Vector3<N>,
+) -> Vec<Reading<N>> {
     of_each_wheel(names, |rolling| {
         if !is_moved(&rolling, along, false) {
             return Vec::new();
         }
-        components(None, Kind::Length, axes, move |reader| {
+        components(None, Kind::Length, axes, move |reader: &Reader<'_, N>| {
             let moving = reader.moving(along, rolling);
-            let place = moving.map_or_else(|| Vector3::repeat(UNKNOWN), place);
+            let place = moving.map_or_else(|| Vector3::repeat(N::unknown()), place);
             reader.axes.turned(place)
         })
     })

@@ -1,14 +1,12 @@
 //! A quantity, and the columns of numbers that it makes.
 
-use std::fmt;
-
-use nalgebra::Vector3;
 use suspension_core::Signal;
 
 use crate::mechanism::{Drive, Names, State, Unit};
+use crate::quantities::axis::Axis;
+use crate::quantities::formulas::{Compiled, Formulas, Read, Reading};
 use crate::quantities::kind::Kind;
 use crate::quantities::reader::Reader;
-use crate::quantities::wheel::Number;
 
 /// What is read off a mechanism: a row of the catalogue.
 pub struct Quantity {
@@ -25,7 +23,7 @@ pub struct Quantity {
     /// Where it is shown.
     pub shown: Shown,
     /// Its numbers; none where the linkage has no such thing.
-    pub(super) read: fn(&Names) -> Vec<Reading>,
+    pub(super) read: Formulas,
 }
 
 /// Where a quantity is shown.
@@ -39,55 +37,8 @@ pub enum Shown {
     InBoth,
 }
 
-/// What reads a number of any state.
-pub(super) type Read = dyn Fn(&Reader<'_>) -> Number;
-
-/// One number of a quantity.
-pub(super) struct Reading {
-    pub(super) name: Option<String>,
-    /// The name of the wheel that it is of.
-    pub(super) wheel: Option<String>,
-    pub(super) kind: Kind,
-    pub(super) axis: Option<Axis>,
-    pub(super) has_derivatives: bool,
-    pub(super) value: Box<Read>,
-}
-
-/// A component of a vector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
-    /// Forward.
-    X,
-    /// To the left.
-    Y,
-    /// Upward.
-    Z,
-}
-
-impl Axis {
-    /// All three, in the order of a vector's components.
-    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
-
-    /// The unit vector along it.
-    pub fn vector(self) -> Vector3<f64> {
-        let mut vector = Vector3::zeros();
-        vector[self as usize] = 1.0;
-        vector
-    }
-}
-
-impl fmt::Display for Axis {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Z => "z",
-        })
-    }
-}
-
 /// A column of numbers: one number of a quantity, read of any state of a mechanism.
-pub struct Column {
+pub struct Column<N = Signal<f64>> {
     /// The quantity.
     pub quantity: &'static Quantity,
     /// What it is the quantity of, or else the quantity's name, behind the wheel's: `left_camber`.
@@ -100,7 +51,7 @@ pub struct Column {
     pub axis: Option<Axis>,
     /// Whether [`read`](Self::read) has derivatives: whether positions alone determine it.
     pub has_derivatives: bool,
-    value: Box<Read>,
+    value: Box<Read<N>>,
 }
 
 impl Column {
@@ -113,10 +64,12 @@ impl Column {
     pub fn along(&self, state: &State) -> Signal<f64> {
         self.read(&Reader::of(state))
     }
+}
 
-    /// The number with its derivatives along the rates of the state's points: with respect to time, or to a drive. They are
-    /// NaN of what is not determined by positions.
-    pub fn read(&self, reader: &Reader<'_>) -> Signal<f64> {
+impl<N: Compiled> Column<N> {
+    /// The number with its derivatives, those of a [`State`] along the rates of its points: with respect to time, or to a
+    /// drive. They are NaN of what is not determined by positions.
+    pub fn read(&self, reader: &Reader<'_, N>) -> N {
         (self.value)(reader)
     }
 
@@ -192,7 +145,15 @@ pub fn columns(
     quantities: impl IntoIterator<Item = &'static Quantity>,
     names: &Names,
 ) -> Vec<Column> {
-    let of_reading = |quantity: &'static Quantity, reading: Reading| {
+    columns_in(quantities, names)
+}
+
+/// The same that are read in other numbers.
+pub fn columns_in<N: Compiled>(
+    quantities: impl IntoIterator<Item = &'static Quantity>,
+    names: &Names,
+) -> Vec<Column<N>> {
+    let of_reading = |quantity: &'static Quantity, reading: Reading<N>| {
         let name = reading.name.unwrap_or_else(|| quantity.name.to_owned());
         Column {
             quantity,
@@ -208,7 +169,7 @@ pub fn columns(
         }
     };
     let of_one = |quantity: &'static Quantity| {
-        let readings = (quantity.read)(names).into_iter();
+        let readings = N::readings(&quantity.read, names).into_iter();
         readings.map(move |reading| of_reading(quantity, reading))
     };
     quantities.into_iter().flat_map(of_one).collect()

@@ -3,44 +3,90 @@
 use std::cell::OnceCell;
 use std::ops::Deref;
 
-use crate::mechanism::State;
+use suspension_core::Signal;
+use suspension_core::wheel::SteeringAxis;
+
+use crate::mechanism::{Positions, State};
 use crate::quantities::in_roll::InRoll;
+use crate::quantities::number::Number;
+use crate::quantities::places::Places;
 use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
 
-/// Reads quantities of one state of a mechanism: what several of them need is computed once.
-pub struct Reader<'a> {
-    state: &'a State,
-    first: Cells,
+/// Reads quantities of one state of a mechanism: what several of them need is computed once. It can be read as the
+/// [`State`].
+pub struct Reader<'a, N = Signal<f64>> {
+    pub(super) places: Places<'a, N>,
+    first: Cells<N>,
 }
 
 /// What was computed of a wheel, and of the wheels behind it.
-#[derive(Default)]
-struct Cells {
-    wheel: OnceCell<Wheel>,
-    travel: OnceCell<Option<Moving>>,
-    steer: OnceCell<Option<Moving>>,
+struct Cells<N> {
+    wheel: OnceCell<Wheel<N>>,
+    /// The wheel at the design position.
+    design: OnceCell<Option<Wheel<N>>>,
+    kingpin: OnceCell<Option<SteeringAxis<N>>>,
+    travel: OnceCell<Option<Moving<N>>>,
+    steer: OnceCell<Option<Moving<N>>>,
     /// Of a left wheel, its axle.
-    in_roll: OnceCell<Option<InRoll>>,
-    next: OnceCell<Box<Cells>>,
+    in_roll: OnceCell<Option<InRoll<N>>>,
+    next: OnceCell<Box<Cells<N>>>,
 }
 
-impl<'a> Reader<'a> {
-    /// Of a state.
-    pub fn of(state: &'a State) -> Self {
+impl<N> Default for Cells<N> {
+    fn default() -> Self {
         Self {
-            state,
+            wheel: OnceCell::new(),
+            design: OnceCell::new(),
+            kingpin: OnceCell::new(),
+            travel: OnceCell::new(),
+            steer: OnceCell::new(),
+            in_roll: OnceCell::new(),
+            next: OnceCell::new(),
+        }
+    }
+}
+
+impl<'a> Reader<'a, Signal<f64>> {
+    /// Of a state, with the derivatives along its rates.
+    pub fn of(state: &'a State) -> Self {
+        Self::with(state, state)
+    }
+}
+
+impl<'a, N: Number> Reader<'a, N> {
+    /// Of a state and what positions determine of it in such numbers.
+    pub fn with(state: &'a State, numbers: &'a dyn Positions<N>) -> Self {
+        Self {
+            places: Places { state, numbers },
             first: Cells::default(),
         }
     }
 
     /// A wheel.
-    pub(super) fn wheel(&self, rolling: Rolling) -> &Wheel {
+    pub(super) fn wheel(&self, rolling: Rolling) -> &Wheel<N> {
         let wheel = &self.cells(rolling).wheel;
-        wheel.get_or_init(|| Wheel::of(self.state, rolling))
+        wheel.get_or_init(|| Wheel::of(&self.places, rolling))
+    }
+
+    /// The same at the design position, where that is known.
+    pub(super) fn at_design(&self, rolling: Rolling) -> Option<&Wheel<N>> {
+        let design = &self.cells(rolling).design;
+        let of_design = || Wheel::at_design(&self.places, rolling);
+        design.get_or_init(of_design).as_ref()
+    }
+
+    /// Its kingpin, where the listing states one.
+    pub(super) fn kingpin(&self, rolling: Rolling) -> Option<&SteeringAxis<N>> {
+        let kingpin = &self.cells(rolling).kingpin;
+        let through = || {
+            let ends = rolling.points.kingpin?;
+            Some(SteeringAxis::through(ends.map(|end| self.places.at(end))))
+        };
+        kingpin.get_or_init(through).as_ref()
     }
 
     /// Its carrier as a drive moves it.
-    pub(super) fn moving(&self, along: Along, rolling: Rolling) -> Option<&Moving> {
+    pub(super) fn moving(&self, along: Along, rolling: Rolling) -> Option<&Moving<N>> {
         let cells = self.cells(rolling);
         let cell = match along {
             Along::Travel => &cells.travel,
@@ -51,19 +97,19 @@ impl<'a> Reader<'a> {
     }
 
     /// The same of any drive of travel or steering, computed anew.
-    pub(super) fn moved_by(&self, drive: usize, rolling: Rolling) -> Option<Moving> {
-        Moving::of(self.state, drive, rolling.points, self.wheel(rolling))
+    pub(super) fn moved_by(&self, drive: usize, rolling: Rolling) -> Option<Moving<N>> {
+        Moving::of(&self.places, drive, rolling.points, self.wheel(rolling))
     }
 
     /// An axle, its left wheel and its right one, as it rolls.
-    pub(super) fn in_roll(&self, axle: [Rolling; 2]) -> Option<&InRoll> {
+    pub(super) fn in_roll(&self, axle: [Rolling; 2]) -> Option<&InRoll<N>> {
         let [left, _] = axle;
         let wheels = axle.map(|rolling| (rolling, self.wheel(rolling)));
         let in_roll = || InRoll::of(wheels, |rolling, drive| self.moved_by(drive, rolling));
         self.cells(left).in_roll.get_or_init(in_roll).as_ref()
     }
 
-    fn cells(&self, rolling: Rolling) -> &Cells {
+    fn cells(&self, rolling: Rolling) -> &Cells<N> {
         let mut cells = &self.first;
         for _ in 0..rolling.number {
             cells = cells.next.get_or_init(Box::default);
@@ -72,10 +118,10 @@ impl<'a> Reader<'a> {
     }
 }
 
-impl Deref for Reader<'_> {
+impl<N> Deref for Reader<'_, N> {
     type Target = State;
 
     fn deref(&self) -> &State {
-        self.state
+        self.places.state
     }
 }

@@ -1,33 +1,28 @@
 //! How the numbers of a quantity are read of a state.
 
 use nalgebra::Vector3;
-use suspension_core::Signal;
 
-use crate::mechanism::Names;
+use crate::mechanism::{Names, State};
+use crate::quantities::axis::Axis;
+use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
-use crate::quantities::quantity::{Axis, Reading};
+use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
-use crate::quantities::wheel::{Number, Rolling, from_to, origin};
-
-/// A number whose derivatives are not known.
-pub(super) fn alone(value: f64) -> Number {
-    Signal {
-        value,
-        rate: f64::NAN,
-        second_rate: f64::NAN,
-    }
-}
+use crate::quantities::wheel::Rolling;
 
 /// One number of any state, of which no derivatives are known.
-pub(super) fn number(kind: Kind, value: fn(&Reader<'_>) -> f64) -> Vec<Reading> {
+pub(super) fn number<N: Number>(kind: Kind, value: fn(&State) -> f64) -> Vec<Reading<N>> {
     vec![Reading {
         has_derivatives: false,
-        ..reading(kind, move |state| alone(value(state)))
+        ..reading(kind, move |reader| N::alone(value(reader)))
     }]
 }
 
 /// One number, by a formula of positions.
-pub(super) fn reading(kind: Kind, value: impl Fn(&Reader<'_>) -> Number + 'static) -> Reading {
+pub(super) fn reading<N: Number>(
+    kind: Kind,
+    value: impl Fn(&Reader<'_, N>) -> N + 'static,
+) -> Reading<N> {
     Reading {
         name: None,
         wheel: None,
@@ -39,11 +34,11 @@ pub(super) fn reading(kind: Kind, value: impl Fn(&Reader<'_>) -> Number + 'stati
 }
 
 /// A number each of several things that the linkage names.
-pub(super) fn each<'a>(
+pub(super) fn each<'a, N: Number>(
     things: impl Iterator<Item = (&'a str, Kind)>,
     has_derivatives: bool,
-    value: fn(&Reader<'_>, usize) -> Number,
-) -> Vec<Reading> {
+    value: fn(&Reader<'_, N>, usize) -> N,
+) -> Vec<Reading<N>> {
     let of_one = |(index, (name, kind)): (usize, (&str, Kind))| Reading {
         name: Some(name.to_owned()),
         has_derivatives,
@@ -53,24 +48,28 @@ pub(super) fn each<'a>(
 }
 
 /// A number of which no derivatives are known; none where the state does not tell it.
-pub(super) fn without_derivatives(
+pub(super) fn without_derivatives<N: Number>(
     kind: Kind,
-    value: impl Fn(&Reader<'_>) -> Option<f64> + 'static,
-) -> Reading {
+    value: impl Fn(&State) -> Option<f64> + 'static,
+) -> Reading<N> {
     Reading {
         has_derivatives: false,
-        ..reading(kind, move |reader| alone(value(reader).unwrap_or(f64::NAN)))
+        ..reading(kind, move |reader| {
+            N::alone(value(reader).unwrap_or(f64::NAN))
+        })
     }
 }
 
 /// Components of a vector of which no derivatives are known.
-pub(super) fn vector(
+pub(super) fn vector<N: Number>(
     name: Option<&str>,
     kind: Kind,
     axes: &[Axis],
-    value: impl Fn(&Reader<'_>) -> Vector3<f64> + Clone + 'static,
-) -> Vec<Reading> {
-    let mut readings = components(name, kind, axes, move |state| value(state).map(alone));
+    value: impl Fn(&State) -> Vector3<f64> + Clone + 'static,
+) -> Vec<Reading<N>> {
+    let mut readings = components(name, kind, axes, move |reader: &Reader<'_, N>| {
+        value(reader).map(N::alone)
+    });
     for reading in &mut readings {
         reading.has_derivatives = false;
     }
@@ -78,12 +77,12 @@ pub(super) fn vector(
 }
 
 /// Components of a vector, by a formula of positions.
-pub(super) fn components(
+pub(super) fn components<N: Number>(
     name: Option<&str>,
     kind: Kind,
     axes: &[Axis],
-    value: impl Fn(&Reader<'_>) -> Vector3<Number> + Clone + 'static,
-) -> Vec<Reading> {
+    value: impl Fn(&Reader<'_, N>) -> Vector3<N> + Clone + 'static,
+) -> Vec<Reading<N>> {
     let component = |axis: &Axis| {
         let (axis, value) = (*axis, value.clone());
         Reading {
@@ -97,17 +96,17 @@ pub(super) fn components(
 
 /// The coordinates of a place in the file's axes, by a formula of positions in local coordinates and the axes of
 /// ISO 8855.
-pub(super) fn place(
+pub(super) fn place<N: Number>(
     name: Option<&str>,
-    local: impl Fn(&Reader<'_>) -> Vector3<Number> + Clone + 'static,
-) -> Vec<Reading> {
-    components(name, Kind::Length, &Axis::ALL, move |state| {
-        state.axes.turned(local(state) + origin(state))
+    local: impl Fn(&Reader<'_, N>) -> Vector3<N> + Clone + 'static,
+) -> Vec<Reading<N>> {
+    components(name, Kind::Length, &Axis::ALL, move |reader| {
+        reader.axes.turned(local(reader) + reader.places.origin())
     })
 }
 
 /// Positions, velocities or accelerations of a point.
-pub(super) fn point(names: &Names, point: usize, kind: Kind) -> Vec<Reading> {
+pub(super) fn point<N: Number>(names: &Names, point: usize, kind: Kind) -> Vec<Reading<N>> {
     let name = Some(names.points[point].as_str());
     match kind {
         Kind::Velocity => vector(name, kind, &Axis::ALL, move |state| {
@@ -121,20 +120,22 @@ pub(super) fn point(names: &Names, point: usize, kind: Kind) -> Vec<Reading> {
 }
 
 /// A coordinate of a point.
-fn coordinate(name: Option<&str>, point: usize, axis: Axis) -> Reading {
-    let of = move |vector: &Vector3<f64>| vector[axis as usize];
+fn coordinate<N: Number>(name: Option<&str>, point: usize, axis: Axis) -> Reading<N> {
+    let component = axis as usize;
     Reading {
         name: name.map(str::to_owned),
         axis: Some(axis),
-        ..reading(Kind::Length, move |state| {
-            let local = state.points.map(|points| of(&points[point]));
-            local + Signal::still(of(&state.origin))
+        ..reading(Kind::Length, move |reader| {
+            reader.places.numbers.point(point)[component] + N::still(reader.origin[component])
         })
     }
 }
 
 /// The readings of each wheel.
-pub(super) fn of_each_wheel(names: &Names, read: impl Fn(Rolling) -> Vec<Reading>) -> Vec<Reading> {
+pub(super) fn of_each_wheel<N: Number>(
+    names: &Names,
+    read: impl Fn(Rolling) -> Vec<Reading<N>>,
+) -> Vec<Reading<N>> {
     let of_one = |(name, rolling): (&str, Rolling)| {
         let wheel = (!name.is_empty()).then(|| name.to_owned());
         let readings = read(rolling).into_iter();
@@ -148,30 +149,32 @@ pub(super) fn of_each_wheel(names: &Names, read: impl Fn(Rolling) -> Vec<Reading
 }
 
 /// An angle of the spin axis.
-pub(super) fn of_spin_axis(names: &Names, angle: fn(&Vector3<Number>) -> Number) -> Vec<Reading> {
+pub(super) fn of_spin_axis<N: Number>(
+    names: &Names,
+    angle: fn(&Vector3<N>) -> N,
+) -> Vec<Reading<N>> {
     of_each_wheel(names, |rolling| {
-        let axis = rolling.points.axis;
-        vec![reading(Kind::Angle, move |state| {
-            angle(&from_to(state, axis))
+        vec![reading(Kind::Angle, move |reader: &Reader<'_, N>| {
+            angle(&reader.wheel(rolling).axis)
         })]
     })
 }
 
 /// An angle of the kingpin.
-pub(super) fn of_kingpin(names: &Names, angle: fn(&Vector3<Number>) -> Number) -> Vec<Reading> {
+pub(super) fn of_kingpin<N: Number>(names: &Names, angle: fn(&Vector3<N>) -> N) -> Vec<Reading<N>> {
     of_kingpin_and_spin_axis(names, move |kingpin, _| angle(kingpin))
 }
 
 /// An angle of the kingpin whose sign rests on the side of the vehicle: kingpin first, then spin axis.
-pub(super) fn of_kingpin_and_spin_axis(
+pub(super) fn of_kingpin_and_spin_axis<N: Number>(
     names: &Names,
-    angle: impl Fn(&Vector3<Number>, &Vector3<Number>) -> Number + Copy + 'static,
-) -> Vec<Reading> {
+    angle: impl Fn(&Vector3<N>, &Vector3<N>) -> N + Copy + 'static,
+) -> Vec<Reading<N>> {
     of_each_wheel(names, |rolling| {
-        let axis = rolling.points.axis;
-        let of = |kingpin| {
-            reading(Kind::Angle, move |state| {
-                angle(&from_to(state, kingpin), &from_to(state, axis))
+        let of = |_| {
+            reading(Kind::Angle, move |reader: &Reader<'_, N>| {
+                let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));
+                kingpin.map_or_else(N::unknown, |kingpin| angle(&kingpin.direction, &wheel.axis))
             })
         };
         rolling.points.kingpin.map(of).into_iter().collect()

@@ -1,15 +1,17 @@
 //! What springs do at the wheels: readings by virtual work.
 
+use suspension_core::Signal;
 use suspension_core::listing::MeasureKind;
 use suspension_core::signal::Number as _;
 
 use crate::mechanism::{Names, State};
+use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
+use crate::quantities::number::Number;
 use crate::quantities::of_axle::Axle;
-use crate::quantities::quantity::Reading;
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
-use crate::quantities::wheel::{Number, Rolling};
+use crate::quantities::wheel::Rolling;
 
 /// What all springs do along a coordinate.
 #[derive(Clone, Copy)]
@@ -23,7 +25,7 @@ pub(super) struct Sprung {
 impl Sprung {
     /// `-sum F s'` and `sum k s'^2 - F s''` along a coordinate of which the state's measures have the derivatives of another one:
     /// by the chain rule.
-    fn along(coordinate: Number, state: &State) -> Self {
+    fn along(coordinate: Signal<f64>, state: &State) -> Self {
         let none = Self {
             force: 0.0,
             rate: 0.0,
@@ -52,14 +54,18 @@ impl Sprung {
 }
 
 /// A number of the springs at each wheel, along the height of its centre.
-pub(super) fn of_wheels(names: &Names, kind: Kind, value: fn(Sprung) -> f64) -> Vec<Reading> {
+pub(super) fn of_wheels<N: Number>(
+    names: &Names,
+    kind: Kind,
+    value: fn(Sprung) -> f64,
+) -> Vec<Reading<N>> {
     let has_springs = !names.vehicle.springs.is_empty();
     of_each_wheel(names, |rolling| {
         let Some(drive) = rolling.travel.filter(|_| has_springs) else {
             return Vec::new();
         };
-        let of_state = move |reader: &Reader<'_>| {
-            let state = reader.moved_along(&[(drive, 1.0)])?;
+        let of_state = move |state: &State| {
+            let state = state.moved_along(&[(drive, 1.0)])?;
             Some(value(Sprung::along(height(state, rolling), state)))
         };
         vec![without_derivatives(kind, of_state)]
@@ -67,27 +73,27 @@ pub(super) fn of_wheels(names: &Names, kind: Kind, value: fn(Sprung) -> f64) -> 
 }
 
 /// The same of each axle in roll, its wheels moving opposite ways, along the angle of the line through their centres.
-pub(super) fn of_roll(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading> {
+pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
     let has_springs = !names.vehicle.springs.is_empty();
     let axles = Axle::all(names).into_iter();
     let axles = axles.filter(|axle| axle.has_travel() && has_springs);
     let of_axle = |axle: Axle| {
         let wheels = axle.wheels;
-        let of_state = move |reader: &Reader<'_>| {
+        let of_state = move |state: &State| {
             let [a, b] = [wheels[0].travel?, wheels[1].travel?];
-            let state = reader.moved_along(&[(a, 1.0), (b, -1.0)])?;
-            let of = Reader::of(state);
+            let moved = state.moved_along(&[(a, 1.0), (b, -1.0)])?;
+            let of = Reader::of(moved);
             let [left, right] = wheels.map(|rolling| of.wheel(rolling).centre);
-            let roll = Number::arc_tangent(left.z - right.z, left.y - right.y);
-            let sprung = Sprung::along(roll, state);
+            let roll = Signal::arc_tangent(left.z - right.z, left.y - right.y);
+            let sprung = Sprung::along(roll, moved);
             // Along an angle a force is newtons times the unit of length.
-            Some(value(sprung) / reader.metre)
+            Some(value(sprung) / state.metre)
         };
         axle.named(vec![without_derivatives(Kind::AngularStiffness, of_state)])
     };
     axles.flat_map(of_axle).collect()
 }
 
-fn height(state: &State, rolling: Rolling) -> Number {
+fn height(state: &State, rolling: Rolling) -> Signal<f64> {
     Reader::of(state).wheel(rolling).centre.z
 }

@@ -3,38 +3,12 @@
 use std::cell::OnceCell;
 
 use nalgebra::Vector3;
-use suspension_core::Signal;
-use suspension_core::body::angular_velocity_and_rates;
+use suspension_core::body::angular_velocity_of;
 use suspension_core::wheel::{Carrier, Heading, InstantCentre, SteeringAxis, contact};
 
-use crate::mechanism::{Names, Points, State, WheelPoints};
-
-/// A number with its derivatives along the rates of a state.
-pub(super) type Number = Signal<f64>;
-
-/// What does not exist, or is not known.
-pub(super) const UNKNOWN: Number = Signal {
-    value: f64::NAN,
-    rate: f64::NAN,
-    second_rate: f64::NAN,
-};
-
-/// A point in local coordinates, in the axes of ISO 8855.
-pub(super) fn at(state: &State, point: usize) -> Vector3<Number> {
-    let of = |points: &Points| state.axes.turned(points[point]);
-    state.points.map(of).components()
-}
-
-/// From one point to another, in those axes.
-pub(super) fn from_to(state: &State, [from, to]: [usize; 2]) -> Vector3<Number> {
-    let between = |points: &Points| state.axes.turned(points[to] - points[from]);
-    state.points.map(between).components()
-}
-
-/// The origin of local coordinates, in those axes.
-pub(super) fn origin(state: &State) -> Vector3<Number> {
-    state.axes.turned(state.origin).map(Signal::still)
-}
+use crate::mechanism::{Names, WheelPoints};
+use crate::quantities::number::Number;
+use crate::quantities::places::Places;
 
 /// What is known of a wheel in every state.
 #[derive(Clone, Copy)]
@@ -93,30 +67,29 @@ impl Rolling {
 }
 
 /// A wheel in a state, in local coordinates and the axes of ISO 8855.
-pub(super) struct Wheel {
-    pub(super) centre: Vector3<Number>,
-    pub(super) axis: Vector3<Number>,
+pub(super) struct Wheel<N> {
+    pub(super) centre: Vector3<N>,
+    pub(super) axis: Vector3<N>,
     /// Not finite where the file has no wheel radius.
-    pub(super) contact: Vector3<Number>,
-    pub(super) heading: Heading<Number>,
+    pub(super) contact: Vector3<N>,
+    pub(super) heading: Heading<N>,
 }
 
-impl Wheel {
-    pub(super) fn of(state: &State, Rolling { points, radius, .. }: Rolling) -> Self {
-        let [_, centre] = points.axis;
-        Self::with(at(state, centre), from_to(state, points.axis), radius)
+impl<N: Number> Wheel<N> {
+    pub(super) fn of(places: &Places<'_, N>, Rolling { points, radius, .. }: Rolling) -> Self {
+        let [inner, centre] = points.axis.map(|end| places.at(end));
+        Self::with(centre, centre - inner, radius)
     }
 
     /// The same at the design position, where that is known.
-    pub(super) fn at_design(state: &State, rolling: Rolling) -> Option<Self> {
-        let ends = rolling.design?.map(|end| state.axes.turned(end));
-        let [inner, centre] = ends.map(|end| end.map(Signal::still));
+    pub(super) fn at_design(places: &Places<'_, N>, rolling: Rolling) -> Option<Self> {
+        let [inner, centre] = rolling.design?.map(|end| places.still(end));
         Some(Self::with(centre, centre - inner, rolling.radius))
     }
 
-    fn with(centre: Vector3<Number>, axis: Vector3<Number>, radius: f64) -> Self {
+    fn with(centre: Vector3<N>, axis: Vector3<N>, radius: f64) -> Self {
         Self {
-            contact: contact(&centre, &axis, Signal::still(radius)),
+            contact: contact(&centre, &axis, N::still(radius)),
             heading: Heading::of(&axis),
             centre,
             axis,
@@ -132,32 +105,30 @@ pub(super) enum Along {
 }
 
 /// A carrier and its wheel as one drive moves them, in the axes of ISO 8855, from the file's origin.
-pub(super) struct Moving {
-    pub(super) carrier: Carrier<Number>,
-    pub(super) axis: Vector3<Number>,
+pub(super) struct Moving<N> {
+    pub(super) carrier: Carrier<N>,
+    pub(super) axis: Vector3<N>,
     /// Not finite where the file has no wheel radius.
-    pub(super) contact: Vector3<Number>,
-    pub(super) heading: Heading<Number>,
-    screw: OnceCell<SteeringAxis<Number>>,
+    pub(super) contact: Vector3<N>,
+    pub(super) heading: Heading<N>,
+    screw: OnceCell<SteeringAxis<N>>,
 }
 
-impl Moving {
+impl<N: Number> Moving<N> {
     /// `None` where the mechanism locks.
     pub(super) fn of(
-        state: &State,
+        places: &Places<'_, N>,
         drive: usize,
         points: WheelPoints,
-        wheel: &Wheel,
+        wheel: &Wheel<N>,
     ) -> Option<Self> {
-        let velocities = state.moved_by(drive)?;
-        let of = |all: &Points, point: usize| state.axes.turned(all[point]);
+        let velocity = |point: usize| places.velocity(point, drive);
         let [first, second, third] = points.carrier;
-        let of_carrier = |all: &Points| [of(all, first), of(all, second), of(all, third)];
-        let (places, rates) = (state.points.map(of_carrier), velocities.map(of_carrier));
-        let omega = angular_velocity_and_rates(&places, &rates)?.components();
-        let of_first = |all: &Points| of(all, first);
-        let to_centre = wheel.centre - at(state, first);
-        let origin = origin(state);
+        let at = points.carrier.map(|point| places.at(point));
+        let rates = [velocity(first)?, velocity(second)?, velocity(third)?];
+        let omega = angular_velocity_of(&at, &rates);
+        let to_centre = wheel.centre - at[0];
+        let origin = places.origin();
         Some(Self {
             contact: wheel.contact + origin,
             axis: wheel.axis,
@@ -165,26 +136,26 @@ impl Moving {
             screw: OnceCell::new(),
             carrier: Carrier {
                 centre: wheel.centre + origin,
-                velocity: velocities.map(of_first).components() + omega.cross(&to_centre),
+                velocity: rates[0] + omega.cross(&to_centre),
                 omega,
             },
         })
     }
 
     /// Its instant centre in the front view, where it turns there.
-    pub(super) fn front_view(&self) -> InstantCentre<Number> {
+    pub(super) fn front_view(&self) -> InstantCentre<N> {
         self.where_it_turns(0, self.carrier.front_view(&self.axis))
     }
 
     /// The same in the side view.
-    pub(super) fn side_view(&self) -> InstantCentre<Number> {
+    pub(super) fn side_view(&self) -> InstantCentre<N> {
         self.where_it_turns(1, self.carrier.side_view())
     }
 
     /// An instant centre where the carrier turns about a line along an axis by more than rounding, else none.
-    fn where_it_turns(&self, axis: usize, centre: InstantCentre<Number>) -> InstantCentre<Number> {
+    fn where_it_turns(&self, axis: usize, centre: InstantCentre<N>) -> InstantCentre<N> {
         const ROUNDING: f64 = 1e-12;
-        let values = |vector: Vector3<Number>| vector.map(|component| component.value);
+        let values = |vector: Vector3<N>| vector.map(N::value);
         let omega = values(self.carrier.omega);
         let size = values(self.axis).norm();
         let largest = omega
@@ -194,14 +165,14 @@ impl Moving {
             return centre;
         }
         InstantCentre {
-            across: UNKNOWN,
-            z: UNKNOWN,
-            arm: UNKNOWN,
+            across: N::unknown(),
+            z: N::unknown(),
+            arm: N::unknown(),
         }
     }
 
     /// The axis about which the carrier turns.
-    pub(super) fn screw(&self) -> &SteeringAxis<Number> {
+    pub(super) fn screw(&self) -> &SteeringAxis<N> {
         let Carrier {
             centre,
             velocity,
@@ -212,7 +183,7 @@ impl Moving {
     }
 
     /// How far the carrier moves along that axis for a radian about it.
-    pub(super) fn pitch(&self) -> Number {
+    pub(super) fn pitch(&self) -> N {
         let Carrier {
             velocity, omega, ..
         } = &self.carrier;

@@ -1,9 +1,9 @@
 //! Both wheels of an axle: toe and track, steering, and roll.
 
-use suspension_core::Signal;
 use suspension_core::wheel::{steer_angle, toe};
 
 use crate::quantities::kind::Kind;
+use crate::quantities::number::Number;
 use crate::quantities::of_axle::{
     of_both, of_both_from_design, of_roll, of_roll_centre, of_steered_wheels, of_turn, track,
 };
@@ -54,7 +54,7 @@ catalogue! {
         source: "given the outer wheel, as in the reports of Simscape Multibody; wheelbase of [vehicle]",
         shown: Shown::InTables,
         read: |names| of_turn(names, Kind::Percent, |turn, wheelbase, track| {
-            turn.ackermann(wheelbase, track) * Signal::still(100.0)
+            turn.ackermann(wheelbase, track) * Number::still(100.0)
         }),
     }
     ACKERMANN_ERROR: "Ackermann error" {

@@ -1,5 +1,7 @@
 //! How far each wheel is from where it is at the design position: there it is zero.
 
+use suspension_core::signal::Number as _;
+
 use crate::quantities::from_design::{of_moved, of_moved_from_other_axle};
 use crate::quantities::quantity::{Quantity, Shown};
 
@@ -28,7 +30,7 @@ catalogue! {
         shown: Shown::InTables,
         read: |names| of_moved(names, true, |now, design| {
             let moved = now.contact.y - design.contact.y;
-            if design.axis.y.value < 0.0 { -moved } else { moved }
+            if design.axis.y.is_below_zero() { -moved } else { moved }
         }),
     }
     WHEELBASE_CHANGE: "change of wheelbase" {

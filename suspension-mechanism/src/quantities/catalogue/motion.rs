@@ -4,9 +4,12 @@ use nalgebra::Vector3;
 use suspension_core::body::{angular_acceleration, angular_velocity};
 
 use crate::mechanism::{Names, State};
+use crate::quantities::axis::Axis;
+use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
-use crate::quantities::quantity::{Axis, Quantity, Reading, Shown};
-use crate::quantities::readings::{alone, each, number, of_each_wheel, point, vector};
+use crate::quantities::number::Number;
+use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::readings::{each, number, of_each_wheel, point, vector};
 
 catalogue! {
     TIME: "time" {
@@ -26,7 +29,7 @@ catalogue! {
         read: |names| {
             let drives = names.drives.iter();
             let drives = drives.map(|drive| (drive.name.as_str(), drive.kind.into()));
-            each(drives, false, |state, drive| alone(state.drives[drive]))
+            each(drives, false, |state, drive| Number::alone(state.drives[drive]))
         },
     }
     POSITIONS: "free points" {
@@ -86,17 +89,17 @@ catalogue! {
 /// What is read of each marker.
 const RATES: [Kind; 3] = [Kind::Length, Kind::Velocity, Kind::Acceleration];
 
-fn of_free_points(names: &Names, kind: Kind) -> Vec<Reading> {
+fn of_free_points<N: Number>(names: &Names, kind: Kind) -> Vec<Reading<N>> {
     let free = names.chassis..names.chassis + names.free;
     free.flat_map(|index| point(names, index, kind)).collect()
 }
 
 /// A rate of the body that carries the wheel: one of its angular velocity and acceleration.
-fn of_carrier(
+fn of_carrier<N: Number>(
     names: &Names,
     kind: Kind,
     which: fn([Vector3<f64>; 2]) -> Vector3<f64>,
-) -> Vec<Reading> {
+) -> Vec<Reading<N>> {
     of_each_wheel(names, |rolling| {
         let carrier = rolling.points.carrier;
         vector(None, kind, &Axis::ALL, move |state| {

@@ -1,16 +1,17 @@
 //! How the carrier moves in travel: roll centre, instant centres, support of brakes and drive.
 
 use nalgebra::Vector3;
-use suspension_core::Signal;
-use suspension_core::signal::Number as _;
+use suspension_core::signal;
 use suspension_core::wheel::InstantCentre;
 
 use crate::mechanism::Axle;
+use crate::quantities::axis::Axis;
 use crate::quantities::brake_and_drive::{Torque, of_support, of_support_angle};
 use crate::quantities::kind::Kind;
+use crate::quantities::number::Number;
 use crate::quantities::on_ground::{of_independent, of_moving, of_moving_place};
-use crate::quantities::quantity::{Axis, Quantity, Shown};
-use crate::quantities::wheel::{Along, UNKNOWN};
+use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::wheel::Along;
 
 catalogue! {
     ROLL_CENTRE: "height of the roll centre above the ground" {
@@ -34,7 +35,7 @@ catalogue! {
         shown: Shown::InTables,
         read: |names| of_independent(names, Kind::Percent, |moving| {
             let height = moving.carrier.roll_centre(&moving.contact) - moving.contact.z;
-            height / moving.contact.y.magnitude() * Signal::still(100.0)
+            height / signal::Number::magnitude(moving.contact.y) * Number::still(100.0)
         }),
     }
     FRONT_CENTRE: "instant centre in the front view" {
@@ -46,7 +47,7 @@ catalogue! {
         shown: Shown::InTables,
         read: |names| of_moving_place(names, Along::Travel, &[Axis::Y, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.front_view();
-            Vector3::new(UNKNOWN, across, z)
+            Vector3::new(Number::unknown(), across, z)
         }),
     }
     FRONT_ARM: "swing arm in the front view" {
@@ -68,7 +69,7 @@ catalogue! {
         shown: Shown::InTables,
         read: |names| of_moving_place(names, Along::Travel, &[Axis::X, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.side_view();
-            Vector3::new(across, UNKNOWN, z)
+            Vector3::new(across, Number::unknown(), z)
         }),
     }
     SIDE_ARM: "swing arm in the side view" {

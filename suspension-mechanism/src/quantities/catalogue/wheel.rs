@@ -7,7 +7,6 @@ use crate::quantities::quantity::{Quantity, Shown};
 use crate::quantities::readings::{
     of_each_wheel, of_kingpin, of_kingpin_and_spin_axis, of_spin_axis, place,
 };
-use crate::quantities::wheel::at;
 
 catalogue! {
     CENTRE: "wheel centre" {
@@ -18,7 +17,7 @@ catalogue! {
         shown: Shown::InSummaries,
         read: |names| of_each_wheel(names, |rolling| {
             let [_, centre] = rolling.points.axis;
-            place(None, move |state| at(state, centre))
+            place(None, move |reader| reader.places.at(centre))
         }),
     }
     CONTACT: "contact point" {

@@ -1,0 +1,230 @@
+//! The mechanism about a place: its states with velocities, and with derivatives with respect to its drives.
+
+use std::cell::OnceCell;
+use std::rc::Rc;
+
+use nalgebra::SVector;
+use suspension_core::directions::Directions;
+use suspension_core::{Inputs, Motion, Signal, SolveError, Still, Values};
+
+use crate::mechanism::derivatives::{Along, Derivatives};
+use crate::mechanism::gradient::{DRIVES_AT_ONCE, Graded};
+use crate::mechanism::known::{Known, Lists, Order};
+use crate::mechanism::names::Suspension;
+use crate::mechanism::points::Points;
+use crate::mechanism::ready::Mechanism;
+use crate::mechanism::state::{Moved, State};
+use crate::mechanism::vehicle::Pair;
+
+impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
+    /// A state at a position with the velocities of travel and steering there.
+    pub(crate) fn with_velocities(
+        &self,
+        state: State,
+        drives: L::Drives,
+        position: &SVector<f64, N>,
+    ) -> State {
+        let lists = Lists::of(&self.names);
+        let known = Known {
+            order: Order::First,
+            lists: &lists,
+            arrival: None,
+        };
+        self.around(drives, position, known, |around| {
+            around.with_velocities(state.clone())
+        })
+    }
+
+    /// Gives `work` the mechanism about a place.
+    pub(crate) fn around<R>(
+        &self,
+        drives: L::Drives,
+        position: &SVector<f64, N>,
+        known: Known<'_, N>,
+        mut work: impl FnMut(&Around<'_, L, N>) -> R,
+    ) -> R {
+        let regular = Directions::at(&self.model, drives, position, |directions| {
+            let places = self.listed(directions.position());
+            let around = Around::new(self, drives, places, Some(directions), known);
+            Ok::<R, SolveError<f64>>(work(&around))
+        });
+        regular.unwrap_or_else(|_| {
+            let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
+            let points = Motion::at_rest(*position).points(&self.model, &inputs);
+            let places = self.listed(&points.value);
+            work(&Around::new(self, drives, places, None, known))
+        })
+    }
+}
+
+/// The mechanism about a place. What several of its states need is computed once, where one asks for it.
+pub(crate) struct Around<'a, L: Suspension<N>, const N: usize> {
+    mechanism: &'a Mechanism<L, N>,
+    drives: L::Drives,
+    places: Points,
+    /// `None` where the mechanism locks.
+    directions: Option<&'a Directions<'a, L, N>>,
+    known: Known<'a, N>,
+    derivatives: Derivatives<'a, L, N>,
+    /// See [`State::moved`].
+    moved: OnceCell<Rc<[Moved]>>,
+}
+
+impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
+    fn new(
+        mechanism: &'a Mechanism<L, N>,
+        drives: L::Drives,
+        places: Points,
+        directions: Option<&'a Directions<'a, L, N>>,
+        known: Known<'a, N>,
+    ) -> Self {
+        Self {
+            mechanism,
+            drives,
+            places,
+            directions,
+            known,
+            derivatives: Derivatives::new(mechanism, directions, known.arrival),
+            moved: OnceCell::new(),
+        }
+    }
+
+    /// The state at rest, with the velocities of travel and steering.
+    pub(crate) fn state(&self) -> State {
+        let places = &self.places;
+        let points = Signal {
+            value: places.clone(),
+            rate: self.known.lists.still.clone(),
+            second_rate: self.known.lists.still.clone(),
+        };
+        let measures = self.measures(|| [L::Points::from_values([]); 2]);
+        self.with_velocities(self.mechanism.state_of(0.0, &self.drives, points, measures))
+    }
+
+    /// A state with the velocities of travel and steering.
+    pub(crate) fn with_velocities(&self, state: State) -> State {
+        let velocities = |drive: usize| {
+            Some(Signal {
+                value: self.derivatives.along(drive)?.points.clone(),
+                rate: self.known.lists.unknown.clone(),
+                second_rate: self.known.lists.unknown.clone(),
+            })
+        };
+        State {
+            velocities: self.of_moving_drives(velocities),
+            moved: self.moved(),
+            ..state
+        }
+    }
+
+    /// What the linkage measures, of points with such rates.
+    fn measures(&self, rates: impl FnOnce() -> [L::Points; 2]) -> Signal<Vec<f64>> {
+        if self.mechanism.names.measures.is_empty() {
+            return Signal::default();
+        }
+        let [rate, second_rate] = rates();
+        self.mechanism.measured(&Signal {
+            value: L::Points::from_values(self.places.iter().copied()),
+            rate,
+            second_rate,
+        })
+    }
+
+    /// The states that springs need: see [`State::moved`].
+    fn moved(&self) -> Rc<[Moved]> {
+        self.moved
+            .get_or_init(|| self.along_travel().into())
+            .clone()
+    }
+
+    fn along_travel(&self) -> Vec<Moved> {
+        let names = &self.mechanism.names;
+        if names.vehicle.springs.is_empty() {
+            return Vec::new();
+        }
+        let alone = names.vehicle.travel.iter().map(|drive| vec![(*drive, 1.0)]);
+        let pairs = Pair::all(&names.wheels).into_iter();
+        let opposed = pairs.filter_map(|pair| {
+            let [a, b] = pair.wheels.map(|wheel| names.wheels[wheel].travel);
+            Some(vec![(a?, 1.0), (b?, -1.0)])
+        });
+        let state_along = |change: Vec<(usize, f64)>| {
+            let parts = change.iter();
+            let drives = parts.fold(L::Drives::from_values([]), |drives, (drive, part)| {
+                drives.with(*drive, *part)
+            });
+            let points = self.directions?.points(drives);
+            let state = self
+                .mechanism
+                .state(0.0, &self.drives, points.as_ref().ok()?);
+            Some(Moved { change, state })
+        };
+        alone.chain(opposed).filter_map(state_along).collect()
+    }
+
+    /// The state with derivatives with respect to a drive; `None` where the mechanism locks.
+    pub(crate) fn per(&self, drive: usize) -> Option<State> {
+        let Along { direction, points } = self.derivatives.along(drive)?;
+        let second = self.derivatives.second(drive, drive)?;
+        let points = Signal {
+            value: self.places.clone(),
+            rate: points.clone(),
+            second_rate: second.clone(),
+        };
+        let measures = self.measures(|| {
+            let second_rates = second.iter().copied();
+            [direction.points, L::Points::from_values(second_rates)]
+        });
+        let state = self.mechanism.state_of(0.0, &self.drives, points, measures);
+        Some(State {
+            velocities: self.of_moving_drives(|of| self.velocities(of, drive)),
+            moved: self.moved(),
+            ..state
+        })
+    }
+
+    /// The [`state`](Self::state) with first derivatives with respect to the drives from `first` on.
+    pub(crate) fn gradient<'s>(&self, state: &'s State, first: usize) -> Graded<'s> {
+        let drives: [usize; DRIVES_AT_ONCE] = std::array::from_fn(|index| first + index);
+        let known = |points: Option<&Points>| points.unwrap_or(&self.known.lists.unknown).clone();
+        let measures = |drive: usize| {
+            let rates = &self.derivatives.along(drive)?.direction.points;
+            Some(self.measures(|| [*rates; 2]).rate)
+        };
+        let unknown = || vec![f64::NAN; state.measures.value.len()];
+        Graded {
+            state,
+            points: drives
+                .map(|drive| known(self.derivatives.along(drive).map(|along| &along.points))),
+            measures: drives.map(|drive| measures(drive).unwrap_or_else(unknown)),
+            velocities: self.of_moving_drives(|of| {
+                Some(drives.map(|drive| known(self.derivatives.second(of, drive))))
+            }),
+        }
+    }
+
+    /// What is of the drives that move wheels or steer them.
+    fn of_moving_drives<V>(&self, velocities: impl Fn(usize) -> Option<V>) -> Vec<Option<V>> {
+        let vehicle = &self.mechanism.names.vehicle;
+        let of_one = |drive| {
+            vehicle
+                .is_moved_by(drive)
+                .then(|| velocities(drive))
+                .flatten()
+        };
+        (0..self.mechanism.names.drives.len()).map(of_one).collect()
+    }
+
+    /// The velocities with respect to one drive, with their derivatives with respect to another or the same.
+    fn velocities(&self, of: usize, per: usize) -> Option<Signal<Points>> {
+        let second_rate = match self.known.order {
+            Order::First => self.known.lists.unknown.clone(),
+            Order::Second => self.derivatives.spread(&self.derivatives.third(of, per)?),
+        };
+        Some(Signal {
+            value: self.derivatives.along(of)?.points.clone(),
+            rate: self.derivatives.second(of, per)?.clone(),
+            second_rate,
+        })
+    }
+}

@@ -1,0 +1,47 @@
+//! The formulas of a quantity, and the numbers that they make.
+
+use suspension_core::Signal;
+
+use crate::mechanism::{Gradient, Names};
+use crate::quantities::axis::Axis;
+use crate::quantities::kind::Kind;
+use crate::quantities::number::Number;
+use crate::quantities::reader::Reader;
+
+/// What makes the numbers of a quantity: one formula, compiled for each kind of number.
+pub struct Formulas {
+    pub(super) along: fn(&Names) -> Vec<Reading<Signal<f64>>>,
+    pub(super) gradient: fn(&Names) -> Vec<Reading<Gradient>>,
+}
+
+/// A number that the formulas of quantities are compiled for.
+pub trait Compiled: Number {
+    /// The numbers of a quantity; none where the linkage has no such thing.
+    fn readings(formulas: &Formulas, names: &Names) -> Vec<Reading<Self>>;
+}
+
+impl Compiled for Signal<f64> {
+    fn readings(formulas: &Formulas, names: &Names) -> Vec<Reading<Self>> {
+        (formulas.along)(names)
+    }
+}
+
+impl Compiled for Gradient {
+    fn readings(formulas: &Formulas, names: &Names) -> Vec<Reading<Self>> {
+        (formulas.gradient)(names)
+    }
+}
+
+/// What reads a number of any state.
+pub(super) type Read<N> = dyn Fn(&Reader<'_, N>) -> N;
+
+/// One number of a quantity.
+pub struct Reading<N> {
+    pub(super) name: Option<String>,
+    /// The name of the wheel that it is of.
+    pub(super) wheel: Option<String>,
+    pub(super) kind: Kind,
+    pub(super) axis: Option<Axis>,
+    pub(super) has_derivatives: bool,
+    pub(super) value: Box<Read<N>>,
+}

@@ -1,0 +1,61 @@
+//! The numbers that quantities are read in.
+
+use suspension_core::Signal;
+use suspension_core::signal;
+
+use crate::dual::Dual;
+use crate::mechanism::{DRIVES_AT_ONCE, Gradient};
+
+/// A number that quantities are read in: with it come its derivatives, of which its type says which ones these are.
+pub trait Number: signal::Number {
+    /// A number that does not change.
+    fn still(value: f64) -> Self;
+
+    /// A number whose derivatives are not known.
+    fn alone(value: f64) -> Self;
+
+    /// The number without its derivatives.
+    fn value(self) -> f64;
+
+    /// What does not exist, or is not known.
+    fn unknown() -> Self {
+        Self::alone(f64::NAN)
+    }
+}
+
+/// With the derivatives along the rates of a state.
+impl Number for Signal<f64> {
+    fn still(value: f64) -> Self {
+        Self::still(value)
+    }
+
+    fn alone(value: f64) -> Self {
+        Self {
+            value,
+            rate: f64::NAN,
+            second_rate: f64::NAN,
+        }
+    }
+
+    fn value(self) -> f64 {
+        self.value
+    }
+}
+
+/// With the first derivatives with respect to some drives.
+impl Number for Gradient {
+    fn still(value: f64) -> Self {
+        Self::still(value)
+    }
+
+    fn alone(value: f64) -> Self {
+        Dual {
+            value,
+            rates: [f64::NAN; DRIVES_AT_ONCE],
+        }
+    }
+
+    fn value(self) -> f64 {
+        self.value
+    }
+}

@@ -1,0 +1,36 @@
+//! Where the points of a state are, in the axes of ISO 8855.
+
+use nalgebra::Vector3;
+
+use crate::mechanism::{Positions, State};
+use crate::quantities::number::Number;
+
+/// A state, and what positions determine of it in such numbers.
+#[derive(Clone, Copy)]
+pub(super) struct Places<'a, N> {
+    pub(super) state: &'a State,
+    pub(super) numbers: &'a dyn Positions<N>,
+}
+
+impl<N: Number> Places<'_, N> {
+    /// A point in local coordinates, in the axes of ISO 8855.
+    pub(super) fn at(&self, point: usize) -> Vector3<N> {
+        self.state.axes.turned(self.numbers.point(point))
+    }
+
+    /// Its velocity as a drive moves it, in those axes, where that is known.
+    pub(super) fn velocity(&self, point: usize, drive: usize) -> Option<Vector3<N>> {
+        let velocity = self.numbers.velocity(point, drive)?;
+        Some(self.state.axes.turned(velocity))
+    }
+
+    /// A fixed place in those axes.
+    pub(super) fn still(&self, place: Vector3<f64>) -> Vector3<N> {
+        self.state.axes.turned(place).map(N::still)
+    }
+
+    /// The origin of local coordinates, in those axes.
+    pub(super) fn origin(&self) -> Vector3<N> {
+        self.still(self.state.origin)
+    }
+}
