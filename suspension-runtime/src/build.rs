@@ -252,7 +252,7 @@ where
             .drives
             .iter()
             .map(|drive| match &drive.quantity {
-                Measure::Sum(terms) => sum(terms, points),
+                Measure::Sum(terms) => sum(terms, |place| points.get(place)),
                 Measure::Angle { axis, line } => {
                     let [from, to] = line.map(|point| coordinate(&points.get(point), *axis));
                     let of = drive.angle_of.map(usize::from);
@@ -260,7 +260,9 @@ where
                     let length = distance.map_or(T::zero(), Distance::length);
                     parts::angle(to - from, length)
                 }
-                Measure::Between { .. } => measured(&drive.quantity, &Signal::still(*points)).value,
+                Measure::Between { .. } => {
+                    measured(&drive.quantity, |place| Signal::still(points.get(place))).value
+                }
                 Measure::Length { line } => {
                     let [from, to] = line.map(|point| points.get(point));
                     (to - from).norm()

@@ -42,6 +42,7 @@ mod bound_to_axes;
 mod build;
 pub mod catalogue;
 mod catalogue_and_files;
+mod design_change;
 mod equations;
 mod factors;
 mod fit;
@@ -62,6 +63,7 @@ mod statement;
 mod table;
 
 pub use catalogue_and_files::CatalogueAndFiles;
+pub use design_change::{AlongDrive, DesignChange, Start, Unknowns};
 pub use factors::Factors;
 pub use fitted::{Fitted, Work};
 pub use hardpoints::ModelError;

@@ -128,7 +128,7 @@ where
 
     /// The coordinate that a driving angle prescribes.
     #[inline(always)]
-    fn coordinate_of(&self, drive: &Drive, angle: Signal<T>) -> Option<Signal<T>> {
+    pub(crate) fn coordinate_of(&self, drive: &Drive, angle: Signal<T>) -> Option<Signal<T>> {
         let of = drive.angle_of?;
         Some(match drive.quantity {
             Measure::Between { .. } => turn_to_coordinate(self.turns.get(of).length(), angle),
@@ -170,24 +170,44 @@ impl<T: Real, const N: usize> Model<'_, T, N>
 where
     Room<N>: Size,
 {
+    /// What the listing measures, of points by their places.
+    pub fn measures_of(
+        &self,
+        point: impl Fn(usize) -> Signal<Vector3<T>>,
+    ) -> impl Iterator<Item = Signal<T>> {
+        let quantities = self.plan().measures.iter();
+        quantities.map(move |quantity| measured(quantity, |place| point(place.into())))
+    }
+
     pub(crate) fn measured(&self, points: &Signal<Points<Vector3<T>, N>>) -> Signal<Few<T, N>> {
         let mut measures: Signal<Few<T, N>> = Signal::default();
         for (place, quantity) in (0..).zip(&self.plan().measures) {
-            let each = measured(quantity, points);
+            let each = measured(quantity, |place| points.map(|points| points.get(place)));
             measures.set(each, |measures| measures.place(place));
         }
         measures
     }
 }
 
-/// A quantity and its rates.
-pub(crate) fn measured<T: Real, P: Table<Vector3<T>>>(
+/// A quantity and its rates, of points by their places.
+pub(crate) fn measured<T: Real>(
     quantity: &Measure,
-    points: &Signal<P>,
+    point: impl Fn(u16) -> Signal<Vector3<T>>,
 ) -> Signal<T> {
-    let line = |[from, to]: [u16; 2]| points.map(|points| points.get(to) - points.get(from));
+    let line = |ends: [u16; 2]| {
+        let [from, to] = ends.map(&point);
+        Signal {
+            value: to.value - from.value,
+            rate: to.rate - from.rate,
+            second_rate: to.second_rate - from.second_rate,
+        }
+    };
     match quantity {
-        Measure::Sum(terms) => points.map(|points| sum(terms, points)),
+        Measure::Sum(terms) => Signal {
+            value: sum(terms, |place| point(place).value),
+            rate: sum(terms, |place| point(place).rate),
+            second_rate: sum(terms, |place| point(place).second_rate),
+        },
         Measure::Angle { axis, line: ends } => {
             let mut along = Vector3::zeros();
             *coordinate_mut(&mut along, *axis) = T::one();
@@ -201,18 +221,21 @@ pub(crate) fn measured<T: Real, P: Table<Vector3<T>>>(
             }
         }
         Measure::Length { line: ends } => measure::length(&line(*ends)),
-        Measure::Along { point, direction } => {
+        Measure::Along {
+            point: of,
+            direction,
+        } => {
             let direction = direction.map(T::constant).into();
-            points.map(|points| dot(points.get(*point), direction))
+            point(*of).map(|point| dot(*point, direction))
         }
     }
 }
 
 /// A sum of coordinates.
-pub(crate) fn sum<T: Scalar>(terms: &[Coordinate], points: &impl Table<Vector3<T>>) -> T {
+pub(crate) fn sum<T: Scalar>(terms: &[Coordinate], point: impl Fn(u16) -> Vector3<T>) -> T {
     let terms = terms.iter();
     let values =
-        terms.map(|term| T::constant(term.factor) * coordinate(&points.get(term.point), term.axis));
+        terms.map(|term| T::constant(term.factor) * coordinate(&point(term.point), term.axis));
     values
         .reduce(|sum, value| sum + value)
         .unwrap_or_else(T::zero)

@@ -99,6 +99,21 @@ impl<const K: usize> Along<K> {
         Some(constant.residual(point, from, self.lines(sites)?))
     }
 
+    /// The same where the points are moved, per unit of that, and the distances rest.
+    pub(crate) fn left_where_moved<T: Scalar, F: Table<Vector3<T>>>(
+        &self,
+        constant: &constraint::Along<T, K>,
+        at: &Sites<'_, T, F>,
+        moved: &Sites<'_, T, F>,
+    ) -> Option<Vector3<T>> {
+        let (point, from) = (moved.get(self.point)?, moved.get(self.from)?);
+        let mut lines = self.lines(moved)?;
+        for (line, (_, distance)) in lines.iter_mut().zip(self.lines(at)?) {
+            line.1 = distance;
+        }
+        Some(constant.residual(point, from, lines))
+    }
+
     /// From the start of each line to its end, and the distance; or their rates.
     #[inline(always)]
     pub(crate) fn change<T: Scalar>(

@@ -170,6 +170,11 @@ impl Bilinear {
         }
     }
 
+    /// The unknown that it defines.
+    pub(crate) fn unknown(&self) -> Option<u16> {
+        self.defines.map(|[unknown, _]| unknown)
+    }
+
     /// Both factors of each product.
     #[inline(always)]
     fn factors<T: Scalar>(

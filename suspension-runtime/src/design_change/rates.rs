@@ -1,0 +1,200 @@
+//! How derivatives with respect to the drives change with a design.
+
+use nalgebra::{SVector, Vector3};
+use suspension_core::constraint::{Carried, Frame};
+use suspension_core::{Real, Values};
+
+use super::{DesignChange, Start, Unknowns};
+use crate::form::{Bilinear, Prescribed};
+use crate::model::Model;
+use crate::site::{Site, Sites, three};
+use crate::size::{Few, Room, Size};
+use crate::table::Table;
+
+/// Derivatives with respect to a drive.
+#[derive(Clone, Copy, Debug)]
+pub struct AlongDrive<'a, T: Real, const N: usize>
+where
+    Room<N>: Size,
+{
+    /// The drive.
+    pub drive: u16,
+    /// Of the unknowns.
+    pub unknowns: &'a Unknowns<T, N>,
+    /// How these change with the design.
+    pub changed: &'a Unknowns<T, N>,
+}
+
+impl<T: Real, const N: usize> DesignChange<'_, '_, T, N>
+where
+    Room<N>: Size,
+{
+    /// What `J` times the change of the unknowns' derivative with respect to a drive is, where the design's change moves the unknowns
+    /// as `moved` says.
+    pub fn of_first(
+        &self,
+        moved: &Unknowns<T, N>,
+        drive: u16,
+        unknowns: &Unknowns<T, N>,
+    ) -> SVector<T, N> {
+        let mut terms = -curvature(self.given.start.model, moved, unknowns);
+        self.add_of_constants(&mut terms, unknowns, None);
+        self.add_of_drive(&mut terms, drive, &self.coordinates.rate);
+        terms
+    }
+
+    /// The same of the second derivative `both` with respect to two drives, or twice the same.
+    pub fn of_second(
+        &self,
+        moved: &Unknowns<T, N>,
+        [one, other]: [&AlongDrive<'_, T, N>; 2],
+        both: &Unknowns<T, N>,
+    ) -> SVector<T, N> {
+        let model = self.given.start.model;
+        let mut terms = -curvature(model, moved, both);
+        let bent = curvature(model, one.changed, other.unknowns);
+        if one.drive == other.drive {
+            terms -= bent + bent;
+            self.add_of_drive(&mut terms, one.drive, &self.coordinates.second_rate);
+        } else {
+            terms -= bent + curvature(model, other.changed, one.unknowns);
+        }
+        self.add_of_constants(&mut terms, both, Some([one.unknowns, other.unknowns]));
+        terms
+    }
+
+    /// The derivatives of all points, where those of the unknowns are as `moved` says.
+    pub fn points(&self, moved: &Unknowns<T, N>) -> impl Iterator<Item = Vector3<T>> {
+        self.with_markers(moved, |_, rate, _, frame| {
+            rate.position(frame) - frame.origin
+        })
+    }
+
+    /// Those of the points' derivatives with respect to a drive.
+    pub fn first(
+        &self,
+        moved: &Unknowns<T, N>,
+        along: &AlongDrive<'_, T, N>,
+    ) -> impl Iterator<Item = Vector3<T>> {
+        self.with_markers(along.changed, |constant, rate, carriers, frame| {
+            let along = along.unknowns.frame(carriers);
+            turned(rate, frame, &along) - constant.curvature(&moved.frame(carriers), &along)
+        })
+    }
+
+    /// Those of the second derivatives `both`, which change as `changed` says.
+    pub fn second(
+        &self,
+        moved: &Unknowns<T, N>,
+        [one, other]: [&AlongDrive<'_, T, N>; 2],
+        [both, changed]: [&Unknowns<T, N>; 2],
+    ) -> impl Iterator<Item = Vector3<T>> {
+        self.with_markers(changed, move |constant, rate, carriers, frame| {
+            let [a, b] = [one, other].map(|along| along.unknowns.frame(carriers));
+            let [a_changed, b_changed] = [one, other].map(|along| along.changed.frame(carriers));
+            let both = both.frame(carriers);
+            turned(rate, frame, &both)
+                - rate.curvature(&a, &b)
+                - constant.curvature(&moved.frame(carriers), &both)
+                - constant.curvature(&a_changed, &b)
+                - constant.curvature(&b_changed, &a)
+        })
+    }
+
+    /// All points. Markers move as their frames do, and by what is computed of a marker's constants, of their derivatives, and of
+    /// the frame and what it is of.
+    fn with_markers(
+        &self,
+        changed: &Unknowns<T, N>,
+        by: impl Fn(&Carried<T>, &Carried<T>, [Site; 3], &Frame<T>) -> Vector3<T>,
+    ) -> impl Iterator<Item = Vector3<T>> {
+        let Start { model, points, .. } = self.given.start;
+        let plan = model.plan();
+        let chassis = changed.chassis.values().take(plan.chassis.into());
+        let free = (0..plan.free).filter_map(|point| three(changed.free.as_slice(), 3 * point));
+        let constants = model.markers.as_slice().iter().zip(self.markers.as_slice());
+        let markers = plan.markers.iter().zip(constants);
+        let markers = markers.map(move |(carriers, (constant, rate))| {
+            let frame = model.frame_of(*carriers, points);
+            let carried = constant.velocity(&frame, &changed.frame(*carriers));
+            carried + by(constant, rate, *carriers, &frame)
+        });
+        chassis.chain(free).chain(markers)
+    }
+
+    /// Adds what the constants' derivatives contribute, along a derivative of the unknowns; of second ones, with the two first.
+    fn add_of_constants(
+        &self,
+        terms: &mut SVector<T, N>,
+        along: &Unknowns<T, N>,
+        firsts: Option<[&Unknowns<T, N>; 2]>,
+    ) {
+        let plan = self.given.start.model.plan();
+        let at = self.given.start.unknowns.sites();
+        let along = along.sites();
+        let mut rates = self.carried.as_slice().iter();
+        for body in plan.bodies.iter().filter(|_| self.reshapes) {
+            let (Some(frame), Some(along)) = (body.frame(&at), body.frame(&along)) else {
+                continue;
+            };
+            let firsts = firsts.map(|firsts| firsts.map(|first| body.frame(&first.sites())));
+            for (carried, rate) in body.carried.iter().zip(&mut rates) {
+                let mut by = turned(rate, &frame, &along);
+                if let Some([Some(a), Some(b)]) = &firsts {
+                    by -= rate.curvature(a, b);
+                }
+                for (row, by) in (carried.row..).zip(by.iter()) {
+                    add(terms, row, *by);
+                }
+            }
+        }
+        for bilinear in &plan.bilinear {
+            if let Some(by) = self.of_scale(bilinear, &along) {
+                add(terms, bilinear.row, -by);
+            }
+        }
+    }
+
+    /// What the length that a sum of products is over contributes: the equation is met, so that the sum over the length is what
+    /// it defines, less.
+    pub(super) fn of_scale(
+        &self,
+        bilinear: &Bilinear,
+        along: &Sites<'_, T, Few<Vector3<T>, N>>,
+    ) -> Option<T> {
+        Some(self.scales.get(bilinear.constant) * along.scalar(bilinear.unknown()?)?)
+    }
+
+    /// Adds what a drive contributes whose coordinate changes.
+    fn add_of_drive(&self, terms: &mut SVector<T, N>, drive: u16, changes: &Few<T, N>) {
+        for linear in &self.given.start.model.plan().linear {
+            if let Prescribed::Drive(of) = linear.prescribed
+                && of == drive
+            {
+                add(terms, linear.row, changes.get(drive));
+            }
+        }
+    }
+}
+
+/// What the derivatives of a point's constants contribute to its own, along a derivative of its frame.
+fn turned<T: Real>(rate: &Carried<T>, frame: &Frame<T>, along: &Frame<T>) -> Vector3<T> {
+    rate.velocity(frame, along) - along.origin
+}
+
+fn curvature<T: Real, const N: usize>(
+    model: &Model<'_, T, N>,
+    v: &Unknowns<T, N>,
+    w: &Unknowns<T, N>,
+) -> SVector<T, N>
+where
+    Room<N>: Size,
+{
+    model.curvature_of(&v.free, &v.chassis, &w.free, &w.chassis)
+}
+
+fn add<T: Real, const N: usize>(terms: &mut SVector<T, N>, row: u16, by: T) {
+    if let Some(term) = terms.get_mut(usize::from(row)) {
+        *term += by;
+    }
+}
