@@ -128,7 +128,7 @@ fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<
     for each in &found.each {
         let numbers = report
             .numbers()
-            .map(|at| each.of[at.column][at.number] * at.in_file);
+            .map(|at| each.of[(at.column, at.number)] * at.in_file);
         let texts: Vec<String> = numbers.map(|number| format!("{number}")).collect();
         table.record(
             [each.change.name.as_str()]

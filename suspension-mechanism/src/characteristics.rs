@@ -12,6 +12,6 @@ mod way;
 pub use along::{Along, ways};
 pub use curves::{Curves, Line, curves};
 pub use grid_table::GridTable;
-pub use parameters::{Derivative, Parameter, columns, parameters};
+pub use parameters::{Derivative, Parameter, columns, columns_in, parameters};
 pub use span::Span;
 pub use way::Way;

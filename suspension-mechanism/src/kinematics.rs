@@ -4,7 +4,6 @@ mod assembled;
 mod changed;
 mod changing;
 mod equations;
-mod varied;
 
 use std::ops::{Deref, Range};
 use std::sync::atomic::AtomicBool;
@@ -12,6 +11,7 @@ use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
 use suspension_core::{Inputs, Still, Tracker, Values};
+use suspension_runtime::{Model, Room, Size};
 
 use crate::bake::{
     BakedSurface, Exact, LedPath, OutOfReach, Path, UnmetSurface, WantedSurface, Wish, bake_surface,
@@ -19,14 +19,14 @@ use crate::bake::{
 use crate::failure::Failure;
 use crate::mechanism::{
     Borne, Description, End, Grid, Instants, Lock, Mechanism, OnPlace, OnState, Order, Place,
-    State, Suspension, VisitEnd, Visited,
+    State, VisitEnd, Visited,
 };
 use crate::reach::{self, DriveRange};
 use assembled::Enumerated;
 
 pub use assembled::{Assembled, Assembly};
 pub use changed::Changes;
-pub use changing::{Change, Changing};
+pub use changing::Changing;
 pub use equations::Equations;
 
 /// A mechanism of any linkage at the first instant of its motion. It can be read as its [`Description`].
@@ -115,9 +115,8 @@ pub trait Kinematics: Deref<Target = Description> {
     /// none.
     fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>>;
 
-    /// What gives the derivatives along a change, where the mechanism starts, `None` where no such suspensions can be built;
-    /// `None` where it locks there.
-    fn changing(&self) -> Option<Box<Change<'_>>>;
+    /// The mechanism where it starts, and how it changes with its design; `None` where it locks there.
+    fn changing(&self) -> Option<Box<dyn Changing + '_>>;
 
     /// What the motion takes in steps of `dt`, without the first, and how many they are; `None` where it has none, or stops.
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
@@ -144,7 +143,10 @@ impl dyn Kinematics + '_ {
     }
 }
 
-impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
+impl<const N: usize> Kinematics for Mechanism<Model<'_, f64, N>, N>
+where
+    Room<N>: Size,
+{
     fn points(&self) -> Vec<Vector3<f64>> {
         let inputs = self.drives.inputs(self.instants.ends()[0]);
         let points = self.start.points(&self.model, &inputs).value;
@@ -206,7 +208,7 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         range: [f64; 2],
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        let held = L::Drives::from_values(self.first_drives());
+        let held = Values::from_values(self.first_drives());
         let path = Path::new(&self.model, &self.start, held, drive, range, wish)?;
         Ok(Box::new(path))
     }
@@ -217,7 +219,7 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         range: [f64; 2],
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        let held = L::Drives::from_values(self.first_drives());
+        let held = Values::from_values(self.first_drives());
         let path = LedPath::new(
             &self.model,
             &self.start,
@@ -230,7 +232,7 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
     }
 
     fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface> {
-        let held = L::Drives::from_values(self.first_drives());
+        let held = Values::from_values(self.first_drives());
         bake_surface(&self.model, &self.start, held, wanted)
     }
 
@@ -238,7 +240,7 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         Some(Box::new(changed::changed(self, changes)?))
     }
 
-    fn changing(&self) -> Option<Box<Change<'_>>> {
+    fn changing(&self) -> Option<Box<dyn Changing + '_>> {
         changing::changing(self)
     }
 
@@ -246,7 +248,7 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         let [from, to] = self.instants.ends();
         let instants = Instants::stepped(from, to, dt);
         let inputs = instants.iter().map(|t| self.drives.inputs(t));
-        let inputs: Vec<Inputs<Still, L::Drives>> = inputs.collect();
+        let inputs: Vec<Inputs<Still, _>> = inputs.collect();
         let (first, steps) = inputs.split_first()?;
         let count = u32::try_from(steps.len()).ok().filter(|count| *count > 0)?;
         let tracker = Tracker::default();

@@ -9,9 +9,11 @@ mod exact;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use nalgebra::DMatrix;
+
 use crate::characteristics::columns;
 use crate::kinematics::{Changes, Kinematics};
-use crate::mechanism::{Description, From, Grid, Order, Place};
+use crate::mechanism::{CHANGES_AT_ONCE, Description, From, Grid, Order, Place};
 use crate::quantities::{Axis, Column, Reader};
 use exact::Exact;
 
@@ -29,9 +31,9 @@ pub struct Change {
 pub struct Sensitivity {
     /// The change.
     pub change: Change,
-    /// Of each column the derivatives of its value and of its derivatives with respect to each drive, per unit of length;
+    /// A row for each column: the derivatives of its value, then of its derivatives with respect to each drive, per unit of length;
     /// NaN where a neighbour has no such value.
-    pub of: Vec<Vec<f64>>,
+    pub of: DMatrix<f64>,
 }
 
 /// The columns that are read, of the file's lengths and of radians: value, then the derivative with respect to each drive.
@@ -85,22 +87,23 @@ pub fn sensitivities(
 ) -> Option<Sensitivities> {
     let columns = columns(mechanism);
     let changing = mechanism.changing()?;
-    let exact = Exact::new(&columns, &changing(&Changes::default())?);
+    let exact = Exact::new(mechanism, &*changing);
     let mut each = Vec::new();
-    for change in changes {
+    for changes in changes.chunks(CHANGES_AT_ONCE) {
         if interrupted.load(Ordering::Relaxed) {
             return None;
         }
-        on_change();
-        let Some(changed) = changing(&change.per_unit) else {
-            continue;
-        };
-        let mut of = exact.read(&changed);
-        difference::fill(mechanism, change, &columns, &mut of);
-        each.push(Sensitivity {
-            change: change.clone(),
-            of,
-        });
+        for (change, of) in changes.iter().zip(exact.read(changes)) {
+            on_change();
+            let Some(mut of) = of else {
+                continue;
+            };
+            difference::fill(mechanism, change, &columns, &mut of);
+            each.push(Sensitivity {
+                change: change.clone(),
+                of,
+            });
+        }
     }
     Some(Sensitivities {
         values: read(mechanism, &columns)?,

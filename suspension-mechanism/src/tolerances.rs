@@ -30,7 +30,7 @@ pub fn first_order(found: &Sensitivities, tolerances: &[Tolerance]) -> Deviation
             let mut each = found.each.iter();
             let sensitivity = each.find(|each| each.change == tolerance.change);
             sensitivity.map_or(f64::NAN, |each| {
-                each.of[column][number] * tolerance.deviation
+                each.of[(column, number)] * tolerance.deviation
             })
         });
         parts.map(|part| part * part).sum::<f64>().sqrt()

@@ -146,43 +146,59 @@ fn an_angle_bears_a_moment() {
 /// Against designs that are changed by a hundredth of a millimetre.
 #[test]
 fn sensitivities_of_what_an_angle_drives_are_differences() {
-    const STEP: f64 = 1e-5;
+    const STEP: f64 = 1e-4;
+    // Ends of the axis and of both lines.
+    const POINTS: [(&str, [f64; 3]); 4] = [
+        ("rocker_front", [0.04, 0.38, 0.52]),
+        ("rocker_rear", [-0.04, 0.38, 0.52]),
+        ("damper_inner", [0.0, 0.10, 0.58]),
+        ("pushrod_upper", [0.0, 0.46, 0.55]),
+    ];
     let folder = written("turn = -2.4\nsteer = 0.34");
     let file = std::fs::read_to_string(folder.path().join("by_turn.toml")).expect("a file");
-    let at = |z: f64| {
-        let points = format!("\n[points]\npushrod_upper = [0.0, 0.46, {z:?}]\n");
-        write(folder.path(), "moved.toml", &(file.clone() + &points));
-        let sweep = [
-            "sweep",
-            "moved.toml",
-            "--derivatives",
-            "1",
-            "--drive",
-            "turn=0:0.1:2",
-        ];
-        table(folder.path(), &sweep)[0].clone()
-    };
-    let [above, below] = [at(0.55 + STEP), at(0.55 - STEP)];
     let output = run(
         folder.path(),
         &["sensitivities", "by_turn.toml", "--csv", "-"],
     );
     let mut reader = csv::Reader::from_reader(&*output.stdout);
     let headers = reader.headers().expect("names").clone();
-    let record = reader.records().filter_map(Result::ok);
-    let record = record
-        .into_iter()
-        .find(|record| &record[0] == "pushrod_upper.z")
-        .expect("a row");
-    for quantity in ["camber_rad_per_turn", "bump_m_per_turn", "toe_rad_per_turn"] {
-        let column = headers
-            .iter()
-            .position(|name| name == quantity)
-            .expect("a column");
-        let found: f64 = record[column].parse().expect("a number");
-        let expected = (above[quantity] - below[quantity]) / (2.0 * STEP);
-        let off = (found - expected).abs() / expected.abs();
-        assert!(off < 1e-7, "{quantity}: {found} for {expected}");
+    let records: Vec<_> = reader.records().filter_map(Result::ok).collect();
+    for (point, design) in POINTS {
+        for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+            let at = |steps: f64| {
+                let mut moved = design;
+                moved[axis] += steps * STEP;
+                let points = format!("\n[points]\n{point} = {moved:?}\n");
+                write(folder.path(), "moved.toml", &(file.clone() + &points));
+                let sweep = [
+                    "sweep",
+                    "moved.toml",
+                    "--derivatives",
+                    "1",
+                    "--drive",
+                    "turn=0:0.1:2",
+                ];
+                table(folder.path(), &sweep)[0].clone()
+            };
+            let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(at);
+            let changed = format!("{point}.{name}");
+            let mut records = records.iter();
+            let record = records.find(|record| record[0] == changed).expect("a row");
+            for quantity in ["camber_rad_per_turn", "bump_m_per_turn", "toe_rad_per_turn"] {
+                let column = headers
+                    .iter()
+                    .position(|name| name == quantity)
+                    .expect("a column");
+                let found: f64 = record[column].parse().expect("a number");
+                let [a, b, c, d] = [&a, &b, &c, &d].map(|row| row[quantity]);
+                let expected = (8.0 * (c - b) - (d - a)) / (12.0 * STEP);
+                let off = (found - expected).abs() / expected.abs().max(1e-2);
+                assert!(
+                    off < 1e-7,
+                    "{quantity} by {changed}: {found} for {expected}"
+                );
+            }
+        }
     }
 }
 

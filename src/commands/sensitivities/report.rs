@@ -161,7 +161,7 @@ impl Report<'_> {
         let numbers = self.found.each.iter();
         let scale = at.scale * self.per().1;
         let numbers =
-            numbers.map(|each| (&*each.change.name, each.of[at.column][at.number] * scale));
+            numbers.map(|each| (&*each.change.name, each.of[(at.column, at.number)] * scale));
         let mut numbers: Vec<(&str, f64)> = numbers.filter(|(_, by)| by.is_finite()).collect();
         numbers.sort_by(|(_, a), (_, b)| b.abs().total_cmp(&a.abs()));
         let greatest = numbers.first().map_or(0.0, |(_, by)| by.abs());

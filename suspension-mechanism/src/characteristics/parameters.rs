@@ -6,7 +6,8 @@ use crate::characteristics::way::Way;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, From, Grid, Order, Place, State, Unit};
 use crate::quantities::{
-    self, Column, DRIVES, Kind, MARKERS, POSITIONS, Quantity, RESIDUAL, catalogue,
+    self, ACCELERATIONS, Column, Compiled, DRIVES, Kind, MARKERS, POSITIONS, Quantity, RESIDUAL,
+    VELOCITIES, catalogue,
 };
 
 /// A quantity at the design position, for people.
@@ -37,19 +38,30 @@ pub struct Derivative {
 
 /// The columns of a design.
 pub fn columns(mechanism: &Description) -> Vec<Column> {
+    columns_in(mechanism)
+}
+
+/// The same that are read in other numbers.
+pub fn columns_in<N: Compiled>(mechanism: &Description) -> Vec<Column<N>> {
     let mut columns = columns_of_curves(mechanism);
     columns.retain(|column| !quantities::from_design().any(|quantity| column.is(quantity)));
     columns
 }
 
 /// The same with what is zero at the design position.
-pub(super) fn columns_of_curves(mechanism: &Description) -> Vec<Column> {
-    const LEFT_OUT: [&Quantity; 4] = [&DRIVES, &POSITIONS, &MARKERS, &RESIDUAL];
-    let all = quantities::columns(catalogue(), &mechanism.names).into_iter();
-    all.filter(|column| {
-        column.kind.is_of_positions() && !LEFT_OUT.iter().any(|quantity| column.is(quantity))
-    })
-    .collect()
+pub(super) fn columns_of_curves<N: Compiled>(mechanism: &Description) -> Vec<Column<N>> {
+    const LEFT_OUT: [&Quantity; 6] = [
+        &DRIVES,
+        &POSITIONS,
+        &MARKERS,
+        &VELOCITIES,
+        &ACCELERATIONS,
+        &RESIDUAL,
+    ];
+    let is_shown = |quantity: &&Quantity| !LEFT_OUT.iter().any(|of| std::ptr::eq(*of, *quantity));
+    let mut columns = quantities::columns_in(catalogue().filter(is_shown), &mechanism.names);
+    columns.retain(|column: &Column<N>| column.kind.is_of_positions());
+    columns
 }
 
 /// All that the mechanism has where it starts, with lengths in `unit`: a grid without a drive is that place alone.

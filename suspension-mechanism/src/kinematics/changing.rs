@@ -1,133 +1,282 @@
 //! How a mechanism changes with its hardpoints and lengths.
 
-use nalgebra::{Complex, Vector3};
+use nalgebra::{SVector, Vector3};
+use suspension_core::directions::Directions;
 use suspension_core::factored::Factored;
 use suspension_core::motion::Prescribed;
-use suspension_core::{Inputs, Signal, Still, Values};
+use suspension_core::{Build, Inputs, Linkage, Motion, Signal, SolveError, Still, Values};
+use suspension_runtime::{AlongDrive, DesignChange, Factors, Model, Room, Size, Start, Unknowns};
 
-use crate::kinematics::changed::{Changes, points};
-use crate::kinematics::varied::{Along, Number, Varied, derivative};
-use crate::mechanism::{Mechanism, Points, State, Suspension};
+use crate::kinematics::changed::Changes;
+use crate::mechanism::{Expansion, Mechanism, State};
 
-/// The derivatives of a mechanism along a change, where it starts.
-pub struct Changing {
-    /// The state, with the derivatives along the change as its rates. Second rates are zero.
-    pub alone: State,
-    /// The state with the rates along the change and a drive together, for each drive; second rates are twice the mixed
-    /// derivatives.
-    pub with_drives: Vec<State>,
+/// A mechanism where it starts, and how it changes with its design.
+pub trait Changing {
+    /// The mechanism at rest.
+    fn state(&self) -> &State;
+
+    /// Its points and measures, with their derivatives with respect to the drives.
+    fn start(&self) -> &Expansion;
+
+    /// The derivatives of these along a change; `None` where no such suspensions can be built, and of a length that a body keeps.
+    fn along(&self, changes: &Changes) -> Option<Expansion>;
 }
 
-/// How a mechanism changes, where it starts.
-pub type Change<'a> = dyn Fn(&Changes) -> Option<Changing> + 'a;
+/// A change of lengths by such a part of the suspension's size must be possible too: close to one that is not, as of a body that
+/// hardly closes, derivatives say little.
+const FARTHEST: f64 = 6.4e-3;
+
+/// The mechanism about its start.
+struct Around<'a, 'l, const N: usize>
+where
+    Room<N>: Size,
+{
+    mechanism: &'a Mechanism<Model<'l, f64, N>, N>,
+    start: Start<'a, 'l, f64, N>,
+    factored: Factored<Factors<'l, f64, N>, f64, N>,
+    /// The derivatives of the unknowns with respect to each drive.
+    drives: Vec<Unknowns<f64, N>>,
+    /// The second derivatives of the unknowns with respect to two drives, a row for each drive, up to itself.
+    seconds: Vec<Unknowns<f64, N>>,
+    state: State,
+    expansion: Expansion,
+}
 
 /// `None` where the mechanism locks where it starts.
-pub(super) fn changing<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
-) -> Option<Box<Change<'_>>> {
-    let points = points(mechanism);
-    let drives = L::Drives::from_values(mechanism.first_drives());
+pub(super) fn changing<'a, const N: usize>(
+    mechanism: &'a Mechanism<Model<'_, f64, N>, N>,
+) -> Option<Box<dyn Changing + 'a>>
+where
+    Room<N>: Size,
+{
+    let model = &mechanism.model;
+    let drives = Values::from_values(mechanism.first_drives());
     let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
-    let fixed = Prescribed::new(&mechanism.model, &inputs).fixed.value;
-    let factored = Factored::new(&mechanism.model, &mechanism.start.position, &fixed).ok()?;
-    Some(Box::new(move |changes| {
-        let varied = Varied::of(mechanism, &points, changes, factored.factors())?;
-        Some(Around::new(mechanism, &varied).changing())
-    }))
+    let chassis = Prescribed::new(model, &inputs).fixed.value;
+    let free = mechanism.start.position;
+    let points = Motion::at_rest(free).points(model, &inputs).value;
+    let start = Start {
+        model,
+        unknowns: Unknowns { free, chassis },
+        points,
+        drives,
+    };
+    let mut around = Around {
+        mechanism,
+        factored: Factored::new(model, &free, &chassis).ok()?,
+        drives: Vec::new(),
+        seconds: Vec::new(),
+        state: mechanism.at_rest(0.0, &drives, points),
+        expansion: expansion(mechanism, &start)?,
+        start,
+    };
+    for drive in 0..mechanism.names.drives.len() {
+        around.add(drive);
+    }
+    Some(Box::new(around))
 }
 
-/// The varied mechanism about its start.
-struct Around<'a, L, const N: usize> {
-    mechanism: &'a Mechanism<L, N>,
-    /// Along each drive, and along each pair of them, a row for each drive, up to itself.
-    along: Vec<Along>,
+/// The change of a drive by one.
+fn of_one<D: Values<f64>>(drive: usize) -> D {
+    D::from_values([]).with(drive, 1.0)
 }
 
-/// All points, or rates of theirs, with their derivatives.
-type Jet = Signal<Points>;
-
-impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
-    fn new(mechanism: &'a Mechanism<L, N>, varied: &Varied<'_, L, N>) -> Self {
-        let drives = 0..mechanism.names.drives.len();
-        let pairs = drives.flat_map(|other| (0..=other).map(move |one| [one, other]));
-        Self {
-            mechanism,
-            along: pairs.map(|pair| varied.along(pair)).collect(),
+/// The points and measures at the start.
+fn expansion<const N: usize>(
+    mechanism: &Mechanism<Model<'_, f64, N>, N>,
+    start: &Start<'_, '_, f64, N>,
+) -> Option<Expansion>
+where
+    Room<N>: Size,
+{
+    let names = &mechanism.names;
+    let count = names.points.len();
+    let (model, position) = (start.model, &start.unknowns.free);
+    let points = Directions::at(model, start.drives, position, |directions| {
+        let mut all: Vec<_> = start.points.values().take(count).collect();
+        let drives = 0..names.drives.len();
+        let along = drives.map(|drive| directions.first(of_one(drive)));
+        let along: Vec<_> = along.collect::<Result<_, _>>()?;
+        for direction in &along {
+            all.extend(direction.points.values().take(count));
         }
+        for (index, other) in along.iter().enumerate() {
+            for one in along.iter().take(index) {
+                all.extend(directions.mixed([one, other])?.values().take(count));
+            }
+            all.extend(directions.second(other)?.values().take(count));
+        }
+        Ok::<_, SolveError<f64>>(all)
+    });
+    let points = points.ok()?;
+    let still = |_: usize| Vector3::zeros();
+    let at_rest = measures(model, &points, still, still);
+    let mut all: Vec<f64> = at_rest.iter().map(|measure| measure.value).collect();
+    for drive in 1..=names.drives.len() {
+        let along = measures(model, &points, |place| points[drive * count + place], still);
+        all.extend(along.iter().map(|measure| measure.rate));
     }
+    Some(Expansion {
+        points,
+        measures: all,
+    })
+}
 
-    fn of(&self, one: usize, other: usize) -> &Along {
-        let (one, other) = (one.min(other), one.max(other));
-        &self.along[other * (other + 1) / 2 + one]
-    }
+/// What a model measures of points that change so.
+fn measures<const N: usize>(
+    model: &Model<'_, f64, N>,
+    points: &[Vector3<f64>],
+    rate: impl Fn(usize) -> Vector3<f64>,
+    second_rate: impl Fn(usize) -> Vector3<f64>,
+) -> Vec<Signal<f64>>
+where
+    Room<N>: Size,
+{
+    let point = |place: usize| Signal {
+        value: points[place],
+        rate: rate(place),
+        second_rate: second_rate(place),
+    };
+    model.measures_of(point).collect()
+}
 
-    fn changing(&self) -> Changing {
-        let drives = 0..self.mechanism.names.drives.len();
-        let rates = |drive| &self.of(drive, drive).rate;
-        let positions = &self.of(0, 0).value;
-        let alone = self.state(alone(positions), |of| alone(rates(of)));
-        let with_drive = |drive: usize| {
-            self.state(together(positions, rates(drive)), |of| {
-                together(rates(of), &self.mixed(of, drive))
-            })
+impl<const N: usize> Around<'_, '_, N>
+where
+    Room<N>: Size,
+{
+    /// Adds the derivatives with respect to a drive, the next one.
+    fn add(&mut self, drive: usize) {
+        let Start {
+            model,
+            unknowns,
+            drives,
+            ..
+        } = &self.start;
+        let inputs: Inputs<Still, _> = Inputs::still(Signal {
+            rate: of_one(drive),
+            ..Signal::still(*drives)
+        });
+        let Prescribed { fixed, drives } = Prescribed::new(*model, &inputs);
+        let terms =
+            |chassis, drives| model.drive_rate(&unknowns.free, &fixed.value, chassis, drives);
+        let first = Unknowns {
+            free: self.solved(&terms(&fixed.rate, &drives.rate)),
+            chassis: fixed.rate,
         };
-        Changing {
-            alone,
-            with_drives: drives.map(with_drive).collect(),
-        }
+        let bent = |other: &Unknowns<f64, N>| {
+            model.curvature(&first.free, &first.chassis, &other.free, &other.chassis)
+        };
+        let others = self.drives.iter();
+        let mixed = others.map(|other| -self.solved(&bent(other)));
+        let mut seconds: Vec<_> = mixed.map(Unknowns::of_free).collect();
+        let terms = terms(&fixed.second_rate, &drives.second_rate) - bent(&first);
+        seconds.push(Unknowns {
+            free: self.solved(&terms),
+            chassis: fixed.second_rate,
+        });
+        self.seconds.extend(seconds);
+        self.drives.push(first);
     }
 
-    /// The mixed second derivative of the points with respect to two drives.
-    fn mixed(&self, one: usize, other: usize) -> Vec<Vector3<Number>> {
-        let both = &self.of(one, other).second_rate;
-        if one == other {
-            return both.clone();
-        }
-        let [a, b] = [one, other].map(|drive| &self.of(drive, drive).second_rate);
-        let points = both.iter().zip(a.iter().zip(b));
-        points
-            .map(|(both, (a, b))| (both - a - b) * Complex::from(0.5))
-            .collect()
+    fn solved(&self, right: &SVector<f64, N>) -> SVector<f64, N> {
+        self.factored.factors().solve(right)
     }
 
-    fn state(&self, points: Jet, velocities: impl Fn(usize) -> Jet) -> State {
-        let vehicle = &self.mechanism.names.vehicle;
-        let drives = L::Drives::from_values(self.mechanism.first_drives());
-        let listed = points.map(|points: &Points| L::Points::from_values(points.iter().copied()));
-        let of_drive = |drive| vehicle.is_moved_by(drive).then(|| velocities(drive));
-        State {
-            velocities: (0..self.mechanism.names.drives.len())
-                .map(of_drive)
-                .collect(),
-            ..self.mechanism.state(0.0, &drives, &listed)
+    /// How the measures change, and their derivatives with respect to each drive, with points that change so: mixed derivatives
+    /// are half of what second ones along both differ by from those along each.
+    fn changed_measures(&self, changed: &[Vector3<f64>]) -> Vec<f64> {
+        let (model, start) = (self.start.model, &self.expansion.points);
+        let count = self.mechanism.names.points.len();
+        let still = |_: usize| Vector3::zeros();
+        let alone = measures(model, start, |place| changed[place], still);
+        let mut all: Vec<f64> = alone.iter().map(|measure| measure.rate).collect();
+        for first in (1..=self.drives.len()).map(|drive| drive * count) {
+            let of_drive = measures(model, start, |place| start[first + place], still);
+            let together = measures(
+                model,
+                start,
+                |place| changed[place] + start[first + place],
+                |place| changed[first + place] * 2.0,
+            );
+            let apart = alone.iter().zip(&of_drive);
+            let mixed = together
+                .iter()
+                .zip(apart)
+                .map(|(together, (change, drive))| {
+                    (together.second_rate - change.second_rate - drive.second_rate) / 2.0
+                });
+            all.extend(mixed);
         }
+        all
+    }
+
+    /// Whether lengths can change by much more.
+    fn is_far_from_unbuildable(&self, lengths: &[(usize, f64)]) -> bool {
+        let model = self.start.model;
+        let by = FARTHEST * model.size();
+        let is_buildable = |by: f64| {
+            let longer = lengths.iter().fold(model.lengths(), |all, (length, unit)| {
+                let [now] = all.at([*length]);
+                all.with(*length, now + unit * by)
+            });
+            model.with_lengths(&longer).is_ok()
+        };
+        lengths.is_empty() || (is_buildable(by) && is_buildable(-by))
     }
 }
 
-/// What changes along the change.
-fn alone(numbers: &[Vector3<Number>]) -> Jet {
-    Signal {
-        value: numbers.iter().map(|number| number.map(|x| x.re)).collect(),
-        rate: numbers
-            .iter()
-            .map(|number| number.map(derivative))
-            .collect(),
-        second_rate: numbers.iter().map(|_| Vector3::zeros()).collect(),
+impl<const N: usize> Changing for Around<'_, '_, N>
+where
+    Room<N>: Size,
+{
+    fn state(&self) -> &State {
+        &self.state
     }
-}
 
-/// The same along the change and a drive together.
-fn together(numbers: &[Vector3<Number>], per_drive: &[Vector3<Number>]) -> Jet {
-    let alone = alone(numbers);
-    let rates = alone.rate.iter().zip(per_drive);
-    Signal {
-        rate: rates
-            .map(|(rate, per_drive)| rate + per_drive.map(|x| x.re))
-            .collect(),
-        second_rate: per_drive
-            .iter()
-            .map(|mixed| mixed.map(derivative) * 2.0)
-            .collect(),
-        ..alone
+    fn start(&self) -> &Expansion {
+        &self.expansion
+    }
+
+    fn along(&self, changes: &Changes) -> Option<Expansion> {
+        if !self.is_far_from_unbuildable(&changes.lengths) {
+            return None;
+        }
+        let change = DesignChange::new(&self.start, &changes.points, &changes.lengths)?;
+        let mut moved = *change.moved();
+        let residual = change.residual();
+        if residual.iter().any(|row| *row != 0.0) {
+            moved.free -= self.solved(&residual);
+        }
+        let firsts: Vec<Unknowns<f64, N>> = (0..)
+            .zip(&self.drives)
+            .map(|(drive, unknowns)| self.solved(&change.of_first(&moved, drive, unknowns)))
+            .map(Unknowns::of_free)
+            .collect();
+        let per_drive = (0..).zip(self.drives.iter().zip(&firsts));
+        let along: Vec<AlongDrive<'_, f64, N>> = per_drive
+            .map(|(drive, (unknowns, changed))| AlongDrive {
+                drive,
+                unknowns,
+                changed,
+            })
+            .collect();
+        let terms = 1 + self.drives.len() + self.seconds.len();
+        let count = self.mechanism.names.points.len();
+        let mut points = Vec::with_capacity(terms * count);
+        points.extend(change.points(&moved));
+        for along in &along {
+            points.extend(change.first(&moved, along));
+        }
+        let mut seconds = self.seconds.iter();
+        for (index, other) in along.iter().enumerate() {
+            for (one, both) in along.iter().take(index + 1).zip(&mut seconds) {
+                let pair = [one, other];
+                let changed = self.solved(&change.of_second(&moved, pair, both));
+                let changed = Unknowns::of_free(changed);
+                points.extend(change.second(&moved, pair, [both, &changed]));
+            }
+        }
+        let measures = self.changed_measures(&points);
+        Some(Expansion { points, measures })
     }
 }

@@ -22,7 +22,11 @@ macro_rules! catalogue {
                 definition: $definition,
                 source: $source,
                 shown: $shown,
-                read: crate::quantities::formulas::Formulas { along: $read, gradient: $read },
+                read: crate::quantities::formulas::Formulas {
+                    along: $read,
+                    gradient: $read,
+                    sensitive: $read,
+                },
             };
         )+
 

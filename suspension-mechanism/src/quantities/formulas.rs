@@ -2,7 +2,7 @@
 
 use suspension_core::Signal;
 
-use crate::mechanism::{Gradient, Names};
+use crate::mechanism::{Gradient, Names, Sensitive};
 use crate::quantities::axis::Axis;
 use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
@@ -12,6 +12,7 @@ use crate::quantities::reader::Reader;
 pub struct Formulas {
     pub(super) along: fn(&Names) -> Vec<Reading<Signal<f64>>>,
     pub(super) gradient: fn(&Names) -> Vec<Reading<Gradient>>,
+    pub(super) sensitive: fn(&Names) -> Vec<Reading<Sensitive>>,
 }
 
 /// A number that the formulas of quantities are compiled for.
@@ -29,6 +30,12 @@ impl Compiled for Signal<f64> {
 impl Compiled for Gradient {
     fn readings(formulas: &Formulas, names: &Names) -> Vec<Reading<Self>> {
         (formulas.gradient)(names)
+    }
+}
+
+impl Compiled for Sensitive {
+    fn readings(formulas: &Formulas, names: &Names) -> Vec<Reading<Self>> {
+        (formulas.sensitive)(names)
     }
 }
 

@@ -4,7 +4,7 @@ use suspension_core::Signal;
 use suspension_core::signal;
 
 use crate::dual::Dual;
-use crate::mechanism::{DRIVES_AT_ONCE, Gradient};
+use crate::mechanism::{DRIVES_AT_ONCE, Gradient, Sensitive};
 
 /// A number that quantities are read in: with it come its derivatives, of which its type says which ones these are.
 pub trait Number: signal::Number {
@@ -57,5 +57,27 @@ impl Number for Gradient {
 
     fn value(self) -> f64 {
         self.value
+    }
+}
+
+/// With the derivatives of a [`Gradient`] along changes of the design.
+impl Number for Sensitive {
+    fn still(value: f64) -> Self {
+        Self::still(Dual::still(value))
+    }
+
+    fn alone(value: f64) -> Self {
+        let unknown = Dual::still(f64::NAN);
+        Dual {
+            value: Dual {
+                value,
+                rates: unknown.rates.map(|_| f64::NAN),
+            },
+            rates: [unknown; DRIVES_AT_ONCE],
+        }
+    }
+
+    fn value(self) -> f64 {
+        self.value.value
     }
 }

@@ -1,6 +1,8 @@
 //! Quantities that have no derivatives of their own, as what springs do, by the difference of sixth order
 //! `(45 (f1 - f_1) - 9 (f2 - f_2) + f3 - f_3) / (60 h)` over suspensions built anew, `h` a thousandth of their size.
 
+use nalgebra::DMatrix;
+
 use super::{Change, read};
 use crate::kinematics::Kinematics;
 use crate::quantities::Column;
@@ -23,7 +25,7 @@ pub(super) fn fill(
     mechanism: &dyn Kinematics,
     change: &Change,
     columns: &[Column],
-    of: &mut [Vec<f64>],
+    of: &mut DMatrix<f64>,
 ) {
     if columns.iter().all(|column| column.has_derivatives) {
         return;
@@ -41,7 +43,7 @@ pub(super) fn fill(
         if !column.has_derivatives {
             let terms = neighbours.iter();
             let sum: f64 = terms.map(|(read, weight)| weight * read[place][0]).sum();
-            of[place][0] = sum / (60.0 * step);
+            of[(place, 0)] = sum / (60.0 * step);
         }
     }
 }

@@ -1,46 +1,62 @@
-//! Quantities along a change, by the chain rule.
+//! Quantities along changes, by the chain rule.
 
-use crate::kinematics::Changing;
+use nalgebra::DMatrix;
+
+use super::Change;
+use crate::characteristics::columns_in;
+use crate::kinematics::{Changing, Kinematics};
+use crate::mechanism::{DRIVES_AT_ONCE, Expansion, InDesign, Names, Sensitive};
 use crate::quantities::{Column, Reader};
 
-/// Reads what a change does: `f(d) = f'' [d, d] + f' w` of the rates `d` and the second rates `w` along the change, a drive,
-/// and both together gives the mixed derivative, as `(f(p + u) - f(p) - f(u)) / 2`.
+/// Reads what changes do.
 pub(super) struct Exact<'a> {
-    columns: &'a [Column],
-    /// `f` of each column along each drive.
-    of_drives: Vec<Vec<f64>>,
+    columns: Vec<Column<Sensitive>>,
+    names: &'a Names,
+    design: &'a dyn Changing,
 }
 
 impl<'a> Exact<'a> {
-    /// Of columns, where nothing is changed.
-    pub(super) fn new(columns: &'a [Column], held: &Changing) -> Self {
-        let of_drive = |state| {
-            let reader = Reader::of(state);
-            let columns = columns.iter().map(|column| column.read(&reader));
-            columns.map(|along| along.second_rate).collect()
-        };
+    pub(super) fn new(mechanism: &'a dyn Kinematics, design: &'a dyn Changing) -> Self {
         Self {
-            columns,
-            of_drives: held.with_drives.iter().map(of_drive).collect(),
+            columns: columns_in(mechanism),
+            names: &mechanism.names,
+            design,
         }
     }
 
-    /// The derivatives of each column's value and of its derivatives with respect to each drive.
-    pub(super) fn read(&self, changing: &Changing) -> Vec<Vec<f64>> {
-        let change = Reader::of(&changing.alone);
-        let with_drives: Vec<Reader<'_>> = changing.with_drives.iter().map(Reader::of).collect();
-        let of_column = |(place, column): (usize, &Column)| {
-            if !column.has_derivatives {
-                return vec![f64::NAN; 1 + with_drives.len()];
+    /// Of each change the derivatives of each column's value and of its derivatives with respect to each drive, NaN where it has
+    /// none; `None` where no such suspensions can be built. At most as many changes as numbers have derivatives along.
+    pub(super) fn read(&self, changes: &[Change]) -> Vec<Option<DMatrix<f64>>> {
+        let drives = self.names.drives.len();
+        let along = changes
+            .iter()
+            .map(|change| self.design.along(&change.per_unit));
+        let along: Vec<Option<Expansion>> = along.collect();
+        let unknown = DMatrix::repeat(self.columns.len(), 1 + drives, f64::NAN);
+        let of_change = |along: &Option<Expansion>| along.as_ref().map(|_| unknown.clone());
+        let mut found: Vec<_> = along.iter().map(of_change).collect();
+        for first in (0..drives.max(1)).step_by(DRIVES_AT_ONCE) {
+            let at = InDesign {
+                names: self.names,
+                start: self.design.start(),
+                changes: &along,
+                first,
+            };
+            let reader = Reader::with(self.design.state(), &at);
+            let columns = self.columns.iter().enumerate();
+            for (place, column) in columns.filter(|(_, column)| column.has_derivatives) {
+                let number = column.read(&reader);
+                for (change, found) in found.iter_mut().enumerate() {
+                    let Some(found) = found else {
+                        continue;
+                    };
+                    found[(place, 0)] = number.value.rates[change];
+                    for (drive, per_drive) in (first..drives).zip(&number.rates) {
+                        found[(place, 1 + drive)] = per_drive.rates[change];
+                    }
+                }
             }
-            let change = column.read(&change);
-            let drives = with_drives.iter().zip(&self.of_drives);
-            let mixed = drives.map(|(with_drive, of_drive)| {
-                let together = column.read(with_drive).second_rate;
-                (together - change.second_rate - of_drive[place]) / 2.0
-            });
-            [change.rate].into_iter().chain(mixed).collect()
-        };
-        self.columns.iter().enumerate().map(of_column).collect()
+        }
+        found
     }
 }

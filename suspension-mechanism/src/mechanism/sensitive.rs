@@ -1,0 +1,116 @@
+//! A mechanism in numbers that have derivatives along changes of its design.
+
+use std::array::from_fn;
+
+use nalgebra::Vector3;
+
+use crate::dual::Dual;
+use crate::mechanism::gradient::DRIVES_AT_ONCE;
+use crate::mechanism::names::Names;
+use crate::mechanism::positions::Positions;
+
+/// Along how many changes a [`Sensitive`] number has derivatives.
+pub const CHANGES_AT_ONCE: usize = 4;
+
+/// A number with its first derivatives along some changes of the design, and those of its first derivatives with respect to some
+/// drives.
+pub type Sensitive = Dual<Dual<f64, CHANGES_AT_ONCE>, DRIVES_AT_ONCE>;
+
+/// Points and measures with their derivatives with respect to the drives, or the derivatives of all these along a change of the
+/// design.
+#[derive(Clone, Debug, Default)]
+pub struct Expansion {
+    /// The points, or their first or second derivatives with respect to drives, by [`Term`] behind each other.
+    pub points: Vec<Vector3<f64>>,
+    /// The measures, then their derivatives with respect to each drive.
+    pub measures: Vec<f64>,
+}
+
+/// What of an [`Expansion`].
+#[derive(Clone, Copy)]
+enum Term {
+    Value,
+    First(usize),
+    /// With respect to two drives, or twice to the same.
+    Second(usize, usize),
+}
+
+/// A mechanism with derivatives along changes of its design, and with respect to the drives from `first` on.
+pub struct InDesign<'a> {
+    /// What the mechanism has.
+    pub names: &'a Names,
+    /// What it is.
+    pub start: &'a Expansion,
+    /// How that changes, where it can; at most as many as there are derivatives along.
+    pub changes: &'a [Option<Expansion>],
+    /// The first drive.
+    pub first: usize,
+}
+
+impl InDesign<'_> {
+    fn number(&self, of: impl Fn(&Expansion) -> f64) -> Dual<f64, CHANGES_AT_ONCE> {
+        let along = |change: usize| self.changes.get(change)?.as_ref().map(&of);
+        Dual {
+            value: of(self.start),
+            rates: from_fn(|change| along(change).unwrap_or_default()),
+        }
+    }
+
+    /// A component of a point of a term; NaN with respect to a drive that there is not.
+    fn component(&self, term: Term, point: usize, axis: usize) -> Dual<f64, CHANGES_AT_ONCE> {
+        let drives = self.names.drives.len();
+        let row = match term {
+            Term::Value => Some(0),
+            Term::First(drive) => Some(1 + drive).filter(|_| drive < drives),
+            Term::Second(a, b) => {
+                let (a, b) = (a.min(b), a.max(b));
+                Some(1 + drives + b * (b + 1) / 2 + a).filter(|_| b < drives)
+            }
+        };
+        match row.map(|row| row * self.names.points.len() + point) {
+            Some(place) => self.number(|expansion| expansion.points[place][axis]),
+            None => Dual::still(f64::NAN),
+        }
+    }
+
+    fn vector(
+        &self,
+        point: usize,
+        value: Term,
+        rate: impl Fn(usize) -> Term,
+    ) -> Vector3<Sensitive> {
+        let component = |axis: usize| Dual {
+            value: self.component(value, point, axis),
+            rates: from_fn(|drive| self.component(rate(self.first + drive), point, axis)),
+        };
+        Vector3::new(component(0), component(1), component(2))
+    }
+}
+
+impl Positions<Sensitive> for InDesign<'_> {
+    fn point(&self, point: usize) -> Vector3<Sensitive> {
+        self.vector(point, Term::Value, Term::First)
+    }
+
+    fn measure(&self, measure: usize) -> Sensitive {
+        let count = self.names.measures.len();
+        let of = |row: usize| self.number(|expansion| expansion.measures[row * count + measure]);
+        let per = |drive: usize| {
+            let is_one = drive < self.names.drives.len();
+            if is_one {
+                of(1 + drive)
+            } else {
+                Dual::still(f64::NAN)
+            }
+        };
+        Dual {
+            value: of(0),
+            rates: from_fn(|drive| per(self.first + drive)),
+        }
+    }
+
+    fn velocity(&self, point: usize, drive: usize) -> Option<Vector3<Sensitive>> {
+        let is_known = self.names.vehicle.is_moved_by(drive);
+        is_known.then(|| self.vector(point, Term::First(drive), |per| Term::Second(drive, per)))
+    }
+}
