@@ -163,7 +163,9 @@ impl Report<'_> {
         let numbers =
             numbers.map(|each| (&*each.change.name, each.of[(at.column, at.number)] * scale));
         let mut numbers: Vec<(&str, f64)> = numbers.filter(|(_, by)| by.is_finite()).collect();
-        numbers.sort_by(|(_, a), (_, b)| b.abs().total_cmp(&a.abs()));
+        // What is equal but for rounding stays in the file's order.
+        let size = |by: f64| by.abs() as f32;
+        numbers.sort_by(|(_, a), (_, b)| size(*b).total_cmp(&size(*a)));
         let greatest = numbers.first().map_or(0.0, |(_, by)| by.abs());
         // Differences of what does not change leave rounding.
         const ROUNDING: f64 = 1e-9;
