@@ -43,6 +43,7 @@ fn written(walked: &dyn Kinematics) -> Mechanism<Model<f64>, 12> {
         description: (**walked).clone(),
         model,
         lead: None,
+        changing: None,
     }
 }
 

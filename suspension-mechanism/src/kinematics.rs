@@ -11,22 +11,21 @@ use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
 use suspension_core::{Inputs, Still, Tracker, Values};
-use suspension_runtime::{Model, Room, Size};
 
 use crate::bake::{
     BakedSurface, Exact, LedPath, OutOfReach, Path, UnmetSurface, WantedSurface, Wish, bake_surface,
 };
 use crate::failure::Failure;
 use crate::mechanism::{
-    Borne, Description, End, Grid, Instants, Lock, Mechanism, OnPlace, OnState, Order, Place,
-    State, VisitEnd, Visited,
+    Borne, Changing, Description, End, Grid, Instants, Lock, Mechanism, OnPlace, OnState, Order,
+    Place, State, Suspension, VisitEnd, Visited,
 };
 use crate::reach::{self, DriveRange};
 use assembled::Enumerated;
 
 pub use assembled::{Assembled, Assembly};
 pub use changed::Changes;
-pub use changing::Changing;
+pub(crate) use changing::changing;
 pub use equations::Equations;
 
 /// A mechanism of any linkage at the first instant of its motion. It can be read as its [`Description`].
@@ -115,7 +114,8 @@ pub trait Kinematics: Deref<Target = Description> {
     /// none.
     fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>>;
 
-    /// The mechanism where it starts, and how it changes with its design; `None` where it locks there.
+    /// The mechanism where it starts, and how it changes with its design; `None` where it locks there, and of a model that
+    /// `linkage!` has written.
     fn changing(&self) -> Option<Box<dyn Changing + '_>>;
 
     /// What the motion takes in steps of `dt`, without the first, and how many they are; `None` where it has none, or stops.
@@ -143,10 +143,7 @@ impl dyn Kinematics + '_ {
     }
 }
 
-impl<const N: usize> Kinematics for Mechanism<Model<'_, f64, N>, N>
-where
-    Room<N>: Size,
-{
+impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
     fn points(&self) -> Vec<Vector3<f64>> {
         let inputs = self.drives.inputs(self.instants.ends()[0]);
         let points = self.start.points(&self.model, &inputs).value;
@@ -208,7 +205,7 @@ where
         range: [f64; 2],
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        let held = Values::from_values(self.first_drives());
+        let held = L::Drives::from_values(self.first_drives());
         let path = Path::new(&self.model, &self.start, held, drive, range, wish)?;
         Ok(Box::new(path))
     }
@@ -219,7 +216,7 @@ where
         range: [f64; 2],
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        let held = Values::from_values(self.first_drives());
+        let held = L::Drives::from_values(self.first_drives());
         let path = LedPath::new(
             &self.model,
             &self.start,
@@ -232,7 +229,7 @@ where
     }
 
     fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface> {
-        let held = Values::from_values(self.first_drives());
+        let held = L::Drives::from_values(self.first_drives());
         bake_surface(&self.model, &self.start, held, wanted)
     }
 
@@ -241,14 +238,14 @@ where
     }
 
     fn changing(&self) -> Option<Box<dyn Changing + '_>> {
-        changing::changing(self)
+        (self.changing?)(self)
     }
 
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)> {
         let [from, to] = self.instants.ends();
         let instants = Instants::stepped(from, to, dt);
         let inputs = instants.iter().map(|t| self.drives.inputs(t));
-        let inputs: Vec<Inputs<Still, _>> = inputs.collect();
+        let inputs: Vec<Inputs<Still, L::Drives>> = inputs.collect();
         let (first, steps) = inputs.split_first()?;
         let count = u32::try_from(steps.len()).ok().filter(|count| *count > 0)?;
         let tracker = Tracker::default();

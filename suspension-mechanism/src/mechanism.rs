@@ -1,6 +1,7 @@
 //! A mechanism ready to move, whatever its linkage: the file's coordinates outside, local ones inside.
 
 mod around;
+mod changing;
 mod derivatives;
 mod description;
 mod doubtful;
@@ -28,6 +29,7 @@ mod vehicle;
 mod visit;
 mod words;
 
+pub use changing::{Changing, Expansion};
 pub use description::Description;
 pub use doubtful::Coordinate;
 pub use drives::{DriveLaws, Law, follow};
@@ -43,8 +45,8 @@ pub use names::{Drive, Measure, Names, Suspension};
 pub use points::Points;
 pub use polynomial::Polynomial;
 pub use positions::Positions;
-pub use ready::Mechanism;
-pub use sensitive::{CHANGES_AT_ONCE, Expansion, InDesign, Sensitive};
+pub use ready::{Mechanism, WhereItStarts};
+pub use sensitive::{CHANGES_AT_ONCE, InDesign, Sensitive};
 pub use spring::Spring;
 pub use state::{Moved, State};
 pub use suspension_motion_file::{Angle, Axes, Axle, Instants, Length, Unit, is_within};

@@ -2,7 +2,8 @@
 //! hardpoint coordinate and each link's length.
 //!
 //! A hardpoint is moved, the suspension built anew of its points and read at its new design position; a length is
-//! changed with the drives held. The derivatives are exact; those of what springs do are differences.
+//! changed with the drives held. The derivatives are exact; those of what springs do are differences, and so are all of a model that
+//! `linkage!` has written.
 
 mod difference;
 mod exact;
@@ -12,7 +13,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use nalgebra::DMatrix;
 
 use crate::characteristics::columns;
-use crate::kinematics::{Changes, Kinematics};
+use crate::kinematics::{Changes, Kinematics, Read};
 use crate::mechanism::{CHANGES_AT_ONCE, Description, From, Grid, Order, Place};
 use crate::quantities::{Axis, Column, Reader};
 use exact::Exact;
@@ -86,19 +87,32 @@ pub fn sensitivities(
     mut on_change: impl FnMut(),
 ) -> Option<Sensitivities> {
     let columns = columns(mechanism);
-    let changing = mechanism.changing()?;
-    let exact = Exact::new(mechanism, &*changing);
+    let design = mechanism.changing();
+    let exact = design
+        .as_ref()
+        .zip(at_start(mechanism, &mut |place| place.state()));
+    let exact = exact.map(|(design, state)| Exact::new(mechanism, &**design, state));
+    let of = |changes: &[Change]| match &exact {
+        Some(exact) => exact.read(changes),
+        None => {
+            let each = changes.iter();
+            each.map(|change| difference::of(mechanism, change, &columns))
+                .collect()
+        }
+    };
     let mut each = Vec::new();
     for changes in changes.chunks(CHANGES_AT_ONCE) {
         if interrupted.load(Ordering::Relaxed) {
             return None;
         }
-        for (change, of) in changes.iter().zip(exact.read(changes)) {
+        for (change, of) in changes.iter().zip(of(changes)) {
             on_change();
             let Some(mut of) = of else {
                 continue;
             };
-            difference::fill(mechanism, change, &columns, &mut of);
+            if exact.is_some() {
+                difference::fill(mechanism, change, &columns, &mut of);
+            }
             each.push(Sensitivity {
                 change: change.clone(),
                 of,
@@ -114,7 +128,6 @@ pub fn sensitivities(
 
 /// Value and derivatives of each column where a mechanism starts.
 pub(crate) fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec<Vec<f64>>> {
-    let grid = Grid::new(mechanism, Vec::new(), From::Start).ok()?;
     let mut of_place = |place: &dyn Place| {
         let state = place.state();
         let reader = Reader::of(&state);
@@ -136,7 +149,12 @@ pub(crate) fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec
         };
         columns.iter().map(of_column).collect()
     };
+    at_start(mechanism, &mut of_place)
+}
+
+fn at_start<R>(mechanism: &dyn Kinematics, read: &mut Read<'_, R>) -> Option<R> {
+    let grid = Grid::new(mechanism, Vec::new(), From::Start).ok()?;
     let never = AtomicBool::new(false);
-    let visited = mechanism.visit(&grid, Order::First, &never, &mut of_place);
+    let visited = mechanism.visit(&grid, Order::First, &never, read);
     visited.places.into_iter().flatten().next()
 }

@@ -13,6 +13,7 @@ use suspension::mechanism::{Mechanism, State};
 use suspension::quantities::{catalogue, columns};
 use suspension::reach::meeting;
 use suspension::reach::range;
+use suspension::sensitivities::{Change, coordinates, sensitivities};
 use suspension_core::linkage;
 
 linkage! {
@@ -224,4 +225,34 @@ fn assemblies_far_from_the_origin() {
             assert!((off - away).abs() < TOLERANCE, "point {point}: {off}");
         }
     }
+}
+
+/// A mechanism moved as a whole has the same kinematics.
+#[test]
+fn sensitivities_of_all_points_together_add_up_to_nothing() {
+    let mechanism = mechanism([0.0; 3]);
+    let points = 0..DESIGN.len();
+    let changes = points.flat_map(|point| coordinates(&mechanism, point, &[]));
+    let along_x: Vec<Change> = changes
+        .filter(|change| change.name.ends_with(".x"))
+        .collect();
+    let found = sensitivities(&mechanism, &along_x, &false.into(), || ());
+    let found = found.expect("sensitivities");
+    let mut checked = 0;
+    for (place, column) in found.columns.iter().enumerate() {
+        for number in (0..3).filter(|_| column.axis.is_none()) {
+            let all = found.each.iter().map(|each| each.of[(place, number)]);
+            let largest = all
+                .clone()
+                .fold(0.0_f64, |largest, by| largest.max(by.abs()));
+            let sum: f64 = all.sum();
+            let name = column.title();
+            assert!(
+                sum.is_nan() || sum.abs() <= 1e-7 * largest + 1e-9,
+                "{name}: {sum:e} of {largest}"
+            );
+            checked += usize::from(sum.is_finite() && largest > 1e-3);
+        }
+    }
+    assert!(checked > 5, "{checked}");
 }

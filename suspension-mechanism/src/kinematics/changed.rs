@@ -129,5 +129,6 @@ fn at_rest<L: Suspension<N>, const N: usize>(
         model,
         start: Motion::at_rest(position),
         lead: None,
+        changing: mechanism.changing,
     })
 }

@@ -7,20 +7,7 @@ use suspension_core::motion::Prescribed;
 use suspension_core::{Build, Inputs, Linkage, Motion, Signal, SolveError, Still, Values};
 use suspension_runtime::{AlongDrive, DesignChange, Factors, Model, Room, Size, Start, Unknowns};
 
-use crate::kinematics::changed::Changes;
-use crate::mechanism::{Expansion, Mechanism, State};
-
-/// A mechanism where it starts, and how it changes with its design.
-pub trait Changing {
-    /// The mechanism at rest.
-    fn state(&self) -> &State;
-
-    /// Its points and measures, with their derivatives with respect to the drives.
-    fn start(&self) -> &Expansion;
-
-    /// The derivatives of these along a change; `None` where no such suspensions can be built, and of a length that a body keeps.
-    fn along(&self, changes: &Changes) -> Option<Expansion>;
-}
+use crate::mechanism::{Changing, Expansion, Mechanism};
 
 /// A change of lengths by such a part of the suspension's size must be possible too: close to one that is not, as of a body that
 /// hardly closes, derivatives say little.
@@ -38,12 +25,11 @@ where
     drives: Vec<Unknowns<f64, N>>,
     /// The second derivatives of the unknowns with respect to two drives, a row for each drive, up to itself.
     seconds: Vec<Unknowns<f64, N>>,
-    state: State,
     expansion: Expansion,
 }
 
 /// `None` where the mechanism locks where it starts.
-pub(super) fn changing<'a, const N: usize>(
+pub(crate) fn changing<'a, const N: usize>(
     mechanism: &'a Mechanism<Model<'_, f64, N>, N>,
 ) -> Option<Box<dyn Changing + 'a>>
 where
@@ -66,7 +52,6 @@ where
         factored: Factored::new(model, &free, &chassis).ok()?,
         drives: Vec::new(),
         seconds: Vec::new(),
-        state: mechanism.at_rest(0.0, &drives, points),
         expansion: expansion(mechanism, &start)?,
         start,
     };
@@ -229,19 +214,19 @@ impl<const N: usize> Changing for Around<'_, '_, N>
 where
     Room<N>: Size,
 {
-    fn state(&self) -> &State {
-        &self.state
-    }
-
     fn start(&self) -> &Expansion {
         &self.expansion
     }
 
-    fn along(&self, changes: &Changes) -> Option<Expansion> {
-        if !self.is_far_from_unbuildable(&changes.lengths) {
+    fn along(
+        &self,
+        points: &[(usize, Vector3<f64>)],
+        lengths: &[(usize, f64)],
+    ) -> Option<Expansion> {
+        if !self.is_far_from_unbuildable(lengths) {
             return None;
         }
-        let change = DesignChange::new(&self.start, &changes.points, &changes.lengths)?;
+        let change = DesignChange::new(&self.start, points, lengths)?;
         let mut moved = *change.moved();
         let residual = change.residual();
         if residual.iter().any(|row| *row != 0.0) {

@@ -10,7 +10,7 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source};
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Kinematics, changing};
 use crate::load::points::points;
 use crate::load::prepare::{Request, prepare};
 use crate::load::{included, unstated};
@@ -80,6 +80,7 @@ impl Chosen {
     {
         let mut mechanism: Mechanism<Model<'c, f64, N>, N> = prepare(request, &self.name, listing)?;
         mechanism.description.notes.extend(self.said.clone());
+        mechanism.changing = Some(changing);
         Ok(Box::new(mechanism))
     }
 }

@@ -169,6 +169,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         model: design.model,
         start,
         lead,
+        changing: None,
     })
 }
 

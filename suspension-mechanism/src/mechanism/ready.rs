@@ -4,9 +4,14 @@ use std::ops::Deref;
 
 use suspension_core::{Motion, Values};
 
+use crate::mechanism::changing::Changing;
 use crate::mechanism::description::Description;
 use crate::mechanism::lead::Lead;
 use crate::mechanism::names::Suspension;
+
+/// Gives a mechanism where it starts, with how it changes with its design; `None` where it locks there.
+pub type WhereItStarts<L, const N: usize> =
+    for<'a> fn(&'a Mechanism<L, N>) -> Option<Box<dyn Changing + 'a>>;
 
 /// A linkage in the configuration of the first instant, with its drives over time. It can be read as its
 /// [`Description`].
@@ -20,6 +25,8 @@ pub struct Mechanism<L, const N: usize> {
     pub start: Motion<f64, N>,
     /// What leads in place of a drive.
     pub lead: Option<Lead<N>>,
+    /// How it changes with its design, where its model tells that.
+    pub changing: Option<WhereItStarts<L, N>>,
 }
 
 impl<L, const N: usize> Deref for Mechanism<L, N> {

@@ -5,6 +5,7 @@ use std::array::from_fn;
 use nalgebra::Vector3;
 
 use crate::dual::Dual;
+use crate::mechanism::changing::Expansion;
 use crate::mechanism::gradient::DRIVES_AT_ONCE;
 use crate::mechanism::names::Names;
 use crate::mechanism::positions::Positions;
@@ -15,16 +16,6 @@ pub const CHANGES_AT_ONCE: usize = 4;
 /// A number with its first derivatives along some changes of the design, and those of its first derivatives with respect to some
 /// drives.
 pub type Sensitive = Dual<Dual<f64, CHANGES_AT_ONCE>, DRIVES_AT_ONCE>;
-
-/// Points and measures with their derivatives with respect to the drives, or the derivatives of all these along a change of the
-/// design.
-#[derive(Clone, Debug, Default)]
-pub struct Expansion {
-    /// The points, or their first or second derivatives with respect to drives, by [`Term`] behind each other.
-    pub points: Vec<Vector3<f64>>,
-    /// The measures, then their derivatives with respect to each drive.
-    pub measures: Vec<f64>,
-}
 
 /// What of an [`Expansion`].
 #[derive(Clone, Copy)]

@@ -25,27 +25,37 @@ pub(super) fn fill(
     mechanism: &dyn Kinematics,
     change: &Change,
     columns: &[Column],
-    of: &mut DMatrix<f64>,
+    found: &mut DMatrix<f64>,
 ) {
     if columns.iter().all(|column| column.has_derivatives) {
         return;
     }
-    let step = STEP * size(mechanism);
-    let neighbour = |(steps, weight): (f64, f64)| {
-        let changed = mechanism.changed(&change.per_unit.times(steps * step))?;
-        Some((read(&*changed, columns)?, weight))
-    };
-    let neighbours: Option<Vec<_>> = WEIGHTS.into_iter().map(neighbour).collect();
-    let Some(neighbours) = neighbours else {
+    let Some(differences) = of(mechanism, change, columns) else {
         return;
     };
     for (place, column) in columns.iter().enumerate() {
         if !column.has_derivatives {
-            let terms = neighbours.iter();
-            let sum: f64 = terms.map(|(read, weight)| weight * read[place][0]).sum();
-            of[(place, 0)] = sum / (60.0 * step);
+            found[(place, 0)] = differences[(place, 0)];
         }
     }
+}
+
+/// The derivatives of all numbers along a change; `None` where no such suspensions can be built.
+pub(super) fn of(
+    mechanism: &dyn Kinematics,
+    change: &Change,
+    columns: &[Column],
+) -> Option<DMatrix<f64>> {
+    let step = STEP * size(mechanism);
+    let mut sum = DMatrix::zeros(columns.len(), 1 + mechanism.names.drives.len());
+    for (steps, weight) in WEIGHTS {
+        let changed = mechanism.changed(&change.per_unit.times(steps * step))?;
+        let numbers = read(&*changed, columns)?;
+        sum += DMatrix::from_fn(sum.nrows(), sum.ncols(), |column, number| {
+            weight * numbers[column][number]
+        });
+    }
+    Some(sum / (60.0 * step))
 }
 
 /// The largest extent of the points along an axis.

@@ -4,8 +4,8 @@ use nalgebra::DMatrix;
 
 use super::Change;
 use crate::characteristics::columns_in;
-use crate::kinematics::{Changing, Kinematics};
-use crate::mechanism::{DRIVES_AT_ONCE, Expansion, InDesign, Names, Sensitive};
+use crate::kinematics::Kinematics;
+use crate::mechanism::{Changing, DRIVES_AT_ONCE, Expansion, InDesign, Names, Sensitive, State};
 use crate::quantities::{Column, Reader};
 
 /// Reads what changes do.
@@ -13,14 +13,21 @@ pub(super) struct Exact<'a> {
     columns: Vec<Column<Sensitive>>,
     names: &'a Names,
     design: &'a dyn Changing,
+    state: State,
 }
 
 impl<'a> Exact<'a> {
-    pub(super) fn new(mechanism: &'a dyn Kinematics, design: &'a dyn Changing) -> Self {
+    /// Of a mechanism that starts in this state.
+    pub(super) fn new(
+        mechanism: &'a dyn Kinematics,
+        design: &'a dyn Changing,
+        state: State,
+    ) -> Self {
         Self {
             columns: columns_in(mechanism),
             names: &mechanism.names,
             design,
+            state,
         }
     }
 
@@ -28,9 +35,10 @@ impl<'a> Exact<'a> {
     /// none; `None` where no such suspensions can be built. At most as many changes as numbers have derivatives along.
     pub(super) fn read(&self, changes: &[Change]) -> Vec<Option<DMatrix<f64>>> {
         let drives = self.names.drives.len();
-        let along = changes
-            .iter()
-            .map(|change| self.design.along(&change.per_unit));
+        let along = changes.iter().map(|change| {
+            self.design
+                .along(&change.per_unit.points, &change.per_unit.lengths)
+        });
         let along: Vec<Option<Expansion>> = along.collect();
         let unknown = DMatrix::repeat(self.columns.len(), 1 + drives, f64::NAN);
         let of_change = |along: &Option<Expansion>| along.as_ref().map(|_| unknown.clone());
@@ -42,7 +50,7 @@ impl<'a> Exact<'a> {
                 changes: &along,
                 first,
             };
-            let reader = Reader::with(self.design.state(), &at);
+            let reader = Reader::with(&self.state, &at);
             let columns = self.columns.iter().enumerate();
             for (place, column) in columns.filter(|(_, column)| column.has_derivatives) {
                 let number = column.read(&reader);
