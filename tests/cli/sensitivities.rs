@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use suspension_core::linkages::LISTINGS;
+
 use super::program::{CORNER, folder, run, text};
 
 /// The rows of the table, by what is changed.
@@ -143,5 +145,29 @@ fn the_largest_are_printed_first_and_unknown_quantities_refused() {
     assert!(
         text(&output.stderr).contains("no quantity begins with `chamber`; known are "),
         "{output:?}"
+    );
+}
+
+#[test]
+fn what_has_no_derivatives_is_not_said_to_be_unchanged() {
+    let folder = folder();
+    let text_of =
+        |(name, text): &(&str, &'static str)| (*name == "double_wishbone").then_some(*text);
+    let listing = LISTINGS.iter().find_map(text_of).expect("a layout");
+    let parallel = "measure par: angle(lower_front -> lower_rear, upper_front -> upper_rear);\n";
+    let write = |name: &str, text: &str| {
+        std::fs::write(folder.path().join(name), text).expect("written");
+    };
+    write("a.linkage", &format!("{listing}\n{parallel}"));
+    write(
+        "a.toml",
+        "listing = 'a.linkage'\nunit = 'm'\ntime = { instants = [0.0] }\ndrives = { bump = 0.3, steer = 0.34 }\n",
+    );
+    let output = run(folder.path(), &["sensitivities", "a.toml", "--of", "par"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report = text(&output.stdout);
+    assert!(
+        report.contains("\npar: 0 deg\n  it has no derivatives here"),
+        "{report}"
     );
 }

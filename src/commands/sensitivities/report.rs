@@ -163,6 +163,10 @@ impl Report<'_> {
         let numbers =
             numbers.map(|each| (&*each.change.name, each.of[(at.column, at.number)] * scale));
         let mut numbers: Vec<(&str, f64)> = numbers.filter(|(_, by)| by.is_finite()).collect();
+        if numbers.is_empty() && !self.found.each.is_empty() {
+            return "it has no derivatives here, as an angle between parallel lines has none"
+                .to_owned();
+        }
         // What is equal but for rounding stays in the file's order.
         let size = |by: f64| by.abs() as f32;
         numbers.sort_by(|(_, a), (_, b)| size(*b).total_cmp(&size(*a)));
