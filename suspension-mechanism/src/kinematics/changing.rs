@@ -13,8 +13,8 @@ use crate::mechanism::{Changing, Expansion, Mechanism};
 /// hardly closes, derivatives say little.
 const FARTHEST: f64 = 6.4e-3;
 
-/// The mechanism about its start.
-struct Around<'a, 'l, const N: usize>
+/// The mechanism at its start, with the derivatives of its unknowns there.
+struct AtStart<'a, 'l, const N: usize>
 where
     Room<N>: Size,
 {
@@ -47,7 +47,7 @@ where
         points,
         drives,
     };
-    let mut around = Around {
+    let mut at_start = AtStart {
         mechanism,
         factored: Factored::new(model, &free, &chassis).ok()?,
         drives: Vec::new(),
@@ -56,9 +56,9 @@ where
         start,
     };
     for drive in 0..mechanism.names.drives.len() {
-        around.add(drive);
+        at_start.add(drive);
     }
-    Some(Box::new(around))
+    Some(Box::new(at_start))
 }
 
 /// The change of a drive by one.
@@ -125,7 +125,7 @@ where
     model.measures_of(point).collect()
 }
 
-impl<const N: usize> Around<'_, '_, N>
+impl<const N: usize> AtStart<'_, '_, N>
 where
     Room<N>: Size,
 {
@@ -210,7 +210,7 @@ where
     }
 }
 
-impl<const N: usize> Changing for Around<'_, '_, N>
+impl<const N: usize> Changing for AtStart<'_, '_, N>
 where
     Room<N>: Size,
 {
