@@ -32,7 +32,7 @@ impl<'l, T: Scalar, const N: usize> Model<'l, T, N>
 where
     Room<N>: Size,
 {
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn factored(
         &self,
         q: &SVector<T, N>,

@@ -66,7 +66,7 @@ pub(super) fn of_support<N: Number>(
     let Some((wheelbase, cg_height)) = wheelbase.zip(*cg_height) else {
         return Vec::new();
     };
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let wheel = &names.wheels[rolling.number];
         let share = match torque {
             Torque::OfBrakes => wheel.brake_share,

@@ -14,7 +14,7 @@ pub(super) fn of_moved<N: Number>(
     on_ground: bool,
     moved: fn(&Wheel<N>, &Wheel<N>) -> N,
 ) -> Vec<Reading<N>> {
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let told = rolling.is_on_ground() || !on_ground;
         told.then(|| length(rolling, moved)).into_iter().collect()
     })
@@ -25,7 +25,7 @@ pub(super) fn of_moved_from_other_axle<N: Number>(
     names: &Names,
     forward: fn(&Wheel<N>, &Wheel<N>) -> N,
 ) -> Vec<Reading<N>> {
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let axle = names.wheels[rolling.number].axle;
         let axle = axle.filter(|_| rolling.is_on_ground());
         let of = |axle| match axle {

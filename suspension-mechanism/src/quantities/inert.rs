@@ -10,7 +10,7 @@ use crate::quantities::wheel::Rolling;
 /// The mass at each wheel centre that moves in height as all parts with masses do in travel.
 pub(super) fn of_wheels<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let has_masses = !names.vehicle.masses.is_empty();
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let Some(drive) = rolling.travel.filter(|_| has_masses) else {
             return Vec::new();
         };

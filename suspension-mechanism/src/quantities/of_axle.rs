@@ -53,15 +53,23 @@ impl Axle {
     fn is_steered(&self) -> bool {
         self.wheels.iter().all(|wheel| wheel.steer.is_some())
     }
+}
 
-    /// Readings under its name.
-    pub(super) fn named<N>(&self, readings: Vec<Reading<N>>) -> Vec<Reading<N>> {
-        let named = readings.into_iter().map(|reading| Reading {
-            wheel: self.name.clone(),
-            ..reading
-        });
-        named.collect()
-    }
+/// The readings of each axle that is wanted, under its name. (`dyn`, so that this is compiled once, not for each quantity.)
+pub(super) fn of_each_axle<N: Number>(
+    names: &Names,
+    is_wanted: &dyn Fn(&Axle) -> bool,
+    read: &dyn Fn([Rolling; 2]) -> Vec<Reading<N>>,
+) -> Vec<Reading<N>> {
+    let of_one = |axle: Axle| {
+        let mut readings = read(axle.wheels);
+        for reading in &mut readings {
+            reading.wheel.clone_from(&axle.name);
+        }
+        readings
+    };
+    let axles = Axle::all(names).into_iter().filter(is_wanted);
+    axles.flat_map(of_one).collect()
 }
 
 /// The left wheel and the right one; `None` where both are on one side.
@@ -81,11 +89,10 @@ pub(super) fn of_both<N: Number>(
     on_ground: bool,
     value: impl Fn([&Wheel<N>; 2]) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
-    let axles = Axle::all(names).into_iter();
-    let axles = axles.filter(|axle| axle.is_on_ground() || !on_ground);
-    axles
-        .flat_map(|axle| both(&axle, kind, value.clone()))
-        .collect()
+    let is_wanted = |axle: &Axle| axle.is_on_ground() || !on_ground;
+    of_each_axle(names, &is_wanted, &|wheels| {
+        vec![both(wheels, kind, value.clone())]
+    })
 }
 
 /// A number of both wheels of an axle, now and at the design position.
@@ -97,9 +104,8 @@ pub(super) fn of_both_from_design<N: Number>(
     kind: Kind,
     value: FromDesign<N>,
 ) -> Vec<Reading<N>> {
-    let of_axle = |axle: Axle| {
-        let wheels = axle.wheels;
-        let number = reading(kind, move |reader: &Reader<'_, N>| {
+    of_each_axle(names, &Axle::is_on_ground, &|wheels| {
+        vec![reading(kind, move |reader: &Reader<'_, N>| {
             let number = || {
                 let [left, right] = sided(reader, wheels)?;
                 let [of_left, of_right] = [left, right].map(|rolling| reader.at_design(rolling));
@@ -107,27 +113,22 @@ pub(super) fn of_both_from_design<N: Number>(
                 Some(value(now, [of_left?, of_right?]))
             };
             number().unwrap_or_else(N::unknown)
-        });
-        axle.named(vec![number])
-    };
-    let axles = Axle::all(names).into_iter().filter(Axle::is_on_ground);
-    axles.flat_map(of_axle).collect()
+        })]
+    })
 }
 
 /// The same of one axle.
 fn both<N: Number>(
-    axle: &Axle,
+    wheels: [Rolling; 2],
     kind: Kind,
     value: impl Fn([&Wheel<N>; 2]) -> N + 'static,
-) -> Vec<Reading<N>> {
-    let wheels = axle.wheels;
-    let number = reading(kind, move |reader: &Reader<'_, N>| {
+) -> Reading<N> {
+    reading(kind, move |reader: &Reader<'_, N>| {
         let wheels = sided(reader, wheels);
         wheels.map_or_else(N::unknown, |wheels| {
             value(wheels.map(|rolling| reader.wheel(rolling)))
         })
-    });
-    axle.named(vec![number])
+    })
 }
 
 /// An angle of the spin axis of each wheel of a steered axle.
@@ -144,7 +145,7 @@ pub(super) fn of_steered_wheels<N: Number>(
                 .any(|wheel| wheel.number == rolling.number)
         })
     };
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let steered = is_steered(&rolling).then_some(rolling).into_iter();
         let readings = steered.map(|rolling| {
             reading(Kind::Angle, move |reader: &Reader<'_, N>| {
@@ -168,8 +169,8 @@ pub(super) fn of_turn<N: Number>(
     let is_rear = |wheel: &Rolling| names.wheels[wheel.number].axle == Some(mechanism::Axle::Rear);
     let steers =
         |axle: &Axle| axle.is_on_ground() && axle.is_steered() && !axle.wheels.iter().any(is_rear);
-    let of_axle = |axle: Axle| {
-        both(&axle, kind, move |wheels: [&Wheel<N>; 2]| {
+    of_each_axle(names, &steers, &|wheels| {
+        vec![both(wheels, kind, move |wheels: [&Wheel<N>; 2]| {
             let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
             let [inner, outer] = [turn.inner, turn.outer].map(N::value);
             let is_straight = inner + outer < 2.0 * STRAIGHT;
@@ -178,10 +179,8 @@ pub(super) fn of_turn<N: Number>(
                 return N::unknown();
             }
             value(&turn, N::still(wheelbase), track(wheels))
-        })
-    };
-    let axles = Axle::all(names).into_iter().filter(steers);
-    axles.flat_map(of_axle).collect()
+        })]
+    })
 }
 
 /// From the right contact point to the left one, along y.
@@ -191,25 +190,21 @@ pub(super) fn track<N: Number>([left, right]: [&Wheel<N>; 2]) -> N {
 
 /// Where each axle's roll centre is, in the front view.
 pub(super) fn of_roll_centre<N: Number>(names: &Names) -> Vec<Reading<N>> {
-    let of_axle = |axle: Axle| {
-        let wheels = axle.wheels;
-        let of_reader = move |reader: &Reader<'_, N>| {
+    of_each_axle(names, &Axle::rolls, &|wheels| {
+        let axes = &[Axis::Y, Axis::Z];
+        components(None, Kind::Length, axes, move |reader: &Reader<'_, N>| {
             let wheels = sided(reader, wheels);
             let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
             let centre = in_roll.map_or(Vector3::repeat(N::unknown()), |in_roll| in_roll.centre);
             reader.axes.turned(centre)
-        };
-        let axes = &[Axis::Y, Axis::Z];
-        axle.named(components(None, Kind::Length, axes, of_reader))
-    };
-    let axles = Axle::all(names).into_iter().filter(Axle::rolls);
-    axles.flat_map(of_axle).collect()
+        })
+    })
 }
 
 /// What each wheel has per radian of its axle's roll.
 pub(super) fn of_roll<N: Number>(names: &Names, value: fn(PerRoll<N>) -> N) -> Vec<Reading<N>> {
     let axles: Vec<Axle> = Axle::all(names).into_iter().filter(Axle::rolls).collect();
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let is_of = |axle: &&Axle| {
             axle.wheels
                 .iter()

@@ -14,7 +14,7 @@ use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
 
 /// The contact point.
 pub(super) fn of_contact<N: Number>(names: &Names) -> Vec<Reading<N>> {
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         if !rolling.is_on_ground() {
             return Vec::new();
         }
@@ -44,7 +44,7 @@ fn of_kingpin_at<N: Number>(
     offset: Offset<N>,
     point: fn(&Wheel<N>) -> Vector3<N>,
 ) -> Vec<Reading<N>> {
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let ends = rolling.points.kingpin;
         let ends = ends.filter(|_| rolling.is_on_ground() || !on_ground);
         let of = |_| {
@@ -67,7 +67,7 @@ pub(super) fn of_moving<N: Number>(
     on_ground: bool,
     value: impl Fn(&Moving<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         moving(rolling, along, kind, on_ground, value.clone())
     })
 }
@@ -78,7 +78,7 @@ pub(super) fn of_independent<N: Number>(
     kind: Kind,
     value: impl Fn(&Moving<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let rolling = Some(rolling).filter(|rolling| rolling.is_alone(names));
         let readings =
             rolling.map(|rolling| moving(rolling, Along::Travel, kind, true, value.clone()));
@@ -110,7 +110,7 @@ pub(super) fn of_moving_place<N: Number>(
     axes: &[Axis],
     place: fn(&Moving<N>) -> Vector3<N>,
 ) -> Vec<Reading<N>> {
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         if !is_moved(&rolling, along, false) {
             return Vec::new();
         }

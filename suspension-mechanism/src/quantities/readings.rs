@@ -131,19 +131,17 @@ fn coordinate<N: Number>(name: Option<&str>, point: usize, axis: Axis) -> Readin
     }
 }
 
-/// The readings of each wheel.
+/// The readings of each wheel. (`dyn`, so that this is compiled once, not for each quantity.)
 pub(super) fn of_each_wheel<N: Number>(
     names: &Names,
-    read: impl Fn(Rolling) -> Vec<Reading<N>>,
+    read: &dyn Fn(Rolling) -> Vec<Reading<N>>,
 ) -> Vec<Reading<N>> {
     let of_one = |(name, rolling): (&str, Rolling)| {
-        let wheel = (!name.is_empty()).then(|| name.to_owned());
-        let readings = read(rolling).into_iter();
-        let readings = readings.map(move |reading| Reading {
-            wheel: wheel.clone(),
-            ..reading
-        });
-        readings.collect::<Vec<_>>()
+        let mut readings = read(rolling);
+        for reading in &mut readings {
+            reading.wheel = (!name.is_empty()).then(|| name.to_owned());
+        }
+        readings
     };
     Rolling::each(names).flat_map(of_one).collect()
 }
@@ -153,7 +151,7 @@ pub(super) fn of_spin_axis<N: Number>(
     names: &Names,
     angle: fn(&Vector3<N>) -> N,
 ) -> Vec<Reading<N>> {
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         vec![reading(Kind::Angle, move |reader: &Reader<'_, N>| {
             angle(&reader.wheel(rolling).axis)
         })]
@@ -170,7 +168,7 @@ pub(super) fn of_kingpin_and_spin_axis<N: Number>(
     names: &Names,
     angle: impl Fn(&Vector3<N>, &Vector3<N>) -> N + Copy + 'static,
 ) -> Vec<Reading<N>> {
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let of = |_| {
             reading(Kind::Angle, move |reader: &Reader<'_, N>| {
                 let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));

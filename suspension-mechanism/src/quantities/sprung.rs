@@ -8,7 +8,7 @@ use crate::mechanism::{Names, State};
 use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
-use crate::quantities::of_axle::Axle;
+use crate::quantities::of_axle::{Axle, of_each_axle};
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
 use crate::quantities::wheel::Rolling;
@@ -60,7 +60,7 @@ pub(super) fn of_wheels<N: Number>(
     value: fn(Sprung) -> f64,
 ) -> Vec<Reading<N>> {
     let has_springs = !names.vehicle.springs.is_empty();
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let Some(drive) = rolling.travel.filter(|_| has_springs) else {
             return Vec::new();
         };
@@ -75,10 +75,8 @@ pub(super) fn of_wheels<N: Number>(
 /// The same of each axle in roll, its wheels moving opposite ways, along the angle of the line through their centres.
 pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
     let has_springs = !names.vehicle.springs.is_empty();
-    let axles = Axle::all(names).into_iter();
-    let axles = axles.filter(|axle| axle.has_travel() && has_springs);
-    let of_axle = |axle: Axle| {
-        let wheels = axle.wheels;
+    let is_sprung = |axle: &Axle| axle.has_travel() && has_springs;
+    of_each_axle(names, &is_sprung, &|wheels| {
         let of_state = move |state: &State| {
             let [a, b] = [wheels[0].travel?, wheels[1].travel?];
             let moved = state.moved_along(&[(a, 1.0), (b, -1.0)])?;
@@ -89,9 +87,8 @@ pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec
             // Along an angle a force is newtons times the unit of length.
             Some(value(sprung) / state.metre)
         };
-        axle.named(vec![without_derivatives(Kind::AngularStiffness, of_state)])
-    };
-    axles.flat_map(of_axle).collect()
+        vec![without_derivatives(Kind::AngularStiffness, of_state)]
+    })
 }
 
 fn height(state: &State, rolling: Rolling) -> Signal<f64> {

@@ -100,7 +100,7 @@ fn of_carrier<N: Number>(
     kind: Kind,
     which: fn([Vector3<f64>; 2]) -> Vector3<f64>,
 ) -> Vec<Reading<N>> {
-    of_each_wheel(names, |rolling| {
+    of_each_wheel(names, &|rolling| {
         let carrier = rolling.points.carrier;
         vector(None, kind, &Axis::ALL, move |state| {
             which(rotation(state, carrier))

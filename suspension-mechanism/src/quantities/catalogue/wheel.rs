@@ -15,7 +15,7 @@ catalogue! {
         definition: "the last point of the spin axis",
         source: "`wheel` of the listing",
         shown: Shown::InSummaries,
-        read: |names| of_each_wheel(names, |rolling| {
+        read: |names| of_each_wheel(names, &|rolling| {
             let [_, centre] = rolling.points.axis;
             place(None, move |reader| reader.places.at(centre))
         }),
