@@ -5,7 +5,6 @@
 mod absolute_coordinates;
 mod bounded;
 mod branch;
-mod certificate;
 mod chassis;
 mod corner;
 mod counting;

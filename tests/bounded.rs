@@ -5,5 +5,4 @@ mod assemblies;
 mod attempt;
 mod case;
 mod pivots;
-mod random;
 mod refusals;

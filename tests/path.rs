@@ -6,5 +6,4 @@ mod case;
 mod led;
 mod measures;
 mod published;
-mod random;
 mod wishbone;

@@ -2,5 +2,4 @@
 
 mod chassis;
 mod coefficients;
-mod random;
 mod steps;

@@ -5,8 +5,8 @@ use suspension_core::linkage::Factors as _;
 use suspension_core::tolerance::Tolerance;
 use suspension_core::{Bounded, Linkage};
 
-use super::case::{Case, assert_within, attia, differences, five_link, instants, widen};
-use crate::support::{INSTANTS, Reference};
+use super::case::{Case, assert_within, attia, five_link, instants, widen};
+use crate::support::{INSTANTS, Reference, differences};
 
 /// What is asked of steps of 1 ms: m, m/s, m/s^2.
 const BOUNDS: [f64; 3] = [1e-14, 1e-11, 1e-8];

@@ -4,7 +4,7 @@ use suspension_core::bounded::Outputs;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Bounded, Inputs, Linkage, Motion, Newton, Real, Still, Tangent};
 
-use crate::support;
+use crate::support::{self, differences};
 
 /// A linkage, its motion at `t = 0`, and its inputs by time.
 pub(crate) struct Case<L: Linkage<15>> {
@@ -70,15 +70,6 @@ impl<L: Linkage<15, Scalar = f64>> Case<L> {
 pub(crate) fn instants(dt: f64) -> Vec<f64> {
     let last = (1.9 / dt).round() as usize;
     (0..=last).map(|step| step as f64 * dt).collect()
-}
-
-/// The largest differences in position, velocity and acceleration.
-pub(crate) fn differences<T: Real>(a: &Motion<T, 15>, b: &Motion<T, 15>) -> [T; 3] {
-    [
-        (a.position - b.position).amax(),
-        (a.velocity - b.velocity).amax(),
-        (a.acceleration - b.acceleration).amax(),
-    ]
 }
 
 pub(crate) fn widen<T: Real>(worst: &mut [T; 3], found: [T; 3]) {

@@ -5,8 +5,7 @@ use suspension_core::linkage::Factors as _;
 use suspension_core::linkages::attia2003::{Drives, Listing, Model, Points};
 use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Signal, Still, Tracker};
 
-use super::case::differences;
-use crate::support;
+use crate::support::{self, differences};
 
 /// The angle from `start` at a steady speed, at time `t`.
 fn inputs(start: Drives<f64>, t: f64) -> Inputs<Still, Drives<f64>> {

@@ -7,8 +7,8 @@ use suspension_core::listing::Part;
 use suspension_core::tolerance::Tolerance;
 use suspension_core::{Bounded, Inputs, Linkage, Motion, SolveError, Still};
 
-use super::case::{Case, attia, differences, five_link};
-use crate::support;
+use super::case::{Case, attia, five_link};
+use crate::support::{self, differences};
 
 const STEP: f64 = 1e-3;
 

@@ -3,6 +3,9 @@
 
 mod assembly;
 mod baked;
+mod bounded;
+mod certificate;
+mod curves;
 #[path = "../support/double_wishbone.rs"]
 mod double_wishbone;
 mod f32;
@@ -10,5 +13,6 @@ mod guard;
 mod hostile;
 mod own_motion_file;
 mod properties;
+mod series;
 #[path = "../support/mod.rs"]
 mod support;

@@ -287,3 +287,12 @@ pub(crate) fn five_link_start<T: Real>(model: &five_link::Model<T>) -> Motion<T,
     assemble(&Newton::from_afar(), model, &inputs, &mut q).expect("assembles");
     Motion::at_rest(q)
 }
+
+/// The largest differences in position, velocity and acceleration.
+pub(crate) fn differences<T: Real>(a: &Motion<T, 15>, b: &Motion<T, 15>) -> [T; 3] {
+    [
+        (a.position - b.position).amax(),
+        (a.velocity - b.velocity).amax(),
+        (a.acceleration - b.acceleration).amax(),
+    ]
+}

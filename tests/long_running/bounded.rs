@@ -8,8 +8,7 @@ use suspension_core::{
     Bounded, Build, Inputs, Motion, Newton, Signal, Still, Tracker, Values, assemble,
 };
 
-use super::case::differences;
-use crate::support;
+use crate::support::{self, differences};
 
 const STEP: f64 = 1e-3;
 
