@@ -22,6 +22,7 @@ mod no_alloc;
 mod operations;
 mod path;
 mod published_tables;
+mod quantities;
 mod reference;
 mod renamed;
 mod rigid_fit;

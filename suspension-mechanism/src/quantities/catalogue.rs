@@ -91,6 +91,3 @@ pub fn catalogue() -> impl Iterator<Item = &'static Quantity> + Clone {
     ];
     files.into_iter().flatten().copied()
 }
-
-#[cfg(test)]
-mod tests;

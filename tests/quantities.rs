@@ -1,8 +1,7 @@
-//! What the catalogue has for linkages with and without a wheel.
+//! What the catalogue of quantities has for linkages with and without a wheel.
 
-use super::*;
-use crate::mechanism::{Length, Names, Unit, Wheel, WheelPoints};
-use crate::quantities::quantity::{Shown, columns};
+use suspension_mechanism::mechanism::{Length, Names, Unit, Wheel, WheelPoints};
+use suspension_mechanism::quantities::{Shown, catalogue, columns};
 
 /// Three points, the last a marker and the wheel centre.
 fn names(wheel: bool, kingpin: bool) -> Names {
