@@ -5,9 +5,9 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
+cd "$root"
 # The versions that the workspace is tested with.
-cp "$root/Cargo.lock" "$root/tests/firmware/"
-cd "$root/tests/firmware"
-# In a folder of its own: one that others build in would have to be waited for.
-cargo test --quiet --package measure
-cargo run --quiet --package measure -- "$@"
+cp Cargo.lock tests/firmware/
+# With the features that all of the workspace is built with, so that it is built from what tests are built from.
+cargo build --quiet --workspace --bin measure
+"${CARGO_TARGET_DIR:-target}/debug/measure" "$@"

@@ -24,7 +24,6 @@ mod path;
 mod published_tables;
 mod quantities;
 mod reference;
-mod renamed;
 mod rigid_fit;
 mod rotation;
 mod series;

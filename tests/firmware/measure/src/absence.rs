@@ -37,7 +37,7 @@ fn found<'a>(archive: &'a Archive, root: &str, with_soft: bool) -> Result<Vec<&'
 
 /// What the calls of a target reach and must not, a sentence each, and which offenders the search
 /// misses.
-pub fn complaints(target: &Target, archive: &Archive) -> Result<Vec<String>> {
+pub(crate) fn complaints(target: &Target, archive: &Archive) -> Result<Vec<String>> {
     let mut complaints = Vec::new();
     let mut entries: Vec<&str> = archive.globals.keys().map(String::as_str).collect();
     entries.retain(|name| is_entry(name));

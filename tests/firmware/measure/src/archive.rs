@@ -12,7 +12,7 @@ use object::{
 
 /// A function, or data.
 #[derive(Clone, Debug, Default)]
-pub struct Section {
+pub(crate) struct Section {
     /// Its symbols, demangled; of data that has none, the section's name.
     pub names: Vec<String>,
     /// Size.
@@ -28,14 +28,14 @@ pub struct Section {
 
 /// All sections of all objects.
 #[derive(Clone, Debug, Default)]
-pub struct Archive {
+pub(crate) struct Archive {
     pub sections: Vec<Section>,
     /// Sections by global symbol, as the linker sees it.
     pub globals: HashMap<String, usize>,
 }
 
 impl Archive {
-    pub fn read(path: &Path) -> Result<Self> {
+    pub(crate) fn read(path: &Path) -> Result<Self> {
         let data = std::fs::read(path)?;
         let archive = ArchiveFile::parse(&*data)?;
         let members: Vec<&[u8]> = archive
@@ -58,7 +58,7 @@ impl Archive {
     }
 
     /// The section of a global symbol.
-    pub fn find(&self, symbol: &str) -> Result<usize> {
+    pub(crate) fn find(&self, symbol: &str) -> Result<usize> {
         let found = self.globals.get(symbol).copied();
         found.with_context(|| format!("there is no {symbol}"))
     }

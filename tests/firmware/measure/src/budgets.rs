@@ -18,7 +18,7 @@ fn path() -> PathBuf {
     workspace().join("budgets.toml")
 }
 
-pub fn read() -> Result<Table<Figures>> {
+pub(crate) fn read() -> Result<Table<Figures>> {
     let path = path();
     let text = std::fs::read_to_string(&path);
     parse(&text.with_context(|| path.display().to_string())?, &path)
@@ -29,7 +29,7 @@ fn parse(text: &str, path: &Path) -> Result<Table<Figures>> {
 }
 
 /// Replaces the budgets by what was measured.
-pub fn write(measured: &Table<Measured>) -> Result<()> {
+pub(crate) fn write(measured: &Table<Measured>) -> Result<()> {
     let figures: Table<Figures> = measured
         .iter()
         .map(|(target, modes)| {
@@ -54,7 +54,7 @@ fn with_room(figures: Figures) -> Figures {
 
 /// What is wrong, a sentence each; nothing where all is well. Of the budgets only those count that
 /// `is_wanted`, by target and mode.
-pub fn complaints(
+pub(crate) fn complaints(
     measured: &Table<Measured>,
     budgets: &Table<Figures>,
     is_wanted: impl Fn(&str, &str) -> bool,

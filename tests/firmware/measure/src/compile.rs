@@ -8,12 +8,12 @@ use anyhow::{Context, Result, ensure};
 use crate::target::Target;
 
 /// The workspace of the firmware.
-pub fn workspace() -> PathBuf {
+pub(crate) fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
 /// What was built for a target.
-pub struct Built {
+pub(crate) struct Built {
     /// The loop, to be run.
     pub firmware: PathBuf,
     /// The calls, to be looked into: not linked, so that every function has a section of its own.
@@ -21,7 +21,7 @@ pub struct Built {
 }
 
 /// Builds for a target; what comes of it is in a folder of its own.
-pub fn compile(target: &Target) -> Result<Built> {
+pub(crate) fn compile(target: &Target) -> Result<Built> {
     let linker = linker()?;
     let config = |key: &str, value: &str| format!("target.{}.{key}={value}", target.triple);
     let mut flags = vec!["-Zemit-stack-sizes"];

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// What is budgeted of a mode.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(deny_unknown_fields)]
-pub struct Figures {
+pub(crate) struct Figures {
     /// The most instructions of a step.
     pub instructions: u64,
     /// The deepest stack of a call, bytes, whatever way the call takes.
@@ -18,7 +18,7 @@ pub struct Figures {
 
 impl Figures {
     /// The figures with their names.
-    pub fn named(&self) -> [(&'static str, u64); 3] {
+    pub(crate) fn named(&self) -> [(&'static str, u64); 3] {
         [
             ("instructions", self.instructions),
             ("bytes of stack", self.stack),
@@ -29,7 +29,7 @@ impl Figures {
 
 /// What was measured of a mode.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Measured {
+pub(crate) struct Measured {
     /// To be held against the budget.
     pub figures: Figures,
     /// The fewest instructions of a step.
@@ -43,4 +43,4 @@ pub struct Measured {
 }
 
 /// By target and mode.
-pub type Table<T> = BTreeMap<String, BTreeMap<String, T>>;
+pub(crate) type Table<T> = BTreeMap<String, BTreeMap<String, T>>;

@@ -49,7 +49,7 @@ fn rows(measured: &Table<Measured>) -> Vec<[String; 7]> {
 }
 
 /// In columns.
-pub fn plain(measured: &Table<Measured>) -> String {
+pub(crate) fn plain(measured: &Table<Measured>) -> String {
     let rows = rows(measured);
     let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
     let widths: [usize; 7] = std::array::from_fn(width);
@@ -69,7 +69,7 @@ pub fn plain(measured: &Table<Measured>) -> String {
 }
 
 /// As Markdown.
-pub fn markdown(measured: &Table<Measured>) -> String {
+pub(crate) fn markdown(measured: &Table<Measured>) -> String {
     let mut rows = rows(measured)
         .into_iter()
         .map(|row| format!("| {} |\n", row.join(" | ")));

@@ -7,14 +7,14 @@ use anyhow::{Context, Result, bail};
 use crate::archive::{Archive, Section};
 
 /// What calls reach.
-pub struct Reach<'a> {
+pub(crate) struct Reach<'a> {
     archive: &'a Archive,
     sections: BTreeSet<usize>,
 }
 
 impl<'a> Reach<'a> {
     /// Everything that the linker would keep for these sections.
-    pub fn of(archive: &'a Archive, roots: &[usize]) -> Self {
+    pub(crate) fn of(archive: &'a Archive, roots: &[usize]) -> Self {
         let mut sections = BTreeSet::new();
         let mut waiting = roots.to_vec();
         while let Some(next) = waiting.pop() {
@@ -31,27 +31,27 @@ impl<'a> Reach<'a> {
     }
 
     /// What is reached, the largest first.
-    pub fn by_size(&self) -> Vec<&'a Section> {
+    pub(crate) fn by_size(&self) -> Vec<&'a Section> {
         let mut sections: Vec<_> = self.sections().collect();
         sections.sort_by_key(|section| std::cmp::Reverse(section.bytes));
         sections
     }
 
     /// The symbols, demangled.
-    pub fn symbols(&self) -> impl Iterator<Item = &'a str> {
+    pub(crate) fn symbols(&self) -> impl Iterator<Item = &'a str> {
         self.sections()
             .flat_map(|section| &section.names)
             .map(String::as_str)
     }
 
     /// Code and constants.
-    pub fn bytes(&self) -> u64 {
+    pub(crate) fn bytes(&self) -> u64 {
         self.sections().map(|section| section.bytes).sum()
     }
 
     /// The deepest stack of a call of `root`, bytes. Any function whose address is taken may be
     /// called by any other, one such at a time.
-    pub fn stack(&self, root: usize) -> Result<u64> {
+    pub(crate) fn stack(&self, root: usize) -> Result<u64> {
         let mut deepest = Deepest {
             archive: self.archive,
             known: HashMap::new(),

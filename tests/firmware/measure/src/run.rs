@@ -14,7 +14,7 @@ const TIME_LIMIT: &str = "300";
 
 /// What a mode took on a board: least and most.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Taken {
+pub(crate) struct Taken {
     pub instructions: [u32; 2],
     /// Bytes.
     pub stack: [u32; 2],
@@ -24,7 +24,7 @@ pub struct Taken {
     pub residual: f64,
 }
 
-pub fn on_board(target: &Target, firmware: &Path) -> Result<BTreeMap<String, Taken>> {
+pub(crate) fn on_board(target: &Target, firmware: &Path) -> Result<BTreeMap<String, Taken>> {
     let output = Command::new("timeout")
         .arg(TIME_LIMIT)
         .args(target.emulator)
@@ -68,7 +68,7 @@ impl Gauge for Nothing {
 }
 
 /// The checksums of all modes on the host, or which step fails.
-pub fn on_host() -> BTreeMap<String, String> {
+pub(crate) fn on_host() -> BTreeMap<String, String> {
     let mut checksums = BTreeMap::new();
     let mut tell = |mode: &'static str, report: Result<Report, u32>| {
         let checksum = match report {

@@ -1,7 +1,7 @@
 //! The targets: what is built for each, and on which emulated board it runs.
 
 /// A processor with its board.
-pub struct Target {
+pub(crate) struct Target {
     /// Its name in tables and budgets.
     pub name: &'static str,
     /// The compiler's name of its instruction set.
@@ -20,7 +20,7 @@ const THUMB: &str = "thumbv7em-none-eabihf";
 const ARM: &str = "qemu-system-arm";
 const RISC_V: &str = "qemu-system-riscv64";
 
-pub const TARGETS: [Target; 3] = [
+pub(crate) const TARGETS: [Target; 3] = [
     Target {
         name: "m4f",
         triple: THUMB,
