@@ -171,12 +171,20 @@ impl FromStr for Wished {
                 range: [None; 2],
             });
         };
-        let Span(range) = range.parse()?;
+        let range = own_values(range)?;
         Ok(Self {
             drive: Some(name.trim().to_owned()),
             range: range.map(Some),
         })
     }
+}
+
+/// From where to where, not from the design position as elsewhere.
+fn own_values(range: &str) -> Result<[f64; 2], String> {
+    let Span(range) = range
+        .parse()
+        .map_err(|wrong: String| format!("{wrong}, in the drive's or measure's own values"))?;
+    Ok(range)
 }
 
 impl FromStr for WishedMeasure {
@@ -186,7 +194,7 @@ impl FromStr for WishedMeasure {
         let (name, range) = text
             .split_once('=')
             .ok_or("write MEASURE=FROM:TO, as damper=0.30:0.40")?;
-        let Span(range) = range.parse()?;
+        let range = own_values(range)?;
         Ok(Self {
             name: name.trim().to_owned(),
             range,

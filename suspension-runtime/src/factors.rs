@@ -32,6 +32,7 @@ impl<'l, T: Scalar, const N: usize> Model<'l, T, N>
 where
     Room<N>: Size,
 {
+    /// Assembled and eliminated. Not inlined: its 15 kB would be in every caller, for each size.
     #[inline(never)]
     pub(crate) fn factored(
         &self,

@@ -1,4 +1,5 @@
-//! Random geometries near the published one. Failing cases print their values.
+//! Random geometries near the published one: curves of configurations with one drive free close, or end where they
+//! must. Failing cases print their values.
 
 use std::cell::RefCell;
 
@@ -145,11 +146,7 @@ fn curves_are_closed_and_their_ends_are_ends() {
     use suspension_core::linkages::{attia2003::Model as Listed, five_link::Model as Rigid};
     const SEED: u8 = 1;
     println!("seed {SEED}");
-    let config = ProptestConfig {
-        cases: 100,
-        failure_persistence: None,
-        ..Default::default()
-    };
+    let config = crate::config(100);
     let generator = TestRng::from_seed(RngAlgorithm::ChaCha, &[SEED; 32]);
     let cases = (prop::collection::vec(-0.02_f64..0.02, 33), 0.8_f64..2.0);
     let [listed, rigid, single] = [(); 3].map(|()| RefCell::new(Ends::default()));

@@ -16,3 +16,14 @@ mod properties;
 mod series;
 #[path = "../support/mod.rs"]
 mod support;
+
+use proptest::test_runner::Config;
+
+/// Of so many random cases, of which a failing one is printed, not written to a file.
+fn config(cases: u32) -> Config {
+    Config {
+        cases,
+        failure_persistence: None,
+        ..Config::default()
+    }
+}

@@ -1,5 +1,5 @@
 //! Random geometries near the published one: a residual at rounding level or an error, never a
-//! panic or a NaN. Failing cases print their values; proptest keeps their seeds.
+//! panic or a NaN. Failing cases print their values.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -94,11 +94,7 @@ static ASSEMBLED: AtomicUsize = AtomicUsize::new(0);
 #[test]
 fn a_root_or_an_error() {
     use suspension_core::linkages::{attia2003::Model as Listed, five_link::Model as Rigid};
-    let config = ProptestConfig {
-        cases: 500,
-        failure_persistence: None,
-        ..Default::default()
-    };
+    let config = crate::config(500);
     let cases = (prop::collection::vec(-0.03_f64..0.03, 33), 0.8_f64..2.0);
     proptest!(config, |((by, theta) in cases)| {
         let assembled = [

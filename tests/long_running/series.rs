@@ -1,4 +1,5 @@
-//! Random geometries near the published one. Failing cases print their values.
+//! Random geometries near the published one: a step by series is the step to tolerance. Failing cases print
+//! their values.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -77,11 +78,7 @@ fn check(model: &Model<f64>, theta: Signal<f64>) -> Result<bool, TestCaseError> 
 
 #[test]
 fn the_series_is_the_motion() {
-    let config = ProptestConfig {
-        cases: 1000,
-        failure_persistence: None,
-        ..Default::default()
-    };
+    let config = crate::config(1000);
     let cases = (
         prop::collection::vec(-0.01_f64..0.01, 20),
         0.8_f64..2.0,

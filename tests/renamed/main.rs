@@ -1,4 +1,5 @@
 //! What a listing expands to where a program depends on the core under another name.
+#![deny(warnings)]
 
 use kinematics::Build;
 use kinematics::nalgebra::Vector3;

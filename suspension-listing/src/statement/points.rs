@@ -40,8 +40,11 @@ fn points(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vec<Point>> {
         let at = position(input)?;
         let named = Named { docs, name };
         points.push(Point { named, at });
-        if !input.peek(Token![;]) {
+        let next = input.lookahead1();
+        if next.peek(Token![,]) {
             input.parse::<Token![,]>()?;
+        } else if !next.peek(Token![;]) {
+            return Err(next.error());
         }
     }
     if points.is_empty() {
@@ -110,7 +113,7 @@ fn no_points(word: &Ident) -> Error {
 fn not_a_position(word: &Ident) -> Error {
     errors::at(
         word,
-        format!("unexpected `{word}`; write `,`, or a design position: `at [x, y, z]`"),
+        format!("unexpected `{word}`; write `,` or `;`, or a design position: `at [x, y, z]`"),
     )
 }
 

@@ -56,6 +56,20 @@ drive z: p.z;
 }
 
 #[test]
+fn a_list_of_points_goes_on_or_ends() {
+    let message = only_message("fixed: a at [0, 0, 0]\nfree: p;\nlink rod: a -> p;");
+    assert!(
+        message.starts_with("expected `,` or `;`; a `fixed` is written"),
+        "{message}"
+    );
+    let message = only_message("fixed: a\nfree: p;\nlink rod: a -> p;");
+    assert_eq!(
+        message,
+        "unexpected `free`; write `,` or `;`, or a design position: `at [x, y, z]`"
+    );
+}
+
+#[test]
 fn what_is_missing_at_the_end_is_told_there() {
     let [mistake] = &mistakes("fixed: a;\nfree: p;\nlink rod: a -> p")[..] else {
         panic!("one mistake");

@@ -20,6 +20,14 @@ pub(crate) struct Built {
     pub archive: PathBuf,
 }
 
+/// Has the firmware built from the versions that the root's workspace is tested with.
+pub(crate) fn take_versions() -> Result<()> {
+    let versions = workspace().join("../../Cargo.lock");
+    std::fs::copy(&versions, workspace().join("Cargo.lock"))
+        .with_context(|| versions.display().to_string())?;
+    Ok(())
+}
+
 /// Builds for a target; what comes of it is in a folder of its own.
 pub(crate) fn compile(target: &Target) -> Result<Built> {
     let linker = linker()?;

@@ -32,7 +32,7 @@ use target::{TARGETS, Target};
 /// For example `cargo run -p measure -- --only m4f/attia2003_f32_bounded`.
 #[derive(Parser)]
 struct Options {
-    /// Measures only what starts so: a target, `/` and the start of a mode
+    /// Measures only what starts so: a target (m4f, m7, rv64gc), `/` and the start of a mode
     #[arg(long, value_name = "TARGET/MODE", default_value = "")]
     only: String,
     /// Writes the table as Markdown
@@ -58,7 +58,11 @@ impl Options {
         let targets: Vec<_> = targets
             .filter(|target| target.name.starts_with(wanted))
             .collect();
-        ensure!(!targets.is_empty(), "no target is called {wanted}");
+        ensure!(
+            !targets.is_empty(),
+            "no target is called {wanted}; there are {}",
+            TARGETS.map(|target| target.name).join(", ")
+        );
         Ok(targets)
     }
 }
@@ -66,6 +70,7 @@ impl Options {
 fn main() -> Result<ExitCode> {
     let options = Options::parse();
     let targets = options.targets()?;
+    compile::take_versions()?;
     let host = run::on_host();
     let mut measured = Table::new();
     let mut complaints = Vec::new();
