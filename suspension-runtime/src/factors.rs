@@ -32,8 +32,8 @@ impl<'l, T: Scalar, const N: usize> Model<'l, T, N>
 where
     Room<N>: Size,
 {
-    /// Assembled and eliminated. Not inlined: its 15 kB would be in every caller, for each size.
-    #[inline(never)]
+    /// Assembled and eliminated.
+    #[inline(always)]
     pub(crate) fn factored(
         &self,
         q: &SVector<T, N>,
@@ -46,9 +46,7 @@ where
             growth_squared: T::zero(),
             determinant_sign: T::zero(),
         };
-        factors.assemble(self, q, fixed);
-        factors.reduce(q, fixed);
-        factors.eliminate();
+        factors.fill(self, q, fixed);
         factors
     }
 }
@@ -57,6 +55,15 @@ impl<T: Scalar, const N: usize> Factors<'_, T, N>
 where
     Room<N>: Size,
 {
+    /// Assembles and eliminates in place. Not inlined: its 15 kB would be in every caller, for each size. What returned
+    /// the factors would copy them.
+    #[inline(never)]
+    fn fill(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
+        self.assemble(model, q, fixed);
+        self.reduce(q, fixed);
+        self.eliminate();
+    }
+
     /// Writes the entries of the Jacobian that are not always zero.
     #[inline(always)]
     fn assemble(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
