@@ -7,7 +7,7 @@ use super::program::{edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 62] = [
+const BAD: [Case; 63] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "`m`, `mm`, `in`"),
@@ -33,6 +33,7 @@ const BAD: [Case; 62] = [
     ("p7", "p7 = [-1.3055, 0.38, 0.0405]", ":20:6", "in line: point `p8`"),
     ("instants", "start = 0\nstop = 1\nstep = 0", ":53:8", "step is zero"),
     ("instants", "start = 0\nstop = 1\nstep = -0.1", ":53:8", "leads away"),
+    ("instants", "start = 0\nstop = 1\nstep = 10", ":53:8", "longer than the motion from 0 s to 1 s"),
     ("instants", "start = 0\nstop = 1\nstep = 1e-9", ":53:8", "at most"),
     ("instants", "start = 0\nstop = inf\nstep = 1", ":52:8", "finite"),
     ("instants", "start = 0\nstop = 1", ":49:", "[time] needs"),

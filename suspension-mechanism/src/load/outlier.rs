@@ -1,4 +1,5 @@
-//! A point that lies far from all others: one of its coordinates is in another unit, as it seems.
+//! A point that lies far from all others: one of its coordinates is in another unit, or its decimal point has slipped, as it
+//! seems.
 
 use std::ops::Range;
 
@@ -9,11 +10,17 @@ use crate::failure::Failure;
 use crate::file::{Position, Source};
 use crate::load::task::Task;
 use crate::mechanism::Length;
-use crate::number::rounded;
+use crate::number::{exact, rounded};
 
 /// How many times as far from the others as these are from each other. Between metres, inches and millimetres lie
 /// factors of 25 and more.
 const FAR: f64 = 10.0;
+
+/// The same, where one coordinate would lie among the others' if it were a tenth.
+const FAR_BY_ONE_DIGIT: f64 = 3.0;
+
+/// How far beyond the others' coordinates a tenth may lie, as a part of how far these are apart.
+const BESIDE: f64 = 0.1;
 
 /// Fewer other points say too little of a mechanism's size.
 const FEWEST: usize = 3;
@@ -39,10 +46,10 @@ impl Outlier {
         let (points, places): (Vec<_>, Vec<_>) = by_coordinates.unzip();
         let mut points = points.into_iter().enumerate();
         points.find_map(|(index, (name, place))| {
-            let [away, apart] = distances(&places, index)?;
-            (away > FAR * apart).then(|| Self {
+            let around = Around::of(&places, index)?;
+            around.is_far().then(|| Self {
                 place,
-                in_words: in_words(name, task.file.length, [away, apart]),
+                in_words: around.in_words(name, task.file.length),
             })
         })
     }
@@ -59,26 +66,68 @@ impl Outlier {
     }
 }
 
-fn in_words(name: &str, unit: Length, [away, apart]: [f64; 2]) -> String {
-    let doubt = match unit_within(unit, [away, apart]) {
-        Some(other) => format!("is it in {}?", other.in_words()),
-        None => "is it mistyped?".to_owned(),
-    };
-    let (away, unit) = (rounded(away, 3), unit.symbol());
-    format!("`{name}` lies {away} {unit} from the other points: {doubt}")
+/// A point, and the box of the others' coordinates.
+struct Around {
+    at: Vector3<f64>,
+    low: Vector3<f64>,
+    high: Vector3<f64>,
+    /// How far the point is from the nearest of the others, and how far these are apart.
+    away: f64,
+    apart: f64,
 }
 
-/// How far a point is from the nearest of the others, and how far these are apart.
-fn distances(places: &[Vector3<f64>], index: usize) -> Option<[f64; 2]> {
-    let at = places.get(index)?;
-    let others = places.iter().enumerate();
-    let others: Vec<_> = others.filter(|(other, _)| *other != index).collect();
-    let mut corners = others.iter().map(|(_, at)| (**at, **at));
-    let first = corners.next()?;
-    let (low, high) = corners.fold(first, |(low, high), (at, _)| (low.inf(&at), high.sup(&at)));
-    let away = others.iter().map(|(_, other)| (at - *other).norm());
-    let away = away.fold(f64::INFINITY, f64::min);
-    (others.len() >= FEWEST).then_some([away, (high - low).norm()])
+impl Around {
+    fn of(places: &[Vector3<f64>], index: usize) -> Option<Self> {
+        let at = *places.get(index)?;
+        let others = places.iter().enumerate();
+        let others = others.filter(|(other, _)| *other != index);
+        let others: Vec<_> = others.map(|(_, place)| *place).collect();
+        let first = others.first()?;
+        let (low, high) = others.iter().fold((*first, *first), |(low, high), at| {
+            (low.inf(at), high.sup(at))
+        });
+        let away = others.iter().map(|other| (at - other).norm());
+        (others.len() >= FEWEST).then(|| Self {
+            at,
+            low,
+            high,
+            away: away.fold(f64::INFINITY, f64::min),
+            apart: (high - low).norm(),
+        })
+    }
+
+    fn is_far(&self) -> bool {
+        let times = self.away / self.apart;
+        times > FAR || (times > FAR_BY_ONE_DIGIT && self.slipped().is_some())
+    }
+
+    /// The axis on which a tenth of the coordinate, and on no other axis the coordinate itself, would lie among the others'.
+    fn slipped(&self) -> Option<usize> {
+        let room = BESIDE * self.apart;
+        let is_among = |axis: usize, value: f64| {
+            (self.low[axis] - room..=self.high[axis] + room).contains(&value)
+        };
+        let mut off = (0..3).filter(|&axis| !is_among(axis, self.at[axis]));
+        let (axis, others) = (off.next()?, off.next());
+        (others.is_none() && is_among(axis, self.at[axis] / 10.0)).then_some(axis)
+    }
+
+    fn in_words(&self, name: &str, unit: Length) -> String {
+        let doubt = match (self.slipped(), unit_within(unit, [self.away, self.apart])) {
+            (Some(axis), _) => {
+                let (letter, stated) = (["x", "y", "z"][axis], self.at[axis]);
+                let tenth = rounded(stated / 10.0, 12);
+                format!(
+                    "should its {letter} be {tenth} instead of {}?",
+                    exact(stated)
+                )
+            }
+            (None, Some(other)) => format!("is it in {}?", other.in_words()),
+            (None, None) => "is it mistyped?".to_owned(),
+        };
+        let (away, unit) = (rounded(self.away, 3), unit.symbol());
+        format!("`{name}` lies {away} {unit} from the other points: {doubt}")
+    }
 }
 
 /// The unit in which it would lie among the others; of several the largest.
