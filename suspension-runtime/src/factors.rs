@@ -55,8 +55,8 @@ impl<T: Scalar, const N: usize> Factors<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// Assembles and eliminates in place. Not inlined: its 15 kB would be in every caller, for each size. What returned
-    /// the factors would copy them.
+    /// Assembles and eliminates in place: factors that a call returns are copied. Not inlined, or its 15 kB would be in
+    /// every caller, for each size.
     #[inline(never)]
     fn fill(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
         self.assemble(model, q, fixed);

@@ -293,3 +293,16 @@ fn a_measure_is_not_listed_among_the_drives() {
     let expected = "unknown drive `heave`; the drives are bump, steer, and in place of one may lead damper, bar_arm";
     assert!(said.contains(expected), "{said}");
 }
+
+/// In binary the motion is shorter than its one step: 0.3 - 0.1 < 0.2.
+#[test]
+fn a_step_as_long_as_the_motion_leads_to_its_end() {
+    let folder = folder();
+    let time = "time = { start = 0.1, stop = 0.3, step = 0.2 }";
+    let file = CORNER.replace("time = { instants = [0.0] }", time);
+    assert!(file.contains(time), "{file}");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(text(&output.stdout).lines().count(), 3);
+}

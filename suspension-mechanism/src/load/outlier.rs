@@ -101,7 +101,7 @@ impl Around {
         times > FAR || (times > FAR_BY_ONE_DIGIT && self.slipped().is_some())
     }
 
-    /// The axis on which a tenth of the coordinate, and on no other axis the coordinate itself, would lie among the others'.
+    /// The axis of the only coordinate that does not lie among the others', where a tenth of it does.
     fn slipped(&self) -> Option<usize> {
         let room = BESIDE * self.apart;
         let is_among = |axis: usize, value: f64| {

@@ -53,21 +53,21 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
             exact(stop)
         ));
     }
-    if step.abs() > (stop - first).abs() && stop != first {
-        return refuse(format!(
-            "the time step {} s is longer than the motion from {} s to {} s; for one instant write instants = [{}]",
-            exact(step),
-            exact(first),
-            exact(stop),
-            exact(first)
-        ));
-    }
     let count = Instants::count_stepped(first, stop, step);
     if count.is_nan() || count > MOST_INSTANTS {
         return refuse(format!(
             "the time step {} s makes {} instants; at most {MOST_INSTANTS} are allowed",
             exact(step),
             rounded(count, 12)
+        ));
+    }
+    if count < 2.0 && stop != first {
+        return refuse(format!(
+            "the time step {} s is longer than the motion from {} s to {} s; for one instant write instants = [{}]",
+            exact(step),
+            exact(first),
+            exact(stop),
+            exact(first)
         ));
     }
     Ok(Instants::stepped(first, stop, step))
