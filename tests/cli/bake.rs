@@ -2,6 +2,7 @@
 
 mod along;
 mod contents;
+mod kept;
 mod languages;
 mod orders;
 mod surfaces;
@@ -14,7 +15,12 @@ use super::program::{example, run, text};
 const RANGE: [&str; 4] = ["--from", "0.75", "--to", "2"];
 
 fn baked(folder: &Path, arguments: &[&str]) -> String {
-    std::fs::write(folder.join("a.toml"), example("published_five_link.toml")).expect("written");
+    baked_of("published_five_link.toml", folder, arguments)
+}
+
+/// What is baked of an example, which is `a.toml` in the folder.
+fn baked_of(name: &str, folder: &Path, arguments: &[&str]) -> String {
+    std::fs::write(folder.join("a.toml"), example(name)).expect("written");
     let fixed = ["bake", "a.toml", "--output", "wheel_by_theta"];
     let output = run(folder, &[&fixed, arguments].concat());
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));

@@ -1,4 +1,4 @@
-//! That baked Rust files and C headers compile and give the digits of the library, and that two headers are two tables.
+//! That a baked Rust file and baked C headers compile and give the digits of the library, and that two headers are two tables.
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -6,7 +6,8 @@ use std::process::{Command, Output};
 use suspension_core::baked::{Curve, Split};
 
 use super::super::program::{example, folder, run, text};
-use super::{RANGE, baked};
+use super::kept::wheel_by_theta::{WHEEL_BY_THETA, WHEEL_BY_THETA_OUTPUTS};
+use super::{RANGE, baked, baked_of};
 
 pub(super) fn numbers(value: &toml::Value) -> Vec<f64> {
     match value {
@@ -26,9 +27,9 @@ pub(super) fn table(text: &str) -> (toml::Table, Vec<[[f64; 6]; 6]>) {
     (table, segments)
 }
 
-/// Places, with the position, velocity and acceleration that the core reads there.
-fn expected<T: Split>(folder: &Path, arguments: &[&str]) -> Vec<(T, [[T; 6]; 3])> {
-    let (table, segments) = table(&baked(folder, &[arguments, &["--as", "toml"]].concat()));
+/// Places, with the position, velocity and acceleration that the core reads there of a file in TOML.
+fn expected<T: Split>(text: &str) -> Vec<(T, [[T; 6]; 3])> {
+    let (table, segments) = table(text);
     let range: [f64; 2] = numbers(&table["range"]).try_into().expect("two ends");
     let per_unit = table["segments_per_unit"].as_float().expect("a number");
     let number = T::constant;
@@ -52,63 +53,22 @@ fn expected<T: Split>(folder: &Path, arguments: &[&str]) -> Vec<(T, [[T; 6]; 3])
 }
 
 /// Of the bits of a number, as a hexadecimal literal.
-fn bits<T>(numbers: &[[T; 6]; 3], bits: fn(&T) -> u64) -> String {
+pub(super) fn bits<T>(numbers: &[[T; 6]; 3], bits: fn(&T) -> u64) -> String {
     let each = numbers.as_flattened().iter();
     each.map(|x| format!("{:#x}, ", bits(x))).collect()
 }
 
 #[test]
 fn the_rust_file_compiles_and_reads_the_same_digits() {
-    let folder = folder();
-    let mut asserts = String::new();
-    for (at, values) in expected::<f64>(folder.path(), &RANGE) {
-        let bits = bits(&values, |x| x.to_bits());
-        asserts += &format!("    check({at:?}, [{bits}]);\n");
+    let file = baked_of("attia2003.toml", folder().path(), &["--as", "toml"]);
+    for (at, expected) in expected::<f64>(&file) {
+        let found = WHEEL_BY_THETA.at(at).expect("inside");
+        let found = found.acceleration(1.5, -0.7);
+        let [found, expected] = [found, expected].map(|numbers| bits(&numbers, |x| x.to_bits()));
+        assert_eq!(found, expected, "at {at}");
     }
-    let file = baked(folder.path(), &RANGE);
-    let program = format!(
-        "mod baked {{\n{file}}}
-fn check(at: f64, expected: [u64; 18]) {{
-    let found = baked::WHEEL_BY_THETA.at(at).unwrap().acceleration(1.5, -0.7);
-    let bits: Vec<u64> = found.as_flattened().iter().map(|x| x.to_bits()).collect();
-    assert_eq!(bits, expected);
-}}
-fn main() {{
-    assert!(baked::WHEEL_BY_THETA.at(2.1).is_err());
-    assert_eq!(baked::WHEEL_BY_THETA_OUTPUTS[5], \"spin_axis_z\");
-{asserts}}}
-"
-    );
-    let ran = run_with_the_core(folder.path(), &program);
-    assert!(ran.status.success(), "{}", text(&ran.stderr));
-}
-
-/// Compiles a program that depends on the core alone, with the versions of this package, and runs
-/// it.
-pub(super) fn run_with_the_core(folder: &Path, program: &str) -> Output {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let manifest = format!(
-        r#"[package]
-name = "reader"
-edition = "2024"
-[[bin]]
-name = "reader"
-path = "main.rs"
-[dependencies]
-suspension-core.path = {:?}
-[workspace]
-"#,
-        here.join("suspension-core")
-    );
-    std::fs::write(folder.join("Cargo.toml"), manifest).expect("written");
-    std::fs::write(folder.join("main.rs"), program).expect("written");
-    std::fs::copy(here.join("Cargo.lock"), folder.join("Cargo.lock")).expect("copied");
-    Command::new(env!("CARGO"))
-        .current_dir(folder)
-        .args(["run", "--quiet", "--offline", "--target-dir"])
-        .arg(Path::new(env!("CARGO_TARGET_TMPDIR")).join("reader"))
-        .output()
-        .expect("cargo runs")
+    assert!(WHEEL_BY_THETA.at(2.2).is_err());
+    assert_eq!(WHEEL_BY_THETA_OUTPUTS[5], "spin_axis_z");
 }
 
 #[test]
@@ -120,7 +80,8 @@ fn the_c_header_compiles_without_warnings_and_reads_the_same_digits() {
 fn the_c_header_reads<T: Split + std::fmt::LowerExp>(number: &str, to_bits: fn(&T) -> u64) {
     let folder = folder();
     let mut rows = String::new();
-    for (at, values) in expected(folder.path(), &RANGE) {
+    let file = baked(folder.path(), &[&RANGE[..], &["--as", "toml"]].concat());
+    for (at, values) in expected(&file) {
         rows += &format!("    {{{at:e}, {{{}}}}},\n", bits(&values, to_bits));
     }
     let width = 8 * size_of::<T>();
