@@ -1,5 +1,0 @@
-suspension_core::linkage! {
-    mod no_such_file;
-}
-
-fn main() {}

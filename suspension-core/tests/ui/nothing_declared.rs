@@ -1,5 +1,0 @@
-suspension_core::linkage! {
-    mod m {}
-}
-
-fn main() {}
