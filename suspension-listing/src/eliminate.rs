@@ -14,7 +14,6 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use acceptance::Positions;
-#[cfg(test)]
 pub use acceptance::THRESHOLD;
 use partial::Partial;
 

@@ -20,12 +20,10 @@ mod mistake;
 pub mod name;
 pub mod parse;
 mod random;
-mod sample;
+pub mod sample;
 mod site;
 mod statement;
 pub mod system;
-#[cfg(test)]
-mod tests;
 pub mod text;
 mod vector;
 

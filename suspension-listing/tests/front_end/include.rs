@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::include_source::{IncludeSource, Wanted};
-use crate::text;
+use suspension_listing::include_source::{IncludeSource, Wanted};
+use suspension_listing::text;
 
 const CORNER: &str = "\
 //! A corner, whose rack is the listing's around.

@@ -1,9 +1,10 @@
 //! Listings as text: what is told of mistakes, and what is refused.
 
+use suspension_listing::include_source::NoIncludes;
+use suspension_listing::system::System;
+use suspension_listing::text::{self, LONGEST_NUMBER, MOST_BYTES, Mistake};
+
 use super::catalogue_text;
-use crate::include_source::NoIncludes;
-use crate::system::System;
-use crate::text::{self, LONGEST_NUMBER, MOST_BYTES, Mistake};
 
 fn mistakes(text: &str) -> Vec<Mistake> {
     let found = text::parse(text, "corner.linkage", &NoIncludes).map(|_| ());

@@ -2,8 +2,9 @@
 
 use std::time::Instant;
 
+use suspension_listing::eliminate::{Entry, Order, THRESHOLD, order};
+
 use super::{catalogue_system, positions};
-use crate::eliminate::{Entry, Order, THRESHOLD, order};
 
 type Matrix = Vec<Vec<f64>>;
 

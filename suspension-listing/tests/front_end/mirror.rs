@@ -1,13 +1,13 @@
 //! A mirrored listing is the one that states both sides.
 
-use crate::include_source::NoIncludes;
 use std::collections::BTreeMap;
 
+use suspension_listing::form::Form;
+use suspension_listing::include_source::NoIncludes;
+use suspension_listing::system::{Point, System};
+use suspension_listing::text;
+
 use super::catalogue_system;
-use crate::form::Form;
-use crate::system::{Point, System};
-use crate::text;
-use crate::vector::Vector;
 
 const HALF: &str = "
 mirror: left -> right;
@@ -54,7 +54,7 @@ kingpin right: middle -> right;
 kingpin left: middle -> left;
 ";
 
-fn positions(points: &[Point]) -> BTreeMap<String, Option<Vector>> {
+fn positions(points: &[Point]) -> BTreeMap<String, Option<[f64; 3]>> {
     let each = points.iter();
     each.map(|point| (point.named.name.to_string(), point.at))
         .collect()
@@ -115,7 +115,7 @@ fn the_other_side_is_the_image() {
     assert_eq!(positions(&half.fixed), positions(&whole.fixed));
     assert_eq!(positions(&half.free), positions(&whole.free));
     assert_eq!(parts(&half), parts(&whole));
-    let markers = |system: &System| -> BTreeMap<String, Option<Vector>> {
+    let markers = |system: &System| -> BTreeMap<String, Option<[f64; 3]>> {
         let each = system.markers.iter();
         each.map(|marker| (marker.named.name.to_string(), marker.at))
             .collect()

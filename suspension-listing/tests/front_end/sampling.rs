@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Build, Values};
+use suspension_listing::system::Positions;
 
 use super::{catalogue_system, lower, positions};
-use crate::system::Positions;
 
 /// Compares every entry of the sampled Jacobian with the one that the model computes.
 fn compare<L: Build<15, Scalar = f64, Listing: Default>>(name: &str) {

@@ -1,16 +1,16 @@
 //! The wishbones of the catalogue, symmetric as drawings have them: the macro's order of pivots
 //! serves them all over their travel.
 
-use crate::include_source::NoIncludes;
 use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
 use suspension_core::bounded::Outputs;
 use suspension_core::linkages::{double_wishbone, double_wishbone_pushrod};
 use suspension_core::{Bounded, Build, Inputs, Motion, Signal, Values, linkages::LISTINGS};
+use suspension_listing::include_source::NoIncludes;
+use suspension_listing::{order, text};
 
 use super::{catalogue_system, catalogue_text};
-use crate::{order, text};
 
 const STEP: f64 = 1e-3;
 

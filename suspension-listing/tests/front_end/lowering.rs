@@ -2,9 +2,9 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
+use suspension_listing::system::{Body, Site, System};
 
 use super::{catalogue_system, lower};
-use crate::system::{Body, Site, System};
 
 fn determined(listing: TokenStream) -> System {
     let (system, messages) = lower(listing);

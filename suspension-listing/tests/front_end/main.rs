@@ -1,6 +1,7 @@
 //! How listings are lowered, and in which order their equations are eliminated.
 
 mod catalogue;
+mod did_you_mean;
 mod elimination;
 mod include;
 mod lowering;
@@ -9,14 +10,13 @@ mod sampling;
 mod texts;
 
 use proc_macro2::{Span, TokenStream};
+use suspension_listing::Listing;
+use suspension_listing::errors::Errors;
+use suspension_listing::include_source::NoIncludes;
+use suspension_listing::system::{Positions, System};
+use suspension_listing::{checked, parse, sample, text};
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident, Token, Visibility, braced};
-
-use crate::Listing;
-use crate::errors::Errors;
-use crate::include_source::NoIncludes;
-use crate::system::{Positions, System};
-use crate::{checked, parse, sample, text};
 
 /// The listing of `mod name { statements }`.
 fn listing(module: TokenStream) -> (Listing, Errors) {

@@ -1,0 +1,48 @@
+//! What a mistyped name may have been meant to be.
+
+use suspension_listing::did_you_mean::{did_you_mean, nearest, unknown};
+
+#[test]
+fn a_name_is_near_where_a_letter_or_two_are_wrong_or_a_word_is_the_same() {
+    let known = ["linkage", "drives", "unit", "wheel_radius", "bump"];
+    for (wanted, expected) in [
+        ("drive", "; did you mean `drives`?"),
+        ("lnikage", "; did you mean `linkage`?"),
+        ("inkagee", "; did you mean `linkage`?"),
+        ("bumb", "; did you mean `bump`?"),
+        ("tyre_radius", "; did you mean `wheel_radius`?"),
+        ("points", ""),
+        ("pumb", ""),
+        ("m", ""),
+        ("bump", ""),
+        ("", ""),
+    ] {
+        assert_eq!(did_you_mean(wanted, known), expected, "{wanted}");
+    }
+}
+
+#[test]
+fn where_none_is_known_none_is_listed() {
+    assert_eq!(
+        unknown("measure", "damper", &[]),
+        "unknown measure `damper`; the listing states none"
+    );
+}
+
+#[test]
+fn of_several_the_nearest_and_a_word_of_several_says_nothing() {
+    let known = ["lower_rear", "lower_read", "lower_front"];
+    assert_eq!(nearest("lower_reat", known), Some("lower_rear"));
+    assert_eq!(nearest("lower_fr0nt", known), Some("lower_front"));
+    assert_eq!(nearest("lower_ball", known), None);
+}
+
+#[test]
+fn letters_in_another_order_are_one_mistake() {
+    let is_near = |wanted, known| nearest(wanted, [known]).is_some();
+    // One letter in names of four, two in names of five.
+    assert!(is_near("link", "lnik") && is_near("link", "lik") && is_near("lik", "link"));
+    assert!(is_near("link", "lin") && is_near("link", "lint"));
+    assert!(!is_near("link", "lnki") && is_near("links", "lnkis"));
+    assert!(!is_near("links", "lnkit"));
+}
