@@ -232,8 +232,16 @@ fn coordinates<'de, D: de::Deserializer<'de>>(deserializer: D) -> Result<[f64; 3
 
 /// An array type would read three numbers and drop the rest.
 fn three<E: de::Error>(list: &[f64]) -> Result<[f64; 3], E> {
-    <[f64; 3]>::try_from(list)
-        .map_err(|_| E::invalid_length(list.len(), &"three coordinates [x, y, z]"))
+    <[f64; 3]>::try_from(list).map_err(|_| {
+        let comma = match list.len() {
+            ..=3 => "",
+            _ => "; a decimal separator is a point, as in 0.5",
+        };
+        E::custom(format!(
+            "a position has three coordinates [x, y, z], not {}{comma}",
+            list.len()
+        ))
+    })
 }
 
 struct PositionVisitor;

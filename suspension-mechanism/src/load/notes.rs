@@ -40,7 +40,8 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
         moved(task, given, placed),
         assembled(task, given, placed, off),
     ];
-    let wheels = task.names.wheels.iter();
+    // A point that is in the wrong place takes axes with it.
+    let wheels = task.names.wheels.iter().filter(|_| outlier.is_none());
     let of_wheels = wheels.flat_map(|wheel| {
         [
             across(task, given, wheel),

@@ -22,6 +22,9 @@ const FAR_BY_ONE_DIGIT: f64 = 3.0;
 /// How far beyond the others' coordinates a tenth may lie, as a part of how far these are apart.
 const BESIDE: f64 = 0.1;
 
+/// How far from the others a point that is in another unit may lie in that unit, in their extent.
+const IN_UNIT: f64 = 1.5;
+
 /// Fewer other points say too little of a mechanism's size.
 const FEWEST: usize = 3;
 
@@ -130,10 +133,10 @@ impl Around {
     }
 }
 
-/// The unit in which it would lie among the others; of several the largest.
+/// The unit in which it would lie among or near the others; of several the largest.
 fn unit_within(unit: Length, [away, apart]: [f64; 2]) -> Option<Length> {
     let factor = |other: &Length| other.metre() / unit.metre();
     let others = Length::ALL.into_iter();
-    let within = others.filter(|other| *other != unit && away <= apart * factor(other));
+    let within = others.filter(|other| *other != unit && away <= IN_UNIT * apart * factor(other));
     within.min_by(|a, b| factor(a).total_cmp(&factor(b)))
 }

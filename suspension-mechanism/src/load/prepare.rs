@@ -113,7 +113,10 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let mut notes = notes(&task, &guess, &design.points, design.off, outlier.as_ref());
     notes.extend(said_of_wheels::notes(&task, &design));
     let drives = task.drive_laws(design.drives.values());
-    let doubts = said_of_drives::doubts(&task, &design, &drives, instants);
+    let doubts = match outlier {
+        None => said_of_drives::doubts(&task, &design, &drives, instants),
+        Some(_) => Vec::new(),
+    };
     notes.extend(doubts.iter().cloned());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &file.drives)?;
