@@ -26,9 +26,10 @@ pub(super) struct Lattice<'m, const N: usize>
 where
     Room<N>: Size,
 {
-    rounded: &'m Model<'m, f64, N>,
     pub(super) exact: Model<'m, DoubleDouble, N>,
     drives: Vec<f64>,
+    /// At the start, by which all places near it are corrected.
+    factors: <Model<'m, f64, N> as Linkage<N>>::Factors,
     start: SVector<f64, N>,
     solved: RefCell<HashMap<Steps, Points<'m, N>>>,
 }
@@ -71,10 +72,12 @@ where
         start: SVector<f64, N>,
         drives: Vec<f64>,
     ) -> Self {
+        let coordinates = rounded.coordinates(&Signal::still(Values::from_values(drives.clone())));
+        let anchors = rounded.drive_anchors(*rounded.fixed(), &coordinates.value);
         Self {
-            rounded,
             exact: Fitted::converted(rounded, |x: f64| DoubleDouble::from(x)),
             drives,
+            factors: rounded.factor(&start, &anchors),
             start,
             solved: RefCell::default(),
         }
@@ -124,11 +127,9 @@ where
     }
 
     fn solve(&self, steps: &Steps) -> Points<'m, N> {
-        let Self { rounded, exact, .. } = self;
+        let Self { exact, factors, .. } = self;
         let drives = self.coordinates(steps);
         let anchors = exact.drive_anchors(*exact.fixed(), &drives);
-        let nearest = Values::from_values(anchors.values().map(|at| at.map(DoubleDouble::nearest)));
-        let factors = rounded.factor(&self.start, &nearest);
         let mut root = self.start.map(DoubleDouble::from);
         for _ in 0..60 {
             let residual = exact.residual(&root, &anchors, &drives);
