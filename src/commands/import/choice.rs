@@ -2,12 +2,12 @@
 
 use suspension_core::linkages::LISTINGS;
 use suspension_listing::did_you_mean::nearest;
-use suspension_runtime::{Listing, Mistakes, catalogue};
+use suspension_listing::text;
+use suspension_runtime::{CatalogueAndFiles, Listing, Mistakes, catalogue};
 
 use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::Names;
 use super::stand_in::has_stand_in;
-use crate::load;
 
 /// A listing, with the points of the file that are its own.
 #[derive(Debug)]
@@ -20,45 +20,71 @@ pub(super) struct Choice<'a> {
     pub(super) found: Vec<(String, &'a Hardpoint)>,
     /// The points that others of the file determine.
     pub(super) spare: Vec<String>,
+}
+
+impl<'a> Choice<'a> {
+    /// The point of the file that is one of the listing.
+    pub(super) fn point(&self, name: &str) -> Option<&'a Hardpoint> {
+        let mut found = self.found.iter();
+        found.find_map(|(other, point)| (other == name).then_some(*point))
+    }
+}
+
+/// A listing that may be chosen, and which of its points the file has.
+#[derive(Debug)]
+struct Candidate<'a> {
+    linkage: &'static str,
+    text: &'static str,
+    /// As in a [`Choice`].
+    found: Vec<(String, &'a Hardpoint)>,
+    spare: Vec<String>,
     /// The points that are missing.
     missing: Vec<String>,
 }
 
-impl<'a> Choice<'a> {
+impl<'a> Candidate<'a> {
     fn of(
         (linkage, text): (&'static str, &'static str),
         points: &[&'a Hardpoint],
         names: &Names,
     ) -> Result<Self, Mistakes> {
-        let listing = Listing::parse_file(text, linkage)?;
-        let mut choice = Self {
-            linkage,
-            text,
-            found: Vec::new(),
-            spare: Vec::new(),
-            missing: Vec::new(),
-            listing,
-        };
+        let (mut found, mut missing) = (Vec::new(), Vec::new());
         let named = |name: &str| points.iter().find(|point| point.key == name).copied();
-        for name in load::points(&choice.listing) {
-            let found = names.of_point(name).find_map(named);
-            match found {
-                Some(point) => choice.found.push((name.to_owned(), point)),
-                None => choice.missing.push(name.to_owned()),
+        for name in points_of(linkage, text)? {
+            let point = names.of_point(&name).find_map(named);
+            match point {
+                Some(point) => found.push((name, point)),
+                None => missing.push(name),
             }
         }
-        let has = |name: &str| choice.found.iter().any(|(other, _)| other == name);
-        (choice.spare, choice.missing) = choice
-            .missing
+        let has = |name: &str| found.iter().any(|(other, _)| other == name);
+        let (spare, missing) = missing
             .into_iter()
             .partition(|name| has_stand_in(name, has));
-        Ok(choice)
+        Ok(Self {
+            linkage,
+            text,
+            found,
+            spare,
+            missing,
+        })
     }
 
-    /// The point of the file that is one of the listing.
-    pub(super) fn point(&self, name: &str) -> Option<&'a Hardpoint> {
-        let mut found = self.found.iter();
-        found.find_map(|(other, point)| (other == name).then_some(*point))
+    fn chosen(self) -> Result<Choice<'a>, Mistakes> {
+        let Self {
+            linkage,
+            text,
+            found,
+            spare,
+            ..
+        } = self;
+        Ok(Choice {
+            linkage,
+            text,
+            listing: Listing::parse_file(text, linkage)?,
+            found,
+            spare,
+        })
     }
 
     /// The points that are missing, with the names that would do.
@@ -93,6 +119,15 @@ impl<'a> Choice<'a> {
     }
 }
 
+/// The names of a listing's points, which take none of the search for an order of elimination.
+fn points_of(linkage: &str, text: &str) -> Result<Vec<String>, Mistakes> {
+    let system = text::parse(text, linkage, &CatalogueAndFiles::beside(linkage))?;
+    let points = system.fixed.iter().chain(&system.free);
+    let points = points.map(|point| &point.named.name);
+    let markers = system.markers.iter().map(|marker| &marker.named.name);
+    Ok(points.chain(markers).map(ToString::to_string).collect())
+}
+
 /// The listing that is wanted, or else the one that takes most of the points.
 ///
 /// # Errors
@@ -106,15 +141,16 @@ pub(super) fn choose<'a>(
 ) -> Result<Choice<'a>, String> {
     let listings = LISTINGS.iter();
     let listings = listings.filter(|(name, _)| wanted.is_none_or(|wanted| wanted == *name));
-    let choices = listings.map(|listing| Choice::of(*listing, points, names));
-    let choices = choices.collect::<Result<_, _>>();
-    let mut choices: Vec<Choice<'a>> = choices.map_err(|mistakes| mistakes.to_string())?;
-    choices.sort_by_key(|choice| {
-        let (found, missing) = (choice.found.len(), choice.missing.len());
+    let refuse = |mistakes: Mistakes| mistakes.to_string();
+    let candidates = listings.map(|listing| Candidate::of(*listing, points, names));
+    let candidates = candidates.collect::<Result<_, _>>();
+    let mut candidates: Vec<Candidate<'a>> = candidates.map_err(refuse)?;
+    candidates.sort_by_key(|candidate| {
+        let (found, missing) = (candidate.found.len(), candidate.missing.len());
         (found == 0, missing, usize::MAX - found)
     });
-    let mut choices = choices.into_iter();
-    let Some(best) = choices.next() else {
+    let mut candidates = candidates.into_iter();
+    let Some(best) = candidates.next() else {
         return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));
     };
     if best.found.is_empty() {
@@ -134,14 +170,14 @@ pub(super) fn choose<'a>(
         let unknown = best.unknown(points, names, stated);
         return Err(format!("{what} {}{unknown}", best.lacks(names)));
     }
-    match choices.next() {
+    match candidates.next() {
         Some(other) if other.missing.is_empty() && other.found.len() == best.found.len() => {
             Err(format!(
                 "the points are those of {} and of {}: say which with --linkage",
                 best.linkage, other.linkage
             ))
         }
-        _ => Ok(best),
+        _ => best.chosen().map_err(refuse),
     }
 }
 
@@ -154,8 +190,8 @@ pub(super) fn known_names(names: &Names) -> Result<String, Mistakes> {
     let mut text = String::new();
     for (linkage, listing) in LISTINGS {
         text += &format!("{linkage}\n");
-        for point in load::points(&Listing::parse_file(listing, linkage)?) {
-            let others: Vec<&str> = names.of_point(point).skip(1).collect();
+        for point in points_of(linkage, listing)? {
+            let others: Vec<&str> = names.of_point(&point).skip(1).collect();
             let line = format!("  {point:18}{}", others.join(", "));
             text += &format!("{}\n", line.trim_end());
         }
@@ -171,14 +207,9 @@ mod tests {
     #[test]
     fn every_row_is_of_a_point_of_the_catalogue_in_the_spelling_that_is_compared() {
         let names = Names::read().expect("a table");
-        let listings = LISTINGS.iter().map(|(_, text)| Listing::parse(text));
-        let points: Vec<String> = listings
-            .flat_map(|listing| {
-                load::points(&listing.unwrap())
-                    .map(str::to_owned)
-                    .collect::<Vec<_>>()
-            })
-            .collect();
+        let listings = LISTINGS.iter();
+        let points = listings.flat_map(|(linkage, text)| points_of(linkage, text).unwrap());
+        let points: Vec<String> = points.collect();
         for (point, others) in &names.points {
             assert!(points.contains(point), "no listing has {point}");
             for name in others {
