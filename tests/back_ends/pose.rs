@@ -192,7 +192,7 @@ fn a_nanometre_in_any_hardpoint_is_seen() {
     for place in (0..case.hardpoints.len()).filter(|place| Some(*place) != damper_inner) {
         let mut other = Case::as_listed(&listing);
         other.hardpoints[place].z += 1e-9;
-        let [off, ..] = case.compare(&other.mechanism(), 60);
+        let [off, ..] = case.compare(&other.mechanism(), 30);
         let name = listing.name(Part::Point(place));
         assert!(off > 100.0 * GATES[0], "{name}: {off:e} m");
     }
