@@ -17,7 +17,7 @@ use parquet::schema::types::Type;
 pub use parquet::errors::ParquetError;
 
 /// Rows that are written at once.
-const GROUP: usize = 65_536;
+pub const GROUP: usize = 65_536;
 
 /// A table being written.
 pub struct Table<W: Write + Send> {
@@ -97,44 +97,5 @@ impl<W: Write + Send> Table<W> {
         }
         group.close()?;
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use parquet::file::reader::{FileReader, SerializedFileReader};
-    use parquet::record::RowAccessor;
-
-    use super::*;
-
-    #[test]
-    fn the_rows_of_several_groups_are_read_as_they_were_written() {
-        const ROWS: usize = GROUP + 3;
-        let value = |row: usize| [row as f64, (row as f64).sqrt()];
-        let columns = ["bump_m", "camber_rad"];
-        let mut table = Table::create(Vec::new(), columns, [("length", "m")]).expect("a table");
-        for row in 0..ROWS {
-            table.row(&value(row)).expect("a row");
-        }
-        let bytes = table.finish().expect("the whole");
-        let reader = SerializedFileReader::new(bytes::Bytes::from(bytes)).expect("Parquet");
-        let metadata = reader.metadata().file_metadata();
-        let about = metadata.key_value_metadata().expect("what it is about");
-        assert!(about.contains(&KeyValue::new("length".to_owned(), "m".to_owned())));
-        let names = metadata
-            .schema_descr()
-            .columns()
-            .iter()
-            .map(|column| column.name().to_owned());
-        assert_eq!(names.collect::<Vec<_>>(), columns);
-        let rows = reader.get_row_iter(None).expect("rows");
-        let mut count = 0;
-        for (number, row) in rows.enumerate() {
-            let row = row.expect("a row");
-            let found = [0, 1].map(|column| row.get_double(column).expect("a number"));
-            assert_eq!(found, value(number));
-            count += 1;
-        }
-        assert_eq!(count, ROWS);
     }
 }
