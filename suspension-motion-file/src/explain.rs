@@ -14,7 +14,14 @@ pub(super) fn explained(message: &str, source: &Source) -> String {
     let message = message.replace("unknown variant", "unknown word");
     let mut quoted = message.split('`').skip(1).step_by(2);
     let name = quoted.next().unwrap_or_default();
-    let hint = if message.starts_with("unknown field") || message.starts_with("unknown word") {
+    let hint = if message.starts_with("unknown field") {
+        let hint = did_you_mean(name, quoted);
+        // Where one is near, the others, which may be many, say nothing.
+        match message.split_once(", expected") {
+            Some((unknown, _)) if !hint.is_empty() => return unknown.to_owned() + &hint,
+            _ => hint,
+        }
+    } else if message.starts_with("unknown word") {
         did_you_mean(name, quoted)
     } else if message.starts_with("missing field") {
         to_write(name).to_owned()

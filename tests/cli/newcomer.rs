@@ -298,6 +298,44 @@ fn a_measure_is_not_listed_among_the_drives() {
     assert!(said.contains(expected), "{said}");
 }
 
+#[test]
+fn a_stop_between_two_steps_is_not_reached_without_a_word() {
+    let folder = folder();
+    let said = |step: &str| {
+        let file = CORNER.replace(
+            "instants = [0.0]",
+            &format!("start = 0, stop = 1, step = {step}"),
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        text(&output.stderr).to_owned()
+    };
+    assert_eq!(said("0.1"), "");
+    assert_eq!(
+        said("0.3"),
+        "note: a.toml: the motion ends at t = 0.9 s: its stop at 1 s is no whole number of steps of 0.3 s\n"
+    );
+}
+
+#[test]
+fn a_mistyped_key_is_told_with_the_one_that_is_near() {
+    for (mistyped, expected) in [
+        (
+            "linkag =",
+            "a.toml:1:1: unknown field `linkag`; did you mean `linkage`?",
+        ),
+        (
+            "speed =",
+            "a.toml:1:1: unknown field `speed`, expected one of `linkage`, ",
+        ),
+    ] {
+        let file = CORNER.replace("linkage =", mistyped);
+        let said = refusal("motion", &[("a.toml", &file)], &[]);
+        assert!(said.starts_with(expected), "{said}");
+    }
+}
+
 /// In binary the motion is shorter than its one step: 0.3 - 0.1 < 0.2.
 #[test]
 fn a_step_as_long_as_the_motion_leads_to_its_end() {

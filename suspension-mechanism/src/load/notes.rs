@@ -9,7 +9,7 @@ use crate::load::outlier::Outlier;
 use crate::load::task::Task;
 use crate::load::unsatisfied::Unsatisfied;
 use crate::load::wrong_side::only_on_wrong_side;
-use crate::mechanism::{Length, Wheel};
+use crate::mechanism::{Instants, Length, Wheel};
 use crate::number::{number, rounded};
 
 /// No suspension is so large, in metres, nor so small.
@@ -165,6 +165,18 @@ fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<
     (outboard * side < 0.0).then(|| {
         let wheel = wheel.stated("wheel");
         format!("the spin axis points inboard; write `{wheel}: {to} -> {from};` if `{from}` is the wheel centre")
+    })
+}
+
+/// The motion ends before its stop, which is no whole number of steps from the start.
+pub(super) fn short_of_stop(task: &Task<'_>, instants: &Instants) -> Option<String> {
+    let time = task.file.time.get_ref();
+    let (stop, step) = (time.stop.as_ref()?, time.step.as_ref()?);
+    let [_, last] = instants.ends();
+    let (name, stop, step) = (task.source.name(), *stop.get_ref(), *step.get_ref());
+    (last != stop).then(|| {
+        let [last, stop, step] = [last, stop, step].map(|seconds| rounded(seconds, 9));
+        format!("{name}: the motion ends at t = {last} s: its stop at {stop} s is no whole number of steps of {step} s")
     })
 }
 

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
 use crate::load::design::at_design;
 use crate::load::masses::masses;
-use crate::load::notes::notes;
+use crate::load::notes::{notes, short_of_stop};
 use crate::load::outlier::Outlier;
 use crate::load::sharing::sharing;
 use crate::load::springs::springs;
@@ -112,6 +112,9 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     };
     let mut notes = notes(&task, &guess, &design.points, design.off, outlier.as_ref());
     notes.extend(said_of_wheels::notes(&task, &design));
+    if to != Start::Design {
+        notes.extend(short_of_stop(&task, instants));
+    }
     let drives = task.drive_laws(design.drives.values());
     let doubts = match outlier {
         None => said_of_drives::doubts(&task, &design, &drives, instants),
