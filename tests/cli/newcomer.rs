@@ -267,6 +267,10 @@ fn a_point_in_another_unit_with_which_a_mechanism_can_be_built_is_remarked() {
             "note: a.toml: `damper_inner` lies 11.3 m from the other points: is it in inches?\n",
         ),
         (
+            "damper_inner = [0.02, 0.32, 2.4]",
+            "note: a.toml: `damper_inner` lies 1.8 m from the other points: should its z be 0.24 instead of 2.4?\n",
+        ),
+        (
             "damper_inner = [0.02, 850.0, 0.54]",
             "note: a.toml: `damper_inner` lies 849 m from the other points: is it in mm?\n",
         ),

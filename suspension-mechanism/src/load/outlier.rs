@@ -17,7 +17,7 @@ use crate::number::{exact, rounded};
 const FAR: f64 = 10.0;
 
 /// The same, where one coordinate would lie among the others' if it were a tenth.
-const FAR_BY_ONE_DIGIT: f64 = 3.0;
+const FAR_BY_ONE_DIGIT: f64 = 1.5;
 
 /// How far beyond the others' coordinates a tenth may lie, as a part of how far these are apart.
 const BESIDE: f64 = 0.1;
