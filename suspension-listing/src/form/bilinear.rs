@@ -4,7 +4,7 @@
 use super::{Dependence, Equations};
 use crate::name::Name;
 use crate::site::Site;
-use crate::vector::{Vector, dot};
+use crate::vector::{Vector, dot, minus};
 
 #[derive(Clone, Debug)]
 pub struct Bilinear {
@@ -79,24 +79,38 @@ impl Bilinear {
         self.products.iter().flat_map(|product| &product.factors)
     }
 
-    fn value(&self, factor: &Factor, at: &[Vector], scalars: &[f64]) -> f64 {
+    fn values<'a>(&'a self, at: &[Vector], scalars: &[f64]) -> Values<'a> {
+        let names = self.scalars().into_iter().map(|(name, _)| name);
+        Values {
+            sites: self.sites().into_iter().zip(at.iter().copied()).collect(),
+            scalars: names.zip(scalars.iter().copied()).collect(),
+        }
+    }
+}
+
+/// Sites and scalars with their values.
+struct Values<'a> {
+    sites: Vec<(&'a Site, Vector)>,
+    scalars: Vec<(&'a Name, f64)>,
+}
+
+impl Values<'_> {
+    fn of(&self, factor: &Factor) -> f64 {
         match factor {
             Factor::Unknown(name) => {
-                let mut known = self.scalars().into_iter().zip(scalars);
-                known
-                    .find(|((other, _), _)| *other == name)
-                    .map_or(0.0, |(_, value)| *value)
+                let known = self.scalars.iter().find(|(other, _)| *other == name);
+                known.map_or(0.0, |(_, value)| *value)
             }
-            Factor::Edge { line, axis } => {
-                let sites = self.sites();
-                let [from, to] = line.each_ref().map(|end| {
-                    let mut places = sites.iter().zip(at);
-                    let place = places.find(|(site, _)| site.name == end.name);
-                    place.map_or(0.0, |(_, at)| at[*axis])
-                });
-                to - from
-            }
+            Factor::Edge { line, axis } => self.line(line)[*axis],
         }
+    }
+
+    fn line(&self, line: &[Site; 2]) -> Vector {
+        let [from, to] = line.each_ref().map(|end| {
+            let place = self.sites.iter().find(|(site, _)| site.name == end.name);
+            place.map_or([0.0; 3], |(_, at)| *at)
+        });
+        minus(to, from)
     }
 }
 
@@ -153,13 +167,9 @@ impl Equations for Bilinear {
 
     /// The length.
     fn constants(&self, at: &[Vector]) -> Option<Vector> {
-        let axes = |line: &[Site; 2]| {
-            [0, 1, 2].map(|axis| {
-                let line = line.clone();
-                self.value(&Factor::Edge { line, axis }, at, &[])
-            })
-        };
-        let squares = self.length.iter().map(axes).map(|line| dot(line, line));
+        let values = self.values(at, &[]);
+        let lines = self.length.iter().map(|line| values.line(line));
+        let squares = lines.map(|line| dot(line, line));
         let product: f64 = squares.map(f64::sqrt).product();
         let length = match self.length.as_slice() {
             [_, _] => product.sqrt(),
@@ -169,10 +179,9 @@ impl Equations for Bilinear {
     }
 
     fn residual(&self, &[length, ..]: &Vector, at: &[Vector], scalars: &[f64]) -> Vector {
+        let values = self.values(at, scalars);
         let products = self.products.iter().map(|Multiplied { by, factors }| {
-            let [u, v] = factors
-                .each_ref()
-                .map(|factor| self.value(factor, at, scalars));
+            let [u, v] = factors.each_ref().map(|factor| values.of(factor));
             by * u * v
         });
         let sum: f64 = products.sum();
