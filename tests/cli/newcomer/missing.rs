@@ -1,0 +1,165 @@
+//! What is missing, stands in the wrong place, or is another file.
+
+use super::super::program::{CORNER, edited, folder, run, text};
+use super::refusal;
+
+#[test]
+fn a_file_in_place_of_a_command_is_told_the_command() {
+    for (file, advice) in [
+        (
+            "a.toml",
+            "for the motion of a file write suspension motion a.toml",
+        ),
+        (
+            "a.csv",
+            "for a motion file of hardpoints write suspension import a.csv",
+        ),
+        (
+            "a.linkage",
+            "a motion file names a listing: listing = \"a.linkage\"",
+        ),
+    ] {
+        let output = run(folder().path(), &[file]);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(said.contains(&format!("tip: {advice}\n")), "{said}");
+    }
+}
+
+#[test]
+fn a_key_in_the_wrong_table_is_told_where_it_stands() {
+    for (line, place) in [
+        ("wheel_radius = 0.3", "wheel_radius stands under [vehicle]"),
+        ("axes = 3", "axes stands above the first table"),
+        (
+            "axes = \"SAE\"",
+            "unit, angle and axes stand above the first table",
+        ),
+    ] {
+        let file = CORNER.replace("steer =", &format!("{line}\nsteer ="));
+        let said = refusal("motion", &[("a.toml", &file)], &[]);
+        assert!(said.ends_with(place), "{said}");
+    }
+}
+
+#[test]
+fn a_key_that_is_missing_is_told_with_what_to_write() {
+    for (line, expected) in [
+        (
+            "unit = \"m\"\n",
+            "missing field `unit`; write unit = \"m\", \"mm\" or \"in\"",
+        ),
+        (
+            "time = { instants = [0.0] }\n",
+            "missing field `time`; write [time] with start, stop and step",
+        ),
+        (
+            "[drives]\nbump = 0.3\nsteer = 0.34\n",
+            "missing field `drives`; write [drives] with a line for each",
+        ),
+    ] {
+        let said = refusal("sheet", &[("a.toml", &CORNER.replace(line, ""))], &[]);
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
+#[test]
+fn all_lengths_that_are_missing_are_named() {
+    let file = edited("d7_2", "").replace("\nd7_6", "\n# d7_6");
+    let said = refusal("motion", &[("a.toml", &file)], &[]);
+    assert!(
+        said.ends_with("lengths `d7_2`, `d7_6` are missing"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_point_without_position_is_told_where_to_write_it() {
+    let motion = "listing = \"a.linkage\"\nunit = \"m\"\ntime = { instants = [0.0] }\ndrives = { lift = 0.0 }\n";
+    let listing = "fixed: fore at [0.3, 0.0, 0.0], aft;\nfree: tip;\nlink front: fore -> tip;\n\
+                   link rear: aft -> tip;\ndrive lift: tip.z;\n";
+    for (tip, expected) in [
+        (
+            "",
+            "points `aft`, `tip` have no position; write `aft at [x, y, z]` in the listing, or aft = [x, y, z] under [points]",
+        ),
+        (
+            "points = { tip = [0.0, 0.4, 0.0] }\n",
+            "point `aft` has no position; write `aft at [x, y, z]` in the listing, or aft = [x, y, z] under [points]",
+        ),
+    ] {
+        let motion = format!("{motion}{tip}");
+        let files = [("a.toml", motion.as_str()), ("a.linkage", listing)];
+        let said = refusal("motion", &files, &[]);
+        assert!(said.ends_with(expected), "{said}");
+    }
+}
+
+#[test]
+fn a_file_of_another_kind_is_named_as_what_it_is() {
+    let listing = "//! An arm.\nfixed: hinge at [0.0, 0.0, 0.0];\n";
+    for (name, content, expected) in [
+        (
+            "a.linkage",
+            listing,
+            "this is a listing; a motion file names it: listing = \"FILE\"",
+        ),
+        (
+            "a.csv",
+            "lca_front, 1, 2, 3\n",
+            "this is no motion file; suspension import makes one of hardpoints",
+        ),
+    ] {
+        let said = refusal("sheet", &[(name, content)], &[]);
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
+#[test]
+fn a_mistake_of_a_listing_is_told_at_its_place_there() {
+    let (_, listing) = suspension_core::linkages::LISTINGS
+        .iter()
+        .find(|(name, _)| *name == "double_wishbone_pushrod")
+        .expect("in the catalogue");
+    let motion = CORNER.replace(
+        "linkage = \"double_wishbone_pushrod\"",
+        "listing = \"a.linkage\"",
+    );
+    for (from, to, expected) in [
+        (
+            "lower_rear  at [-0.20,",
+            "lower_rear  at [0.20,",
+            "a.linkage:8:8: point `lower_rear` is in the same place as point `lower_front`",
+        ),
+        (
+            "lower_rear  at [-0.20,",
+            "lower_rear  at [rear,",
+            "a.linkage:8:24: a coordinate or a factor is a finite number, for example `-1.25`",
+        ),
+    ] {
+        let listing = listing.replace(from, to);
+        let files = [("a.toml", motion.as_str()), ("a.linkage", &listing)];
+        assert_eq!(refusal("motion", &files, &[]), expected);
+    }
+    // Where the motion file moves one of the two, nothing is wrong.
+    let folder = folder();
+    let listing = listing.replace("lower_rear  at [-0.20,", "lower_rear  at [0.20,");
+    let moved = format!("{motion}[points]\nlower_rear = [-0.2, 0.35, 0.16]\n");
+    std::fs::write(folder.path().join("a.linkage"), listing).expect("written");
+    std::fs::write(folder.path().join("a.toml"), moved).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+}
+
+#[test]
+fn a_listing_that_cannot_be_read_is_told_with_the_line_that_names_it() {
+    let motion = CORNER.replace(
+        "linkage = \"double_wishbone_pushrod\"",
+        "listing = \"y.linkage\"",
+    );
+    let said = refusal("motion", &[("x.toml", &motion)], &[]);
+    assert!(
+        said.starts_with("x.toml:1:11: y.linkage: cannot be read: "),
+        "{said}"
+    );
+}

@@ -1,0 +1,95 @@
+//! Names that are mistyped, or stand for another kind.
+
+use super::super::program::CORNER;
+use super::refusal;
+
+#[test]
+fn a_mistyped_name_is_told_the_one_that_was_meant() {
+    for (from, to, expected) in [
+        ("[drives]", "[drive]", "; did you mean `drives`?"),
+        (
+            "double_wishbone_pushrod",
+            "double_wishbone_pusrod",
+            "; did you mean `double_wishbone_pushrod`?",
+        ),
+        ("steer =", "ster =", "; did you mean `steer`?"),
+        (
+            "wheel_radius",
+            "tyre_radius",
+            "; did you mean `wheel_radius`?",
+        ),
+        (
+            "wheel_radius = 0.3",
+            "travel = \"bumb\"",
+            "; did you mean `bump`?",
+        ),
+    ] {
+        let said = refusal("motion", &[("a.toml", &CORNER.replace(from, to))], &[]);
+        assert!(
+            said.starts_with("a.toml:") && said.ends_with(expected),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn a_mistyped_drive_of_an_option_is_told_the_one_that_was_meant() {
+    for (command, options) in [
+        ("sweep", ["--drive", "bumb=0:0.01:2"].as_slice()),
+        ("assemblies", &["--drive", "bumb", "--at", "0.3"]),
+        ("bake", &["--drive", "bumb=0.29:0.31"]),
+    ] {
+        let said = refusal(command, &[("a.toml", CORNER)], options);
+        let expected = "unknown drive `bumb`; known are bump, steer; did you mean `bump`?";
+        assert!(said.ends_with(expected), "{said}");
+    }
+}
+
+#[test]
+fn a_mistyped_option_is_told_the_one_that_was_meant() {
+    for (command, wrong, meant) in [
+        ("motion", "--cvs", "--csv"),
+        ("motion", "--jsno", "--json"),
+        ("sweep", "--drives", "--drive"),
+        ("sheet", "--otu", "--out"),
+    ] {
+        let said = refusal(command, &[("a.toml", CORNER)], &[wrong, "x"]);
+        let expected = format!("tip: a similar argument exists: '{meant}'");
+        assert!(said.contains(&expected), "{said}");
+        assert!(!said.contains("to pass"), "{said}");
+    }
+}
+
+#[test]
+fn a_measure_is_not_listed_among_the_drives() {
+    let said = refusal("sweep", &[("a.toml", CORNER)], &["--drive", "damper=0:1:3"]);
+    assert_eq!(
+        said,
+        "`damper` is a measure, no drive; the drives are bump, steer"
+    );
+    let said = refusal(
+        "motion",
+        &[("a.toml", &CORNER.replace("steer =", "heave ="))],
+        &[],
+    );
+    let expected = "unknown drive `heave`; the drives are bump, steer, and in place of one may lead damper, bar_arm";
+    assert!(said.contains(expected), "{said}");
+}
+
+#[test]
+fn a_mistyped_key_is_told_with_the_one_that_is_near() {
+    for (mistyped, expected) in [
+        (
+            "linkag =",
+            "a.toml:1:1: unknown field `linkag`; did you mean `linkage`?",
+        ),
+        (
+            "speed =",
+            "a.toml:1:1: unknown field `speed`, expected one of `linkage`, ",
+        ),
+    ] {
+        let file = CORNER.replace("linkage =", mistyped);
+        let said = refusal("motion", &[("a.toml", &file)], &[]);
+        assert!(said.starts_with(expected), "{said}");
+    }
+}

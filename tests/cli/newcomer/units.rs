@@ -1,0 +1,59 @@
+//! Points that are in another unit, or whose decimal point has slipped.
+
+use super::super::program::{CORNER, folder, run, text};
+use super::refusal;
+
+/// A corner whose statements are those of the catalogue, with some points in the motion file.
+fn corner_with(points: &str) -> String {
+    format!("{CORNER}[points]\n{points}\n")
+}
+
+#[test]
+fn a_point_in_another_unit_is_named_first_at_its_place() {
+    // The spin axis has no length: the marker is where the wheel centre is.
+    let flat = "axle = { from = \"wheel_centre\", offset = [0.0, 0.0, 0.0] }\n";
+    let said = refusal(
+        "motion",
+        &[(
+            "a.toml",
+            &corner_with(&format!("{flat}lower_ball = [0.005, 700.0, 0.17]")),
+        )],
+        &[],
+    );
+    let first = "a.toml:10:14: `lower_ball` lies 699 m from the other points: is it in mm?\n";
+    assert!(said.starts_with(first), "{said}");
+    assert_eq!(said.lines().count(), 2, "{said}");
+}
+
+#[test]
+fn a_point_in_another_unit_with_which_a_mechanism_can_be_built_is_remarked() {
+    let folder = folder();
+    for (points, expected) in [
+        ("lower_ball = [0.005, 0.71, 0.17]", ""),
+        (
+            "damper_inner = [0.02, 120.0, 0.54]",
+            "note: a.toml: `damper_inner` lies 119 m from the other points: is it in mm?\n",
+        ),
+        (
+            "damper_inner = [0.02, 12.0, 0.54]",
+            "note: a.toml: `damper_inner` lies 11.3 m from the other points: is it in inches?\n",
+        ),
+        (
+            "damper_inner = [0.02, 0.32, 2.4]",
+            "note: a.toml: `damper_inner` lies 1.8 m from the other points: should its z be 0.24 instead of 2.4?\n",
+        ),
+        (
+            "damper_inner = [0.02, 850.0, 0.54]",
+            "note: a.toml: `damper_inner` lies 849 m from the other points: is it in mm?\n",
+        ),
+        (
+            "damper_inner = [0.02, 3.2, 0.54]",
+            "note: a.toml: `damper_inner` lies 2.46 m from the other points: should its y be 0.32 instead of 3.2?\n",
+        ),
+    ] {
+        std::fs::write(folder.path().join("a.toml"), corner_with(points)).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        assert_eq!(text(&output.stderr), expected);
+    }
+}
