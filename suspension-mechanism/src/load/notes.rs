@@ -33,10 +33,7 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
 ) -> Vec<String> {
     let placed_points: Vec<_> = placed.values().collect();
     let of_points = [
-        outlier.map_or_else(
-            || size(task, given),
-            |outlier| Some(outlier.in_words.clone()),
-        ),
+        size(task, given).filter(|_| outlier.is_none()),
         moved(task, given, placed),
         assembled(task, given, placed, off),
     ];
@@ -52,7 +49,9 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     let name = task.source.name();
     let notes = of_points.into_iter().chain(of_wheels).flatten();
     let notes = notes.chain(lengths(task));
-    notes.map(|note| format!("{name}: {note}")).collect()
+    let of_outlier = outlier.map(|outlier| outlier.note(task.source));
+    let notes = notes.map(|note| format!("{name}: {note}"));
+    of_outlier.into_iter().chain(notes).collect()
 }
 
 /// The points are in another unit, as it seems.

@@ -33,7 +33,7 @@ const FEWEST: usize = 3;
 pub(super) struct Outlier {
     /// Where the file has it.
     place: Range<usize>,
-    pub(super) in_words: String,
+    in_words: String,
 }
 
 impl Outlier {
@@ -55,6 +55,11 @@ impl Outlier {
                 in_words: around.in_words(name, task.file.length),
             })
         })
+    }
+
+    /// What this says, with its place.
+    pub(super) fn note(&self, source: &Source) -> String {
+        format!("{}: {}", source.place(&self.place), self.in_words)
     }
 
     /// What is wrong, perhaps in consequence, behind what this says.

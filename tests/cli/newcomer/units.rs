@@ -32,23 +32,23 @@ fn a_point_in_another_unit_with_which_a_mechanism_can_be_built_is_remarked() {
         ("lower_ball = [0.005, 0.71, 0.17]", ""),
         (
             "damper_inner = [0.02, 120.0, 0.54]",
-            "note: a.toml: `damper_inner` lies 119 m from the other points: is it in mm?\n",
+            "note: a.toml:9:16: `damper_inner` lies 119 m from the other points: is it in mm?\n",
         ),
         (
             "damper_inner = [0.02, 12.0, 0.54]",
-            "note: a.toml: `damper_inner` lies 11.3 m from the other points: is it in inches?\n",
+            "note: a.toml:9:16: `damper_inner` lies 11.3 m from the other points: is it in inches?\n",
         ),
         (
             "damper_inner = [0.02, 0.32, 2.4]",
-            "note: a.toml: `damper_inner` lies 1.8 m from the other points: should its z be 0.24 instead of 2.4?\n",
+            "note: a.toml:9:16: `damper_inner` lies 1.8 m from the other points: should its z be 0.24 instead of 2.4?\n",
         ),
         (
             "damper_inner = [0.02, 850.0, 0.54]",
-            "note: a.toml: `damper_inner` lies 849 m from the other points: is it in mm?\n",
+            "note: a.toml:9:16: `damper_inner` lies 849 m from the other points: is it in mm?\n",
         ),
         (
             "damper_inner = [0.02, 3.2, 0.54]",
-            "note: a.toml: `damper_inner` lies 2.46 m from the other points: should its y be 0.32 instead of 3.2?\n",
+            "note: a.toml:9:16: `damper_inner` lies 2.46 m from the other points: should its y be 0.32 instead of 3.2?\n",
         ),
     ] {
         std::fs::write(folder.path().join("a.toml"), corner_with(points)).expect("written");
