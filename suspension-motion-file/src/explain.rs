@@ -4,8 +4,11 @@ use suspension_listing::did_you_mean::did_you_mean;
 
 use crate::source::Source;
 
-/// A mistake in words.
-pub(super) fn explained(message: &str, source: &Source) -> String {
+/// A mistake in words; `start` is where it begins.
+pub(super) fn explained(message: &str, source: &Source, start: usize) -> String {
+    if source.text().trim().is_empty() {
+        return "the file is empty; suspension motion --help shows what stands in one".to_owned();
+    }
     if let Some(other) = other_kind(source) {
         return other;
     }
@@ -23,6 +26,8 @@ pub(super) fn explained(message: &str, source: &Source) -> String {
         }
     } else if message.starts_with("unknown word") {
         did_you_mean(name, quoted)
+    } else if is_comma_between_digits(source.text(), start) {
+        "; a decimal separator is a point, as in 0.5".to_owned()
     } else if message.starts_with("missing field") {
         to_write(name).to_owned()
     } else if message.starts_with("invalid type: string") && message.contains("polynomial of time")
@@ -32,6 +37,15 @@ pub(super) fn explained(message: &str, source: &Source) -> String {
         String::new()
     };
     message + &hint
+}
+
+fn is_comma_between_digits(text: &str, start: usize) -> bool {
+    let (before, behind) = text.split_at_checked(start).unwrap_or((text, ""));
+    let is_digit = |letter: char| letter.is_ascii_digit();
+    before.ends_with(is_digit)
+        && behind
+            .strip_prefix(',')
+            .is_some_and(|rest| rest.starts_with(is_digit))
 }
 
 /// What to write where a key is missing.

@@ -53,7 +53,10 @@ pub fn stand_in<V>(
             drive: *drive,
         })),
         ([], [drive, ..]) => {
-            let message = format!("drive `{}` is missing", drives[*drive]);
+            let name = drives[*drive];
+            let message = format!(
+                "drive `{name}` is missing; write {name} = its value, or [value, rate, ...], under [drives]"
+            );
             Err(source.refuse(&table.span(), message))
         }
         ([(key, _)], []) => {
@@ -108,7 +111,7 @@ mod tests {
     #[test]
     fn any_other_set_of_names_is_refused_at_its_place() {
         let cases = [
-            ("", "a.toml:1:1: drive `bump` is missing"),
+            ("", "a.toml:1:1: drive `bump` is missing; write bump = "),
             ("steer = 1", "a.toml:1:1: drive `bump` is missing"),
             (
                 "steer = 1\ncamber = 2",

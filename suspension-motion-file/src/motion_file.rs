@@ -74,8 +74,9 @@ impl MotionFile {
     /// [`Failure::Input`] with the place of the first mistake.
     pub fn parse(source: &Source) -> Result<Self, Failure> {
         toml::from_str(source.text()).map_err(|error| {
-            let message = explained(error.message(), source);
-            source.refuse(&error.span().unwrap_or(0..0), message)
+            let span = error.span().unwrap_or(0..0);
+            let message = explained(error.message(), source, span.start);
+            source.refuse(&span, message)
         })
     }
 

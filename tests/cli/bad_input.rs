@@ -7,7 +7,7 @@ use super::program::{edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 63] = [
+const BAD: [Case; 64] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "`m`, `mm`, `in`"),
@@ -41,7 +41,8 @@ const BAD: [Case; 63] = [
     ("instants", "instants = [0.0, 0.5, 0.25]", ":51:23", "one way"),
     ("instants", "instants = [0.0, 0.0]", ":51:18", "one way"),
     ("instants", "instants = [nan]", ":51:13", "finite"),
-    ("theta = [", "", ":53:", "`theta` is missing"),
+    ("theta = [", "", ":53:", "`theta` is missing; write theta = its value, or [value, rate, ...], under [drives]\n"),
+    ("theta = [", "theta = 0,7", ":55:10", "; a decimal separator is a point, as in 0.5\n"),
     ("theta = [", "bump = [0.7]", ":55:1", "unknown drive `bump`"),
     ("theta = [", "theta = []", ":55:9", "coefficient"),
     ("theta = [", "theta = \"far\"", ":55:9", "a number, or coefficients of a polynomial of time as [value, rate, ...]"),

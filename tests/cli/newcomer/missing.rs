@@ -109,6 +109,11 @@ fn a_file_of_another_kind_is_named_as_what_it_is() {
             "lca_front, 1, 2, 3\n",
             "this is no motion file; suspension import makes one of hardpoints",
         ),
+        (
+            "a.toml",
+            "\n",
+            "the file is empty; suspension motion --help shows what stands in one",
+        ),
     ] {
         let said = refusal("sheet", &[(name, content)], &[]);
         assert!(said.contains(expected), "{said}");
