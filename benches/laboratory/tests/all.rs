@@ -2,6 +2,6 @@
 
 mod cli;
 mod failures;
-mod formulations;
+mod reference;
 #[path = "../../../tests/support/mod.rs"]
 mod support;
