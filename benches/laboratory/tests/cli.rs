@@ -1,5 +1,6 @@
 //! The program, run as a user runs it.
 
+mod accuracy;
 mod chart;
 mod failures;
 #[path = "../../../tests/cli/program.rs"]
