@@ -71,19 +71,12 @@ impl<'a> Candidate<'a> {
     }
 
     fn chosen(self) -> Result<Choice<'a>, Mistakes> {
-        let Self {
-            linkage,
-            text,
-            found,
-            spare,
-            ..
-        } = self;
         Ok(Choice {
-            linkage,
-            text,
-            listing: Listing::parse_file(text, linkage)?,
-            found,
-            spare,
+            linkage: self.linkage,
+            text: self.text,
+            listing: Listing::parse_file(self.text, self.linkage)?,
+            found: self.found,
+            spare: self.spare,
         })
     }
 
