@@ -239,7 +239,7 @@ fn three<E: de::Error>(list: &[f64]) -> Result<[f64; 3], E> {
             _ => "; a decimal separator is a point, as in 0.5",
         };
         E::custom(format!(
-            "a position has three coordinates [x, y, z], not {}{comma}",
+            "a position or an offset has three coordinates [x, y, z], not {}{comma}",
             list.len()
         ))
     })

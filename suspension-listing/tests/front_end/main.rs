@@ -1,4 +1,4 @@
-//! How listings are lowered, and in which order their equations are eliminated.
+//! Listings from their text to equations and an order of elimination, called as the macro and models from text call it.
 
 mod catalogue;
 mod did_you_mean;

@@ -22,7 +22,7 @@ const FAR_BY_ONE_DIGIT: f64 = 1.5;
 /// How far beyond the others' coordinates a tenth may lie, as a part of how far these are apart.
 const BESIDE: f64 = 0.1;
 
-/// How far from the others a point that is in another unit may lie in that unit, in their extent.
+/// How many times as far from the others as these are from each other a point may lie once its unit is put right.
 const IN_UNIT: f64 = 1.5;
 
 /// Fewer other points say too little of a mechanism's size.

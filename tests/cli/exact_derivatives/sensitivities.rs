@@ -34,7 +34,7 @@ enum Changed {
 type Numbers = BTreeMap<String, DoubleDouble>;
 
 /// How many changes of a layout are drawn.
-const DRAWN: usize = 8;
+const DRAWN: usize = 16;
 
 /// A layout whose sensitivities are held, and what is drawn at random of all changes.
 struct Sensitive<'a>(&'a Layout, &'a mut fastrand::Rng);

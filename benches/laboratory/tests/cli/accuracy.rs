@@ -1,23 +1,26 @@
 //! How exact the chart's methods are.
 
+use suspension_laboratory::chart::rows::Row;
+
 use super::chart::table;
 use super::program::{example, folder, run};
+
+/// The rows of a quick chart with these arguments, `five_link.toml` beside it.
+fn rows(five_link: &str, arguments: &[&str]) -> Vec<Row> {
+    let folder = folder();
+    std::fs::write(folder.path().join("five_link.toml"), five_link).expect("written");
+    let output = run(
+        folder.path(),
+        &[&["chart", "--quick", "--rounds", "1"], arguments].concat(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    table(&folder.path().join("out/chart.csv"))
+}
 
 /// About an origin among the points, though the file has its own more than a metre away.
 #[test]
 fn single_precision_is_as_exact_as_the_guarantee_says() {
-    let folder = folder();
-    std::fs::write(
-        folder.path().join("a.toml"),
-        example("published_five_link.toml"),
-    )
-    .expect("written");
-    let output = run(
-        folder.path(),
-        &["chart", "a.toml", "--quick", "--rounds", "1"],
-    );
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let rows = table(&folder.path().join("out/chart.csv"));
+    let rows = rows(&example("published_five_link.toml"), &["five_link.toml"]);
     for method in ["generated", "bounded_1", "bounded_2", "baked_1e-8"] {
         // In longer steps bounded ones have errors of their own.
         let of_method = rows
@@ -32,18 +35,12 @@ fn single_precision_is_as_exact_as_the_guarantee_says() {
     }
 }
 
-/// Steps of 5 ms to accelerations through the published motion: method, number type, worst errors of position, velocity and
-/// acceleration.
+/// Steps of 5 ms to accelerations through the published motion, not quite to its end: method, number type, worst errors of
+/// position, velocity and acceleration.
 fn errors(arguments: &[&str]) -> Vec<(String, String, [f64; 3])> {
-    let folder = folder();
-    let five_link = example("published_five_link.toml").replace("stop = 1.95", "stop = 1.9");
-    std::fs::write(folder.path().join("five_link.toml"), five_link).expect("written");
-    let output = run(
-        folder.path(),
-        &[&["chart", "--quick", "--rounds", "1"], arguments].concat(),
-    );
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let rows = table(&folder.path().join("out/chart.csv")).into_iter();
+    let five_link = example("published_five_link.toml");
+    assert!(five_link.contains("stop = 1.95"), "{five_link}");
+    let rows = rows(&five_link.replace("stop = 1.95", "stop = 1.9"), arguments).into_iter();
     let of_one = rows.filter(|row| row.step_s == 5e-3 && row.lanes == 1);
     let errors = of_one.filter_map(|row| {
         let errors = [
