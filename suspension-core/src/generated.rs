@@ -3,6 +3,7 @@
 mod stand_in;
 
 pub use nalgebra::{SMatrix, SVector, Vector3};
+#[cfg(feature = "macros")]
 pub use suspension_macros::{Named, linkage as expand};
 
 pub use crate::assemble::best_rigid_fit;

@@ -36,6 +36,9 @@
 //! cost ([`Bounded`]), by Taylor [`series`]; through the turning points of the drives ([`path`]);
 //! motions that were [`baked`]; the [`wheel`]; and a [`certificate`] that the root is the one near by.
 //! The page [`controller`] shows how to run it on a controller, and what a step costs there.
+//!
+//! The feature `macros`, on by default, brings [`linkage!`] and the layouts that it compiles in [`linkages`]. A program that reads
+//! all its listings at run time builds faster without it.
 #![no_std]
 #![forbid(unsafe_code)]
 // Nothing on the solving path may panic.
@@ -62,6 +65,7 @@ pub mod controller {}
 pub mod directions;
 mod entrywise;
 pub mod error;
+#[cfg(feature = "macros")]
 mod expansion;
 pub mod factored;
 #[doc(hidden)]

@@ -1,7 +1,7 @@
 //! What `suspension motion --help` explains.
 
-use suspension_core::linkages::attia2003;
 use suspension_core::listing::MeasureKind;
+use suspension_runtime::{Listing, catalogue as layouts};
 
 use crate::mechanism::{Axle, Mass, Names, Spring, Unit, Vehicle, Wheel, WheelPoints};
 use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
@@ -9,19 +9,23 @@ use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_ax
 /// The file, the results with the names that they have for the published linkage, the exit codes.
 pub(super) fn text() -> String {
     let tabled = catalogue().filter(|quantity| quantity.shown != Shown::InSummaries);
-    let [front, rear] = [Axle::Front, Axle::Rear].map(names_on);
+    let published = layouts::listing("attia2003").map(Listing::parse);
+    let Some(Ok(linkage)) = published else {
+        unreachable!("the catalogue has the published linkage");
+    };
+    let [front, rear] = [Axle::Front, Axle::Rear].map(|axle| names_on(axle, &linkage));
     let of_rear_axles = [&ANTI_LIFT, &ANTI_SQUAT];
     format!(
         "{FILE}{}{}{AXLE}{}{EXIT_CODES}",
         in_words(tabled, &front, Unit::METRE),
         in_words(of_rear_axles, &rear, Unit::METRE),
-        in_words(of_axles(), &names_of_axle(), Unit::METRE),
+        in_words(of_axles(), &names_of_axle(&linkage), Unit::METRE),
     )
 }
 
 /// Those of the published linkage, with all that a motion file may say of the vehicle. Which points and drives these
 /// are is of no account here.
-fn names_on(axle: Axle) -> Names {
+fn names_on(axle: Axle, linkage: &Listing) -> Names {
     Names {
         wheels: vec![wheel("", 0, axle)],
         vehicle: Vehicle {
@@ -39,18 +43,18 @@ fn names_on(axle: Axle) -> Names {
             .into(),
             masses: [Mass::At(0, 0.0)].into(),
         },
-        ..Names::of(&attia2003::Listing)
+        ..Names::of(linkage)
     }
 }
 
 /// Those of a linkage with two wheels.
-fn names_of_axle() -> Names {
+fn names_of_axle(linkage: &Listing) -> Names {
     Names {
         wheels: vec![
             wheel("left", 0, Axle::Front),
             wheel("right", 1, Axle::Front),
         ],
-        ..names_on(Axle::Front)
+        ..names_on(Axle::Front, linkage)
     }
 }
 

@@ -3,11 +3,15 @@
 //! cost no build time; `suspension-runtime` reads them, and a program that wants one compiled copies its text and
 //! says `linkage! { pub mod name; }`.
 
+#[cfg(feature = "macros")]
 use crate::linkage;
 
 macro_rules! catalogue {
     (compiled: $($compiled:ident),*; text: $($text:ident),*;) => {
-        $(linkage! { pub mod $compiled; })*
+        $(
+            #[cfg(feature = "macros")]
+            linkage! { pub mod $compiled; }
+        )*
 
         /// The listings by name, as text.
         pub const LISTINGS: &[(&str, &str)] = &[
