@@ -114,7 +114,14 @@ pub trait Linkage<const N: usize>: Parts {
     fn coordinates(&self, drives: &Signal<Self::Drives>) -> Signal<Self::Drives>;
 
     /// Puts the coordinates that drives prescribe into chassis points, or rates into rates.
-    fn drive_anchors(&self, fixed: Self::Fixed, drives: &Self::Drives) -> Self::Fixed;
+    fn put_drives(&self, fixed: &mut Self::Fixed, drives: &Self::Drives);
+
+    /// Chassis points, or their rates, with the coordinates that drives prescribe.
+    #[inline(always)]
+    fn drive_anchors(&self, mut fixed: Self::Fixed, drives: &Self::Drives) -> Self::Fixed {
+        self.put_drives(&mut fixed, drives);
+        fixed
+    }
 
     /// `F(q)`, in units of length.
     fn residual(

@@ -91,12 +91,10 @@ impl<F, D> Prescribed<F, D> {
         C: ChassisMotion<F>,
     {
         let drives = linkage.coordinates(&inputs.drives);
-        let chassis = inputs.chassis.signal(linkage.fixed());
-        let fixed = Signal {
-            value: linkage.drive_anchors(chassis.value, &drives.value),
-            rate: linkage.drive_anchors(chassis.rate, &drives.rate),
-            second_rate: linkage.drive_anchors(chassis.second_rate, &drives.second_rate),
-        };
+        let mut fixed = inputs.chassis.signal(linkage.fixed());
+        linkage.put_drives(&mut fixed.value, &drives.value);
+        linkage.put_drives(&mut fixed.rate, &drives.rate);
+        linkage.put_drives(&mut fixed.second_rate, &drives.second_rate);
         Self { fixed, drives }
     }
 }

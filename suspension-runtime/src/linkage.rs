@@ -66,8 +66,8 @@ where
         self.coordinates_of(drives)
     }
 
-    fn drive_anchors(&self, fixed: Self::Fixed, drives: &Self::Drives) -> Self::Fixed {
-        self.with_drives(fixed, drives)
+    fn put_drives(&self, fixed: &mut Self::Fixed, drives: &Self::Drives) {
+        self.put_coordinates(fixed, drives);
     }
 
     fn residual(

@@ -140,11 +140,7 @@ where
     }
 
     #[inline(always)]
-    pub(crate) fn with_drives(
-        &self,
-        mut fixed: Few<Vector3<T>, N>,
-        drives: &Few<T, N>,
-    ) -> Few<Vector3<T>, N> {
+    pub(crate) fn put_coordinates(&self, fixed: &mut Few<Vector3<T>, N>, drives: &Few<T, N>) {
         for (place, drive) in (0..).zip(&self.plan().drives) {
             let Some(point) = drive.moves else {
                 continue;
@@ -162,7 +158,6 @@ where
                 _ => {}
             }
         }
-        fixed
     }
 }
 

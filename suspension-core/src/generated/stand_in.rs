@@ -45,7 +45,7 @@ macro_rules! stand_in {
             fn coordinates(&self, _: &Signal<Drives<T>>) -> Signal<Drives<T>> {
                 loop {}
             }
-            fn drive_anchors(&self, _: Fixed<T>, _: &Drives<T>) -> Fixed<T> {
+            fn put_drives(&self, _: &mut Fixed<T>, _: &Drives<T>) {
                 loop {}
             }
             fn residual(&self, _: &SVector<T, $n>, _: &Fixed<T>, _: &Drives<T>) -> SVector<T, $n> {

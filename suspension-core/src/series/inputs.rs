@@ -97,9 +97,9 @@ impl<F: Copy, D: Copy, const K: usize> PrescribedSeries<F, D, K> {
     {
         let drives = coordinates(linkage, &inputs.drives);
         let mut fixed = inputs.chassis.jet(linkage.fixed());
-        fixed.value = linkage.drive_anchors(fixed.value, &drives.value);
+        linkage.put_drives(&mut fixed.value, &drives.value);
         for (fixed, drives) in fixed.terms.iter_mut().zip(&drives.terms) {
-            *fixed = linkage.drive_anchors(*fixed, drives);
+            linkage.put_drives(fixed, drives);
         }
         Self { fixed, drives }
     }

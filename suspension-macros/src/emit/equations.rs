@@ -15,7 +15,7 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
     let watched = clusters::watched(system);
     let methods = [
         coordinates(system),
-        drive_anchors(system),
+        put_drives(system),
         residual(system),
         jacobian::jacobian(system),
         elimination::pivots(system, order),
@@ -80,15 +80,14 @@ fn coordinates(system: &System) -> TokenStream {
 }
 
 /// Driven coordinates into the chassis points.
-fn drive_anchors(system: &System) -> TokenStream {
-    let moves: Vec<TokenStream> = system.drives.iter().filter_map(quantity::moves).collect();
-    let mutable = (!moves.is_empty()).then(|| quote!(mut));
-    let body = quote!(#(#moves)* fixed);
-    let drives = parameter("drives", &quote!(&Drives<T>), &body);
+fn put_drives(system: &System) -> TokenStream {
+    let moves: TokenStream = system.drives.iter().filter_map(quantity::moves).collect();
+    let fixed = parameter("fixed", &quote!(&mut Fixed<T>), &moves);
+    let drives = parameter("drives", &quote!(&Drives<T>), &moves);
     quote! {
         #[inline(always)]
-        fn drive_anchors(&self, #mutable fixed: Fixed<T>, #drives) -> Fixed<T> {
-            #body
+        fn put_drives(&self, #fixed, #drives) {
+            #moves
         }
     }
 }

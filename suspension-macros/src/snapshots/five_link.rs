@@ -273,10 +273,7 @@ pub mod five_link {
         }
 
         #[inline(always)]
-        fn drive_anchors(&self, fixed: Fixed<T>, _drives: &Drives<T>) -> Fixed<T> {
-            fixed
-        }
-
+        fn put_drives(&self, _fixed: &mut Fixed<T>, _drives: &Drives<T>) {}
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn residual(
             &self,
