@@ -20,7 +20,7 @@ pub(super) struct Bounds<T> {
 }
 
 /// What an equation is known by at a position: the entries of one row.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Row<T> {
     /// The residual.
     residual: T,
@@ -52,34 +52,33 @@ impl<T: Real> Bounds<T> {
     ) -> Result<Self, SolveError<T>> {
         let inverse = inverse(factors);
         let rows = rows(residual, jacobian, curvatures);
-        let mut defect = defect_of_middles(&inverse, jacobian);
-        let (mut correction, mut spread, mut curvature) =
-            ([T::zero(); N], [T::zero(); N], [T::zero(); N]);
+        let mut defects = defect_of_middles(&inverse, jacobian);
+        let mut sums = [Row::<T>::default(); N];
         for (column, row) in inverse.iter().zip(&rows) {
-            for (i, entry) in column.iter().enumerate() {
-                let size = entry.abs();
-                at(&mut correction, i, *entry * row.residual);
-                at(&mut spread, i, size * row.residual_spread);
-                at(&mut defect, i, size * row.jacobian_spread);
-                at(&mut curvature, i, size * row.curvature);
+            for (sum, entry) in sums.iter_mut().zip(column) {
+                sum.add(*entry, row);
             }
         }
-        for (correction, spread) in correction.iter_mut().zip(spread) {
-            *correction = correction.abs() + spread;
+        for (defect, sum) in defects.iter_mut().zip(&sums) {
+            *defect += sum.jacobian_spread;
         }
         Ok(Self {
-            correction: upper(correction)?,
-            defect: upper(defect)?,
-            curvature: upper(curvature)?,
+            correction: upper(sums.map(|sum| sum.residual.abs() + sum.residual_spread))?,
+            defect: upper(defects)?,
+            curvature: upper(sums.map(|sum| sum.curvature))?,
         })
     }
 }
 
-/// Adds to an entry.
-#[inline(always)]
-fn at<T: Real, const N: usize>(sums: &mut [T; N], i: usize, term: T) {
-    if let Some(sum) = sums.get_mut(i) {
-        *sum += term;
+impl<T: Real> Row<T> {
+    /// Adds another row, `times` itself; bounds by its magnitude.
+    #[inline(always)]
+    fn add(&mut self, times: T, row: &Self) {
+        let size = times.abs();
+        self.residual += times * row.residual;
+        self.residual_spread += size * row.residual_spread;
+        self.jacobian_spread += size * row.jacobian_spread;
+        self.curvature += size * row.curvature;
     }
 }
 
