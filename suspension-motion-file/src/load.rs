@@ -48,6 +48,10 @@ impl<'de> Deserialize<'de> for Load {
     }
 }
 
+/// How the commonest of them is written.
+const WRITTEN: &str =
+    "a force is written contact = [-3000.0, 0.0, 4000.0], in N, under [loads.NAME]";
+
 struct LoadVisitor;
 
 impl<'de> Visitor<'de> for LoadVisitor {
@@ -73,7 +77,12 @@ impl<'de> Visitor<'de> for LoadVisitor {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Load, A::Error> {
-        let force: Vec<f64> = Vec::deserialize(SeqAccessDeserializer::new(entries))?;
+        let force: Result<Vec<f64>, A::Error> =
+            Vec::deserialize(SeqAccessDeserializer::new(entries));
+        let force = force.map_err(|error| {
+            let mistake = error.to_string();
+            de::Error::custom(format!("{}; {WRITTEN}", mistake.trim_end()))
+        })?;
         let wanted = || de::Error::invalid_length(force.len(), &"a force [x, y, z]");
         let force = <[f64; 3]>::try_from(force.as_slice()).map_err(|_| wanted())?;
         Ok(Load::At(Wrench {

@@ -93,3 +93,21 @@ fn a_mistyped_key_is_told_with_the_one_that_is_near() {
         assert!(said.starts_with(expected), "{said}");
     }
 }
+
+#[test]
+fn a_load_that_is_stated_as_a_table_of_tables_is_told_how_it_is_written() {
+    for (load, expected) in [
+        (
+            "[[loads.braking.forces]]\nat = \"contact\"\nforce = [100.0, 0.0, 3000.0]\n",
+            "a.toml:8:1: invalid type: map, expected a number",
+        ),
+        (
+            "[loads.braking]\ncontact = [100.0, \"none\", 3000.0]\n",
+            "a.toml:9:11: invalid type: string \"none\", expected a number",
+        ),
+    ] {
+        let said = refusal("loads", &[("a.toml", &format!("{CORNER}{load}"))], &[]);
+        let how = "; a force is written contact = [-3000.0, 0.0, 4000.0], in N, under [loads.NAME]";
+        assert_eq!(said, format!("{expected}{how}"));
+    }
+}
