@@ -49,7 +49,7 @@ pub struct MotionFile {
     /// The drives' values at which the mechanism is assembled and markers are attached.
     pub design: Option<Table<f64>>,
     /// What the listing does not say of the vehicle.
-    pub vehicle: Option<VehicleTable>,
+    pub vehicle: Option<Spanned<VehicleTable>>,
     /// Springs and anti-roll bars by name.
     pub springs: Option<Table<SpringTable>>,
     /// Masses of moving parts by name.

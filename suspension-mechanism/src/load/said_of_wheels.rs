@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::Values;
 use suspension_core::directions::Directions;
+use toml::Spanned;
 
 use crate::load::design::Design;
 use crate::load::task::Task;
@@ -25,7 +26,7 @@ pub(super) fn notes<L: Suspension<N>, const N: usize>(
 ) -> Vec<String> {
     let points: Vec<_> = design.points.values().collect();
     let mut notes: Vec<String> = wheelbase(task, &points).into_iter().collect();
-    let vehicle = task.file.vehicle.as_ref();
+    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
     let names_travel = vehicle.is_some_and(|vehicle| vehicle.travel.is_some());
     let names_steer = vehicle.is_some_and(|vehicle| vehicle.steer.is_some());
     let by = |drive| {

@@ -22,7 +22,9 @@ const STEER: &str = "steer";
 /// At a length that is not positive and finite, at a share that is none, at a name that is no drive's or no wheel's,
 /// and where a car is described in part.
 pub(super) fn with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
-    let stated = task.file.vehicle.clone().unwrap_or_default();
+    let table = task.file.vehicle.clone();
+    let table = table.unwrap_or_else(|| Spanned::new(0..0, VehicleTable::default()));
+    let stated = table.get_ref();
     let mut names = task.names.clone();
     // Of a linkage without a wheel as of one without a name.
     let mut unnamed = [Wheel::default()];
@@ -42,7 +44,7 @@ pub(super) fn with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
     }
     let wheelbase = length(task, "wheelbase", stated.wheelbase.as_ref())?;
     let cg_height = length(task, "cg_height", stated.cg_height.as_ref())?;
-    car(task, wheels, &stated)?;
+    car(task, wheels, &table)?;
     let each = |drive: fn(&Wheel) -> Option<usize>| distinct(wheels.iter().filter_map(drive));
     names.vehicle = Vehicle {
         travel: each(|wheel| wheel.travel),
@@ -140,7 +142,12 @@ fn usual_drive(known: &[&str], usual: &str, wheel: &str) -> Option<usize> {
 }
 
 /// Sets the axle of each wheel and its shares of the forces, where the file describes a car.
-fn car(task: &Task<'_>, wheels: &mut [Wheel], stated: &VehicleTable) -> Result<(), Failure> {
+fn car(
+    task: &Task<'_>,
+    wheels: &mut [Wheel],
+    table: &Spanned<VehicleTable>,
+) -> Result<(), Failure> {
+    let stated = table.get_ref();
     let VehicleTable {
         brake_share,
         drive_share,
@@ -164,7 +171,7 @@ fn car(task: &Task<'_>, wheels: &mut [Wheel], stated: &VehicleTable) -> Result<(
                 "`axle` contradicts the name of the wheel `{}`; leave it out",
                 wheel.name
             );
-            return Err(task.source.refuse(&(0..0), message));
+            return Err(task.source.refuse(&table.span(), message));
         }
         wheel.axle = stated.axle.or(told);
         wheel.brake_share = share(task, "brake_share", brake)?;
@@ -175,7 +182,7 @@ fn car(task: &Task<'_>, wheels: &mut [Wheel], stated: &VehicleTable) -> Result<(
             (stated.cg_height.is_none(), "cg_height"),
         ];
         if let Some((_, missing)) = missing.into_iter().find(|(is_missing, _)| *is_missing) {
-            return Err(incomplete(task, missing));
+            return Err(task.source.refuse(&table.span(), incomplete(missing)));
         }
     }
     check_sum(task, wheels, ("brake_share", brake_share), |wheel| {
@@ -213,12 +220,11 @@ fn check_sum(
     Err(task.source.refuse(&stated.span(), message))
 }
 
-fn incomplete(task: &Task<'_>, missing: &str) -> Failure {
-    let message = format!(
+fn incomplete(missing: &str) -> String {
+    format!(
         "[vehicle] is incomplete: anti-dive, anti-lift and anti-squat need axle, wheelbase, cg_height and brake_share or \
          drive_share; {missing} is missing"
-    );
-    task.source.refuse(&(0..0), message)
+    )
 }
 
 /// The number of each wheel.

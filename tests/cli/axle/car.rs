@@ -113,7 +113,12 @@ fn what_is_said_of_wheels_that_are_not_there_is_refused() {
         ),
         (
             "axle = \"front\"\nwheelbase = 2.6\ncg_height = 0.5\n",
-            "`axle` contradicts the name of the wheel `rear_left`; leave it out",
+            "car.toml:3:1: `axle` contradicts the name of the wheel `rear_left`; leave it out",
+        ),
+        (
+            "wheelbase = 2.6\nbrake_share = { front = 0.6, rear = 0.4 }\n",
+            "car.toml:3:1: [vehicle] is incomplete: anti-dive, anti-lift and anti-squat need axle, wheelbase, cg_height and \
+             brake_share or drive_share; cg_height is missing",
         ),
         (
             "brake_share = { front = 1.5 }\nwheelbase = 2.6\ncg_height = 0.5\n",
