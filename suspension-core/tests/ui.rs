@@ -1,7 +1,8 @@
-//! Each mistake in a listing is reported on the user's own token, with what to write instead.
+//! Each mistake in a listing is reported on the user's own token, with what to write instead; and the core compiles without
+//! `linkage!`.
 //!
-//! The programs are compiled with the core that this test is linked with, of which cargo tells the place. (The crate `trybuild`
-//! builds the core and all it depends on twice more.)
+//! What is compiled here is linked with the libraries that this test is linked with, of which cargo tells the places. (The crate
+//! `trybuild` builds the core and all it depends on twice more.)
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -11,7 +12,7 @@ use serde_json::Value;
 #[test]
 fn ui() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
-    let core = core();
+    let core = Libraries::built().of("suspension_core");
     let files = std::fs::read_dir(&folder).expect("the folder of cases");
     let mut cases: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
     cases.retain(|file| file.extension().is_some_and(|extension| extension == "rs"));
@@ -24,46 +25,80 @@ fn ui() {
     }
 }
 
-/// The library of the core that this test is linked with.
-fn core() -> PathBuf {
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent();
-    let output = Command::new(env!("CARGO"))
-        .args(["test", "--quiet", "--locked", "--workspace", "--test", "ui"])
-        .args(["--no-run", "--message-format=json", "--target-dir"])
-        .arg(target.expect("a folder of the target's"))
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+#[test]
+fn without_its_macro_the_core_compiles() {
+    let libraries = Libraries::built();
+    let dependencies = ["libm", "nalgebra", "num_traits"].map(|name| (name, libraries.of(name)));
+    let externs = dependencies
+        .each_ref()
+        .map(|(name, library)| (*name, library.as_path()));
+    let output = compiler(&externs)
+        .args(["--crate-type=lib", "--deny=warnings"])
+        .args([
+            "--check-cfg=cfg(test)",
+            "--check-cfg=cfg(feature, values(\"macros\"))",
+        ])
+        .arg("src/lib.rs")
         .output()
-        .expect("cargo runs");
+        .expect("the compiler runs");
     assert!(output.status.success(), "{output:?}");
-    let messages = String::from_utf8(output.stdout).expect("text");
-    let mut messages = messages
-        .lines()
-        .map(|line| serde_json::from_str::<Value>(line).expect("JSON"));
-    let core = messages.find(|message| message["target"]["name"] == "suspension_core");
-    let core = core.expect("this test depends on the core");
-    let mut files = core["filenames"].as_array().into_iter().flatten();
-    let library = files.find_map(|file| file.as_str().filter(|file| file.ends_with(".rlib")));
-    library.expect("a library").into()
+}
+
+/// The libraries that this test is linked with: what cargo says of each.
+struct Libraries(Vec<Value>);
+
+impl Libraries {
+    fn built() -> Self {
+        let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent();
+        let output = Command::new(env!("CARGO"))
+            .args(["test", "--quiet", "--locked", "--workspace", "--test", "ui"])
+            .args(["--no-run", "--message-format=json", "--target-dir"])
+            .arg(target.expect("a folder of the target's"))
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .expect("cargo runs");
+        assert!(output.status.success(), "{output:?}");
+        let messages = String::from_utf8(output.stdout).expect("text");
+        let messages = messages.lines().map(serde_json::from_str);
+        Self(messages.collect::<Result<_, _>>().expect("JSON"))
+    }
+
+    fn of(&self, name: &str) -> PathBuf {
+        let of_library = |message: &&Value| message["target"]["name"] == name;
+        let files = self.0.iter().filter(of_library);
+        let mut files = files
+            .filter_map(|message| message["filenames"].as_array())
+            .flatten();
+        let library = files.find_map(|file| file.as_str().filter(|file| file.ends_with(".rlib")));
+        library.expect("this test depends on the library").into()
+    }
 }
 
 /// What the compiler says of a program.
 fn compiled(case: &Path, core: &Path) -> Output {
-    let beside = core.parent().expect("a folder").display();
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
-        .args([
-            "--edition=2024",
-            "--emit=metadata",
-            "--color=never",
-            "--diagnostic-width=140",
-        ])
-        .arg(format!("--extern=suspension_core={}", core.display()))
-        .arg(format!("-Ldependency={beside}"))
-        .args(["--out-dir", env!("CARGO_TARGET_TMPDIR")])
+    compiler(&[("suspension_core", core)])
+        .args(["--color=never", "--diagnostic-width=140"])
         .arg(case.strip_prefix(here).expect("a file of this package"))
-        .current_dir(here)
         .output()
         .expect("the compiler runs")
+}
+
+/// The compiler, which checks what is linked with some libraries.
+fn compiler(libraries: &[(&str, &Path)]) -> Command {
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let mut compiler = Command::new(rustc);
+    for (name, library) in libraries {
+        let beside = library.parent().expect("a folder").display();
+        compiler
+            .arg(format!("--extern={name}={}", library.display()))
+            .arg(format!("-Ldependency={beside}"));
+    }
+    compiler
+        .args(["--edition=2024", "--emit=metadata"])
+        .args(["--out-dir", env!("CARGO_TARGET_TMPDIR")])
+        .current_dir(env!("CARGO_MANIFEST_DIR"));
+    compiler
 }
 
 /// Compares messages with those that are kept.
