@@ -3,6 +3,7 @@
 use core::fmt;
 
 use nalgebra::Vector3;
+use suspension_core::listing::{Kind, Parts};
 use suspension_core::{Build, Corner, GeometryError, Values};
 
 use crate::listing::Listing;
@@ -21,6 +22,13 @@ pub enum ModelError {
         most: usize,
         /// Of what.
         what: &'static str,
+    },
+    /// There are more or fewer hardpoints than points in the listing.
+    Hardpoints {
+        /// How many there are.
+        given: usize,
+        /// How many there should be.
+        wanted: usize,
     },
     /// The hardpoints make no linkage.
     Geometry(GeometryError),
@@ -47,7 +55,7 @@ impl Listing {
 
     /// Whether the order of elimination suits hardpoints, as far as those are a geometry.
     fn suits(&self, hardpoints: &[Vector3<f64>]) -> bool {
-        let model = self.model::<60>(hardpoints);
+        let model = self.built::<60>(hardpoints);
         let small = |error| {
             matches!(
                 error,
@@ -65,6 +73,24 @@ impl Listing {
     /// hardpoints: [`ordered_at`](Self::ordered_at) gives one that does, and [`Build::of`] builds the model
     /// all the same.
     pub fn model<const N: usize>(
+        &self,
+        hardpoints: &[Vector3<f64>],
+    ) -> Result<Model<'_, f64, N>, ModelError>
+    where
+        Room<N>: Size,
+    {
+        let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
+        let wanted = kinds.map(|kind| self.count(kind)).iter().sum();
+        if hardpoints.len() == wanted {
+            self.built(hardpoints)
+        } else {
+            let given = hardpoints.len();
+            Err(ModelError::Hardpoints { given, wanted })
+        }
+    }
+
+    /// A model with these hardpoints, where one may be missing at the origin.
+    fn built<const N: usize>(
         &self,
         hardpoints: &[Vector3<f64>],
     ) -> Result<Model<'_, f64, N>, ModelError>
@@ -107,6 +133,11 @@ impl fmt::Display for ModelError {
             Self::TooSmall { count, most, what } => write!(
                 f,
                 "the listing has {count} {what}, and a model of this size has room for {most}; take a larger size"
+            ),
+            Self::Hardpoints { given, wanted } => write!(
+                f,
+                "the listing has {wanted} chassis points, free points and markers, and {given} hardpoints are given; give one for \
+                 each, in the order of the listing"
             ),
             Self::Geometry(error) => error.fmt(f),
         }

@@ -46,7 +46,7 @@ fn a_zero_pivot_at_the_design_is_told_by_name_when_a_model_is_built() {
         let written = Corner::<Model, 15>::new(&design).map_err(|error| error.to_string());
         let walked = listing.model::<15>(&points).map_err(|error| match error {
             ModelError::Geometry(error) => error.named(&listing).to_string(),
-            ModelError::TooSmall { .. } => error.to_string(),
+            ModelError::TooSmall { .. } | ModelError::Hardpoints { .. } => error.to_string(),
         });
         let model = Model::of(attia2003::Listing, &design).expect("a geometry");
         let attempted = attempt(&model, &design);

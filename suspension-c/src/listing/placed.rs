@@ -70,7 +70,9 @@ impl<'a> Work for Place<'a> {
                 counts: parsed.counts(),
             })),
             Err(ModelError::Geometry(error)) => Err(error.into()),
-            Err(ModelError::TooSmall { .. }) => Err(Status::Size.into()),
+            Err(ModelError::TooSmall { .. } | ModelError::Hardpoints { .. }) => {
+                Err(Status::Size.into())
+            }
         }
     }
 }
