@@ -51,6 +51,25 @@ fn an_advance_says_how_far_it_came_and_a_model_gives_names_too() {
 }
 
 #[test]
+fn an_advance_whose_steps_were_shortened_in_vain_does_not_ask_for_shorter_ones() {
+    let refused = SolveError::<f64>::Diverging {
+        part: Part::Unknown(2),
+        step: 1.0,
+        bound: 0.25,
+    };
+    let stopped = Stopped {
+        reached: 0.75,
+        refused: Some((1e-16, refused)),
+    };
+    assert_eq!(
+        stopped.named(five_link::Listing).to_string(),
+        "stopped at time 0.75: there is no configuration near by: the correction is too large: unknown \
+         `lower_front_outer.z`, correction 1.000000, allowed 0.250000; shorter steps lead no further: the mechanism locks \
+         here, or the drives jump"
+    );
+}
+
+#[test]
 fn a_refusal_is_a_sentence() {
     let told = Refusal::Unhealthy.to_string();
     assert!(told.contains("pivots") && told.contains("; "), "{told}");

@@ -120,11 +120,35 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     /// One step of length `dt`, not zero, to the values and rates of the drives at its end. Between both
-    /// ends they follow cubics; however far they lie from the last ones, no step crosses a lock.
+    /// ends they follow cubics; however far they lie from the last ones, no step crosses a lock. Velocities and
+    /// accelerations are those of the rates that are given: with [`Signal::still`] the wheel is at rest at the end,
+    /// wherever it came from.
+    ///
+    /// ```
+    /// use suspension_core::Signal;
+    /// use suspension_core::linkages::double_wishbone::{Corner, Drives};
+    ///
+    /// let mut corner: Corner = Corner::design()?;
+    /// let rest = corner.drives();
+    /// // A loop at 1 kHz: travel and its rates come from the vehicle's equations of motion.
+    /// for tick in 1..=100 {
+    ///     let (sine, cosine) = f64::sin_cos(0.02 * f64::from(tick));
+    ///     let drives = Signal {
+    ///         value: Drives { bump: rest.bump + 0.03 * sine, ..rest },
+    ///         rate: Drives { bump: 0.6 * cosine, steer: 0.0 },
+    ///         second_rate: Drives { bump: -12.0 * sine, steer: 0.0 },
+    ///     };
+    ///     corner.step(1e-3, drives)?;
+    /// }
+    /// let points = corner.points();
+    /// assert!((points.rate.wheel_centre.z - 0.6 * f64::cos(2.0)).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///
-    /// See [`Stopped`], with times from the start of the step; the corner is then unchanged.
+    /// See [`Stopped`], with times from the start of the step; the corner is then unchanged. To find that a mechanism
+    /// locks takes some hundred times as long as a step.
     pub fn step(
         &mut self,
         dt: T,
@@ -146,7 +170,9 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     ///
     /// # Errors
     ///
-    /// See [`Stopped`]; the corner then stands at [`Stopped::reached`], where a drive locks.
+    /// See [`Stopped`]; the corner then stands at [`Stopped::reached`], where a drive locks. At the lock itself
+    /// velocities have no bound, so that no step may lead from there, back neither: a copy of the corner, made before,
+    /// does.
     pub fn advance(
         &mut self,
         to: T,

@@ -50,6 +50,30 @@ impl Instructions {
 /// A lane that fails keeps its motion and says why; its neighbours are not affected. See
 /// [`Bounded`] for `CORRECTIONS` and `ORDER`. Numbers in vectors round a product and a sum together,
 /// so that results differ from those of [`Bounded::step`] by rounding.
+///
+/// ```
+/// use suspension_core::bounded::Outputs;
+/// use suspension_core::linkages::double_wishbone::{Corner, Drives, Listing};
+/// use suspension_core::{Inputs, Signal};
+/// use suspension_lanes::Lanes;
+///
+/// let corner: Corner = Corner::design()?;
+/// let (start, rate) = (corner.drives(), Drives { bump: 0.5, steer: 0.0 });
+/// // Of a car these would be four models.
+/// let mut lanes = Lanes::<Listing, f64, 12, 4>::new([*corner.model(); 4], &[*corner.motion(); 4]);
+/// // A first step without length finds the rates.
+/// lanes.step(Outputs::Acceleration, &[Signal::line(start, rate, 0.0); 4], 0.0);
+/// for tick in 1..=20 {
+///     let drives = [Signal::line(start, rate, 1e-3 * f64::from(tick)); 4];
+///     for result in lanes.step(Outputs::Acceleration, &drives, 1e-3) {
+///         result?;
+///     }
+/// }
+/// let inputs = Inputs::still(Signal::line(start, rate, 0.02));
+/// let points = lanes.motion(2).points(corner.model(), &inputs);
+/// assert!((points.value.wheel_centre.z - start.bump - 0.01).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Lanes<
     G: Listing<N>,
     T: Lane,
@@ -217,7 +241,14 @@ where
         Ok(settled)
     }
 
-    fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>) {
+    /// Puts a lane into a motion of its model: back among the others, say, once
+    /// [`Tracker::step_between`](suspension_core::Tracker::step_between) has led its own through the steps that it was
+    /// refused.
+    ///
+    /// # Panics
+    ///
+    /// Where there is no such lane.
+    pub fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>) {
         self.signs[lane] = motion.positive_determinant;
         self.engine.set_motion(lane, motion);
     }

@@ -110,7 +110,8 @@ impl Listing {
         Ok(model)
     }
 
-    /// A suspension at rest with these hardpoints, to be moved.
+    /// A suspension at rest with these hardpoints, to be moved. It borrows the listing, and so do its failures, which
+    /// print the listing's names: where one leaves the function that has the listing, make it text.
     ///
     /// # Errors
     ///

@@ -73,6 +73,39 @@ fn a_lane_that_fails_stays_and_its_neighbours_go_on() {
     one_fails::<f32, 8>(3);
 }
 
+#[test]
+fn a_lane_that_missed_a_step_is_put_back_among_the_others() {
+    const LANE: usize = 2;
+    let fleet = Fleet::<five_link::Listing, f64, 4>::near(&support::five_link_rough());
+    let at = |step: i32| fleet.drives(f64::from(step) * STEP);
+    for instructions in ALL {
+        let mut sound = fleet.lanes(instructions);
+        let mut lanes = fleet.lanes(instructions);
+        for step in 1..=20 {
+            let mut drives = at(step);
+            let results = sound.step(Outputs::Acceleration, &drives, STEP);
+            assert!(results.iter().all(Result::is_ok));
+            if step == 10 {
+                drives[LANE].value.theta = f64::NAN;
+            }
+            let results = lanes.step(Outputs::Acceleration, &drives, STEP);
+            assert_eq!(results[LANE].is_ok(), step != 10);
+            if step == 10 {
+                let ends = [at(step - 1), at(step)].map(|drives| Inputs::still(drives[LANE]));
+                let mut motion = lanes.motion(LANE);
+                Tracker::default()
+                    .step_between(&fleet.models[LANE], ends.each_ref(), STEP, &mut motion)
+                    .expect("a step that is not refused");
+                lanes.set_motion(LANE, &motion);
+            }
+        }
+        let [found, expected] = [&lanes, &sound].map(|lanes| lanes.motion(LANE));
+        assert!((found.position - expected.position).amax() < 1e-14);
+        assert!((found.velocity - expected.velocity).amax() < 1e-12);
+        assert_eq!(found.positive_determinant, expected.positive_determinant);
+    }
+}
+
 /// Designs with link 6-1 square to an axis, where a pivot of the macro's order is zero, among
 /// others: what is solved with partial pivoting succeeds, and does not touch its neighbours.
 #[test]

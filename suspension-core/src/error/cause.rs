@@ -79,6 +79,20 @@ macro_rules! define {
                     $(Self::$name => $remedy,)*
                 }
             }
+
+            /// The same after an advance, which has shortened its steps itself.
+            pub const fn remedy_of_advance(self) -> &'static str {
+                match self {
+                    Self::CrossedSingularity
+                    | Self::Diverging
+                    | Self::TooFar
+                    | Self::StepTooLong
+                    | Self::NotConverged => {
+                        "shorter steps lead no further: the mechanism locks here, or the drives jump"
+                    }
+                    _ => self.remedy(),
+                }
+            }
         }
     };
 }

@@ -66,10 +66,14 @@ impl Facts {
             let (value, bound) = (Number(value), Number(bound));
             write!(f, "{between}{what} {value}, {relation} {bound}")?;
         }
+        let remedy = match self.reached {
+            Some(_) => self.cause.remedy_of_advance(),
+            None => self.cause.remedy(),
+        };
         if f.alternate() {
             Ok(())
         } else {
-            write!(f, "; {}", self.cause.remedy())
+            write!(f, "; {remedy}")
         }
     }
 }
