@@ -58,18 +58,19 @@ pub struct Derivatives<L: Linkage<N>, const N: usize> {
     pub measures: Signal<L::Measures>,
 }
 
-impl<L: Designed<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
+impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
     /// At rest as the listing states its points: see [`Corner::new`].
     ///
     /// # Errors
     ///
     /// See [`Build::of`].
-    pub fn design() -> Result<Self, Failure<GeometryError, L::Listing>> {
+    pub fn design() -> Result<Self, Failure<GeometryError, L::Listing>>
+    where
+        L: Designed<N>,
+    {
         Self::new(&L::design())
     }
-}
 
-impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
     /// At rest as the points stand. Links and bodies have their lengths of them; what else the listing states, that a
     /// point lies on the line of a `slide` say, the points must satisfy as far as they are to be read before the
     /// first step, which leads to where they do. [`Corner::assembled`] does so at once.

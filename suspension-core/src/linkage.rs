@@ -296,6 +296,11 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
 }
 
 /// A linkage whose listing states where every point is in the design (`at [x, y, z]`).
+#[diagnostic::on_unimplemented(
+    message = "the listing does not state where each of its points is in the design",
+    label = "needs `at [x, y, z]` behind every chassis point, free point and marker",
+    note = "state the missing positions, or start from the program's own: `Corner::new(&Points {{ ... }})`"
+)]
 pub trait Designed<const N: usize>: Build<N> {
     /// Where the points are.
     fn design() -> Self::Points;

@@ -25,6 +25,25 @@ fn ui() {
     }
 }
 
+/// What the compiler adds to the message has places in the core, which change.
+#[test]
+fn a_design_that_is_not_stated_is_told_what_to_state() {
+    let core = Libraries::built().of("suspension_core");
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let output = compiled(
+        &here.join("tests/ui/of_traits/design_without_positions.rs"),
+        &core,
+    );
+    let found = String::from_utf8(output.stderr).expect("text");
+    for told in [
+        "error[E0277]: the listing does not state where each of its points is in the design",
+        "needs `at [x, y, z]` behind every chassis point, free point and marker",
+        "state the missing positions, or start from the program's own: `Corner::new(&Points { ... })`",
+    ] {
+        assert!(found.contains(told), "{found}");
+    }
+}
+
 #[test]
 fn without_its_macro_the_core_compiles() {
     let libraries = Libraries::built();
