@@ -47,7 +47,8 @@ impl Mirror {
         let named = named.filter(|(_, point)| self.is_named(&point.named.name));
         let named: Vec<(&str, &Point)> = named.collect();
         let [side, _] = &self.sides;
-        if named.is_empty() {
+        // The points may be those of a statement that could not be read, an `include` say.
+        if named.is_empty() && !listing.incomplete {
             return Err(nothing_named(side));
         }
         let is_image = |(name, _): &(&Ident, Kind)| {

@@ -151,6 +151,20 @@ fn two_includes_of_one_name_are_one_mistake() {
 }
 
 #[test]
+fn what_cannot_be_included_is_not_missed_by_a_mirror() {
+    let message = read("include left: \"none\"; mirror: left -> right;");
+    let message = message.expect_err("no such file");
+    assert!(
+        message.starts_with("vehicle:1:15: cannot read none"),
+        "{message}"
+    );
+    assert!(
+        !message.contains("mirror") && !message.contains("no point"),
+        "{message}"
+    );
+}
+
+#[test]
 fn what_is_wrong_with_the_whole_is_at_the_statement() {
     let message = read("fixed: middle; include left: \"corner\"; link more: middle -> left_ball;");
     let message = message.expect_err("a drive too many");
