@@ -30,7 +30,7 @@ pub enum ModelError {
         /// How many there should be.
         wanted: usize,
     },
-    /// The hardpoints make no linkage.
+    /// The hardpoints make no linkage; `error.named(&listing)` prints the names of the parts concerned.
     Geometry(GeometryError),
 }
 
