@@ -31,7 +31,7 @@ pub trait Values<V>: Copy {
         Self::from_values(self.values().map(value))
     }
 
-    /// The same values but for the one with this index.
+    /// The same values but for the one with this index; with an index beyond the last, the same values.
     #[inline(always)]
     fn with(&self, index: usize, value: V) -> Self
     where
