@@ -95,7 +95,7 @@ fn a_mistyped_key_is_told_with_the_one_that_is_near() {
 }
 
 #[test]
-fn a_load_that_is_stated_as_a_table_of_tables_is_told_how_it_is_written() {
+fn a_load_that_is_no_line_of_its_case_is_told_how_it_is_written() {
     for (load, expected) in [
         (
             "[[loads.braking.forces]]\nat = \"contact\"\nforce = [100.0, 0.0, 3000.0]\n",
