@@ -58,7 +58,7 @@ enum {
     SUSP_ERROR_POINT_NOT_FINITE = 20,
     /** a length is not positive, or too large or too small to compute with; keep points apart that a link or a body joins */
     SUSP_ERROR_BAD_LENGTH = 21,
-    /** the three points that carry a point, or that a plane goes through, lie in line, or two of them in one place; move one of them off the line, or name three that form a triangle */
+    /** the three points that carry a point, or that a plane goes through, lie in line; move one of them off the line, or name three that form a triangle */
     SUSP_ERROR_COLLINEAR = 22,
     /** a point lies in the plane of the points that links join it to, where their lengths do not hold it; state these points as a `body` */
     SUSP_ERROR_FLAT = 23,

@@ -134,7 +134,7 @@ mod of_the_chassis {
         assert_eq!(refused, GeometryError::Collinear { point: 3 });
         assert_eq!(
             refused.named(&super::guided::Listing).to_string(),
-            "the three points that carry a point, or that a plane goes through, lie in line, or two of them in one place: point `side`; \
+            "the three points that carry a point, or that a plane goes through, lie in line: point `side`; \
              move one of them off the line, or name three that form a triangle"
         );
     }

@@ -13,7 +13,7 @@ macro_rules! causes {
                 "give hardpoints in one unit and near the vehicle";
             BadLength = 21: "a length is not positive, or too large or too small to compute with",
                 "keep points apart that a link or a body joins";
-            Collinear = 22: "the three points that carry a point, or that a plane goes through, lie in line, or two of them in one place",
+            Collinear = 22: "the three points that carry a point, or that a plane goes through, lie in line",
                 "move one of them off the line, or name three that form a triangle";
             Flat = 23: "a point lies in the plane of the points that links join it to, where their lengths do not hold it",
                 "state these points as a `body`";
