@@ -89,7 +89,7 @@ impl Listing {
         }
     }
 
-    /// A model with these hardpoints, where one may be missing at the origin.
+    /// A model with these hardpoints, whose number is not checked: those that are missing are at the origin.
     fn built<const N: usize>(
         &self,
         hardpoints: &[Vector3<f64>],
