@@ -49,7 +49,7 @@ pub use ready::{Mechanism, WhereItStarts};
 pub use sensitive::{CHANGES_AT_ONCE, InDesign, Sensitive};
 pub use spring::Spring;
 pub use state::{Moved, State};
-pub use suspension_motion_file::{Angle, Axes, Axle, Instants, Length, Unit, is_within};
+pub use suspension_motion_file::{Angle, Axes, Axle, Instants, Length, Torque, Unit, is_within};
 pub use through::OnState;
 pub use under::Borne;
 pub use vehicle::{Pair, Vehicle, Wheel, WheelPoints};

@@ -16,6 +16,7 @@ mod quantity;
 mod reader;
 mod readings;
 mod sprung;
+mod two_drives;
 mod wheel;
 mod words;
 

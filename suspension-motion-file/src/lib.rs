@@ -19,6 +19,7 @@ mod per_wheel;
 mod source;
 mod spring;
 mod table;
+mod torque;
 mod tune;
 mod unit;
 
@@ -34,5 +35,6 @@ pub use per_wheel::PerWheel;
 pub use source::Source;
 pub use spring::SpringTable;
 pub use table::{Table, in_order};
+pub use torque::Torque;
 pub use tune::{AxisName, Direction, MoveTable, TargetTable, TuneTable, Wanted};
 pub use unit::{Angle, Length, Unit};

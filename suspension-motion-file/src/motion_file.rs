@@ -19,7 +19,7 @@ use crate::source::Source;
 use crate::spring::SpringTable;
 use crate::table::Table;
 use crate::tune::TuneTable;
-use crate::{Angle, Axes, Axle, Length, Unit};
+use crate::{Angle, Axes, Axle, Length, Torque, Unit};
 
 /// A motion file as written; names and values are not checked yet.
 #[derive(Clone, Debug, Deserialize)]
@@ -204,6 +204,10 @@ pub struct VehicleTable {
     pub brake_share: Option<Spanned<PerWheel<f64>>>,
     /// The axle's share of the drive force, from 0 to 1.
     pub drive_share: Option<Spanned<PerWheel<f64>>>,
+    /// What bears the torque of the brakes; left out, the carriers.
+    pub brake_torque: Option<Spanned<PerWheel<Torque>>>,
+    /// What bears the torque of the drive; left out, the chassis, or the body that carries both wheels.
+    pub drive_torque: Option<Spanned<PerWheel<Torque>>>,
 }
 
 /// The instants of the motion, in one of two forms.

@@ -61,6 +61,69 @@ fn a_trailing_arm_bears_what_the_slope_to_its_pivot_says() {
     assert!((per_bump / slope - 1.0).abs() < 1e-4, "{per_bump} {slope}");
 }
 
+/// At the design position of an axle whose wheels move each other.
+fn of_axle(linkage: &str, vehicle: &str) -> (std::collections::HashMap<String, f64>, String) {
+    let folder = folder();
+    let path = folder.path().join("rear.toml");
+    let file = format!(
+        "linkage = \"{linkage}\"\nunit = \"m\"\n[vehicle]\naxle = \"rear\"\n{CAR}{vehicle}\n\
+         [time]\ninstants = [0.0]\n[drives]\nbump_left = 0.31\nbump_right = 0.31\n"
+    );
+    std::fs::write(path, file).expect("written");
+    let drive = "bump_left=-0.001:0.001:3";
+    let output = run(
+        folder.path(),
+        &["sweep", "rear.toml", "--drive", drive, "--csv", "-"],
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let [_, design, _] = rows(&output.stdout).try_into().expect("three rows");
+    (
+        design.into_iter().collect(),
+        text(&output.stderr).to_owned(),
+    )
+}
+
+/// Brakes and drive load both wheels of an axle, so that it moves up and down as a whole: in the side view a twist beam
+/// turns about its bushes, a live axle about the point where its links meet.
+#[test]
+fn wheels_that_move_each_other_bear_as_their_axle_does_in_heave() {
+    let (design, _) = of_axle("twist_beam", "wheel_radius = 0.29");
+    // A bush is 0.46 m ahead of the contact point and 0.30 m above it.
+    let lift = 100.0 * 0.30 / 0.46 * 0.4 * 2.5 / 0.5;
+    let found = design["left_anti_lift_percent"];
+    assert!((found - lift).abs() < 1e-10, "{found} {lift}");
+    // The shafts of a twist beam come from the chassis: 0.01 m from the wheel centre up to the bush.
+    let squat = 100.0 * 0.01 / 0.46 * 0.5 * 2.5 / 0.5;
+    let found = design["left_anti_squat_percent"];
+    assert!((found - squat).abs() < 1e-10, "{found} {squat}");
+
+    // Links of a live axle in the side view: lower from (0.56, 0.29) to (0.02, 0.24), upper from (0.34, 0.44) to
+    // (0.02, 0.43), metres.
+    let (lower, upper) = (0.05 / 0.54, 0.01 / 0.32);
+    let x = (0.43 - 0.24 + 0.02 * (lower - upper)) / (lower - upper);
+    let z = 0.24 + lower * (x - 0.02);
+    for (torque, height, is_noted) in [
+        ("", z, true),
+        ("drive_torque = \"carrier\"\n", z, false),
+        ("drive_torque = \"chassis\"\n", z - 0.31, false),
+    ] {
+        let (design, notes) = of_axle(
+            "live_axle_splayed",
+            &format!("wheel_radius = 0.31\n{torque}"),
+        );
+        let [lift, squat] = [z * 0.4, height * 0.5].map(|share| 100.0 * share / x * 2.5 / 0.5);
+        for side in ["left", "right"] {
+            let [found_lift, found_squat] =
+                ["lift", "squat"].map(|of| design[&format!("{side}_anti_{of}_percent")]);
+            assert!((found_lift - lift).abs() < 1e-9, "{found_lift} {lift}");
+            assert!((found_squat - squat).abs() < 1e-9, "{found_squat} {squat}");
+            let arm = design[&format!("{side}_side_arm_m")];
+            assert!((arm + x).abs() < 1e-9, "{arm} {x}");
+        }
+        assert_eq!(notes.contains("de Dion"), is_noted, "{notes}");
+    }
+}
+
 #[test]
 fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
     for (vehicle, expected) in [
@@ -72,6 +135,7 @@ fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
             "brake_share = 60\n",
             "brake_share is the axle's share of the force, from 0 to 1",
         ),
+        ("brake_torque = \"hub\"\n", "\"carrier\" or \"chassis\""),
     ] {
         let folder = folder();
         std::fs::write(folder.path().join("a.toml"), file(vehicle)).expect("written");

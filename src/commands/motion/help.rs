@@ -3,7 +3,7 @@
 use suspension_core::listing::MeasureKind;
 use suspension_runtime::{Listing, catalogue as layouts};
 
-use crate::mechanism::{Axle, Mass, Names, Spring, Unit, Vehicle, Wheel, WheelPoints};
+use crate::mechanism::{Axle, Mass, Names, Spring, Torque, Unit, Vehicle, Wheel, WheelPoints};
 use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
 
 /// The file, the results with the names that they have for the published linkage, the exit codes.
@@ -71,6 +71,8 @@ fn wheel(name: &str, travel: usize, axle: Axle) -> Wheel {
         axle: Some(axle),
         brake_share: Some(0.5),
         drive_share: Some(0.5),
+        brake_torque: Torque::Carrier,
+        drive_torque: Torque::Chassis,
         design: None,
         moves_another: false,
     }
@@ -105,6 +107,9 @@ const FILE: &str = r#"The file:
   brake_share = 0.6                  # the axle's share of the brake force, from 0 to 1; of several axles, whose wheels
                                      # are named front_left and so on, { front = 0.6, rear = 0.4 } and no `axle`
   drive_share = 1.0                  # the axle's share of the drive force, where the axle is driven
+  drive_torque = "chassis"           # what bears the drive's torque, chassis (shafts) or carrier (motors in the wheels); if left
+                                     # out, the chassis, or the axle where one body carries both wheels (a de Dion
+                                     # axle needs it stated); brake_torque likewise, carrier if left out
   [time]                             # in seconds; or: instants = [0.0, 0.25, 0.5]
   start = 0.0
   stop = 1.95                        # the last instant is the last multiple of step within stop

@@ -8,7 +8,7 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::{PerWheel, VehicleTable};
 use crate::load::task::Task;
-use crate::mechanism::{Axle, Names, Vehicle, Wheel, is_within};
+use crate::mechanism::{Axle, Names, Torque, Vehicle, Wheel, is_within};
 use crate::number::number;
 
 /// The drives of travel and of steering where the file does not name them.
@@ -38,13 +38,14 @@ pub(super) fn with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
     drives(task, wheels, (STEER, &stated.steer), |wheel| {
         &mut wheel.steer
     })?;
-    let lengths = numbers(task, wheels, &stated.wheel_radius)?;
+    let lengths = optional(task, wheels, &stated.wheel_radius)?;
     for (wheel, radius) in wheels.iter_mut().zip(lengths) {
         wheel.radius = checked_length(task, "wheel_radius", radius)?;
     }
     let wheelbase = length(task, "wheelbase", stated.wheelbase.as_ref())?;
     let cg_height = length(task, "cg_height", stated.cg_height.as_ref())?;
     car(task, wheels, &table)?;
+    torques(task, wheels, stated)?;
     let each = |drive: fn(&Wheel) -> Option<usize>| distinct(wheels.iter().filter_map(drive));
     names.vehicle = Vehicle {
         travel: each(|wheel| wheel.travel),
@@ -153,8 +154,8 @@ fn car(
         drive_share,
         ..
     } = stated;
-    let brakes = numbers(task, wheels, brake_share)?;
-    let drives = numbers(task, wheels, drive_share)?;
+    let brakes = optional(task, wheels, brake_share)?;
+    let drives = optional(task, wheels, drive_share)?;
     let is_described = stated.axle.is_some()
         || stated.cg_height.is_some()
         || brake_share.is_some()
@@ -193,6 +194,26 @@ fn car(
     })
 }
 
+/// Sets what bears the torques of each wheel. Of the drive it is the body that carries several wheels, which as a rule has the
+/// differential in it, or the chassis.
+fn torques(task: &Task<'_>, wheels: &mut [Wheel], stated: &VehicleTable) -> Result<(), Failure> {
+    let brakes = optional(task, wheels, &stated.brake_torque)?;
+    let drives = optional(task, wheels, &stated.drive_torque)?;
+    let carriers: Vec<_> = wheels.iter().map(|wheel| wheel.points.carrier).collect();
+    for (wheel, (brake, drive)) in wheels.iter_mut().zip(brakes.into_iter().zip(drives)) {
+        let carrier = wheel.points.carrier;
+        let carries_several = carriers.iter().filter(|other| **other == carrier).count() > 1;
+        let usual = if carries_several {
+            Torque::Carrier
+        } else {
+            Torque::Chassis
+        };
+        wheel.brake_torque = brake.map_or(Torque::Carrier, |(torque, _)| torque);
+        wheel.drive_torque = drive.map_or(usual, |(torque, _)| torque);
+    }
+    Ok(())
+}
+
 /// By how much shares may exceed the whole by rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -227,12 +248,12 @@ fn incomplete(missing: &str) -> String {
     )
 }
 
-/// The number of each wheel.
-fn numbers(
+/// What is stated of each wheel, where anything is.
+fn optional<T: Clone>(
     task: &Task<'_>,
     wheels: &[Wheel],
-    stated: &Option<Spanned<PerWheel<f64>>>,
-) -> Result<Vec<Stated<f64>>, Failure> {
+    stated: &Option<Spanned<PerWheel<T>>>,
+) -> Result<Vec<Stated<T>>, Failure> {
     match stated {
         Some(stated) => of_each(task, wheels, stated),
         None => Ok(vec![None; wheels.len()]),

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use nalgebra::Vector3;
 use suspension_core::listing::WheelPlaces;
-use suspension_motion_file::Axle;
+use suspension_motion_file::{Axle, Torque};
 
 use crate::mechanism::mass::Mass;
 use crate::mechanism::spring::Spring;
@@ -52,6 +52,10 @@ pub struct Wheel {
     pub brake_share: Option<f64>,
     /// The same of the drive force.
     pub drive_share: Option<f64>,
+    /// What bears the torque of its brakes.
+    pub brake_torque: Torque,
+    /// The same of its drive.
+    pub drive_torque: Torque,
     /// The points of its axis at the design position, in local coordinates; of a listing without points none.
     pub design: Option<[Vector3<f64>; 2]>,
     /// Whether its travel moves the carrier of another wheel, as on a twist beam.

@@ -1,53 +1,52 @@
 //! Readings of how a suspension bears the forces of brakes and drive.
 
-use crate::mechanism::{Axle, Names, Vehicle};
+use crate::mechanism::{Axle, Names, Torque, Vehicle, Wheel};
 use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
-use crate::quantities::on_ground::{moving, of_moving};
+use crate::quantities::of_axle::side_view;
+use crate::quantities::on_ground::{moving, of_moving_in_side_view};
 use crate::quantities::readings::of_each_wheel;
-use crate::quantities::wheel::{Along, Moving};
+use crate::quantities::wheel::Moving;
 
-/// What the wheel's torque is borne by, which decides where the force acts.
-#[derive(Clone, Copy)]
-pub(super) enum Torque {
-    /// Brakes on the carrier: the force acts at the contact point, as if that were of the carrier.
-    OfBrakes,
-    /// Shafts from the chassis: the force acts at the wheel centre.
-    OfShafts,
-}
-
-impl Torque {
-    fn is_on_ground(self) -> bool {
-        matches!(self, Self::OfBrakes)
-    }
-
-    /// How far the point where the force acts goes forward and upwards in bump, whichever way the drive moves the wheel.
-    fn forward_and_upward<N: Number>(self, moving: &Moving<N>) -> [N; 2] {
-        let velocity = match self {
-            Self::OfBrakes => moving.carrier.velocity_of(&moving.contact),
-            Self::OfShafts => moving.carrier.velocity,
-        };
-        if velocity.z.is_below_zero() {
-            [-velocity.x, -velocity.z]
-        } else {
-            [velocity.x, velocity.z]
-        }
+/// How far the point where the force of a torque acts goes forward and upwards in bump, whichever way the drives move the
+/// wheel: the contact point, as one of the carrier that bears the torque, or the wheel centre.
+fn forward_and_upward<N: Number>(moving: &Moving<N>, torque: Torque) -> [N; 2] {
+    let velocity = match torque {
+        Torque::Carrier => moving.carrier.velocity_of(&moving.contact),
+        Torque::Chassis => moving.carrier.velocity,
+    };
+    if velocity.z.is_below_zero() {
+        [-velocity.x, -velocity.z]
+    } else {
+        [velocity.x, velocity.z]
     }
 }
 
 /// The angle of the path in bump from the vertical in the side view.
 pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<Reading<N>> {
-    of_moving(
-        names,
-        Along::Travel,
-        Kind::Angle,
-        torque.is_on_ground(),
-        move |moving: &Moving<N>| {
-            let [forward, upward] = torque.forward_and_upward(moving);
-            N::arc_tangent(forward, upward)
-        },
-    )
+    let on_ground = torque == Torque::Carrier;
+    of_moving_in_side_view(names, Kind::Angle, on_ground, move |moving: &Moving<N>| {
+        let [forward, upward] = forward_and_upward(moving, torque);
+        N::arc_tangent(forward, upward)
+    })
+}
+
+/// Of what an axle bears.
+#[derive(Clone, Copy)]
+pub(super) enum Force {
+    Brakes,
+    Drive,
+}
+
+impl Force {
+    /// The axle's share of it, and what bears its torque.
+    fn of(self, wheel: &Wheel) -> (Option<f64>, Torque) {
+        match self {
+            Self::Brakes => (wheel.brake_share, wheel.brake_torque),
+            Self::Drive => (wheel.drive_share, wheel.drive_torque),
+        }
+    }
 }
 
 /// The part of the car's load transfer that links bear in place of springs; `towards` is 1 where a path forward
@@ -55,7 +54,7 @@ pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<
 pub(super) fn of_support<N: Number>(
     names: &Names,
     axle: Axle,
-    torque: Torque,
+    force: Force,
     towards: f64,
 ) -> Vec<Reading<N>> {
     let Vehicle {
@@ -68,22 +67,20 @@ pub(super) fn of_support<N: Number>(
     };
     of_each_wheel(names, &|rolling| {
         let wheel = &names.wheels[rolling.number];
-        let share = match torque {
-            Torque::OfBrakes => wheel.brake_share,
-            Torque::OfShafts => wheel.drive_share,
-        };
+        let (share, torque) = force.of(wheel);
         let Some(share) = share.filter(|_| wheel.axle == Some(axle)) else {
             return Vec::new();
         };
         let factor = N::still(100.0 * towards * share * wheelbase / cg_height);
-        let on_ground = torque.is_on_ground();
+        let on_ground = torque == Torque::Carrier;
+        let along = side_view(names, rolling);
         moving(
             rolling,
-            Along::Travel,
+            along,
             Kind::Percent,
             on_ground,
             move |moving: &Moving<N>| {
-                let [forward, upward] = torque.forward_and_upward(moving);
+                let [forward, upward] = forward_and_upward(moving, torque);
                 forward / upward * factor
             },
         )

@@ -6,6 +6,7 @@ use suspension_core::wheel::{
 };
 
 use crate::quantities::number::Number;
+use crate::quantities::two_drives::{combined, rates};
 use crate::quantities::wheel::{Moving, Rolling, Wheel};
 
 /// An axle as it rolls, in the file's coordinates.
@@ -53,10 +54,17 @@ impl<N: Number> InRoll<N> {
         let drives = [left.travel?, right.travel?];
         let of_left = [moved(left, drives[0])?, moved(left, drives[1])?];
         let of_right = [moved(right, drives[0])?, moved(right, drives[1])?];
-        let shares = shares([&of_left, &of_right], [left, right]);
+        let rises = |by_drive: &[Moving<N>; 2], rolling: Rolling| {
+            by_drive.each_ref().map(|moving| {
+                let moved = Moved::of(moving.carrier, &moving.axis, rolling.radius);
+                moved.contact_velocity.z
+            })
+        };
+        let rises = [rises(&of_left, left), rises(&of_right, right)];
+        let rates = rates(rises, [1.0, -1.0]);
         let [left_in_roll, right_in_roll] =
             [(&of_left, left), (&of_right, right)].map(|(by_drive, rolling)| {
-                let carrier = combined(by_drive, shares);
+                let carrier = combined(by_drive, rates);
                 Moved::of(carrier, &by_drive[0].axis, rolling.radius)
             });
         let contacts = [&of_left[0].contact, &of_right[0].contact];
@@ -87,28 +95,5 @@ impl<N: Number> InRoll<N> {
         wheels
             .find(|(other, _)| *other == number)
             .map(|(_, per)| *per)
-    }
-}
-
-/// The rates of both drives at which the left contact point rises as fast as the right one falls.
-fn shares<N: Number>(wheels: [&[Moving<N>; 2]; 2], axle: [Rolling; 2]) -> [N; 2] {
-    let rises = |by_drive: &[Moving<N>; 2], rolling: Rolling| {
-        by_drive.each_ref().map(|moving| {
-            let moved = Moved::of(moving.carrier, &moving.axis, rolling.radius);
-            moved.contact_velocity.z
-        })
-    };
-    let [[a, b], [c, d]] = [rises(wheels[0], axle[0]), rises(wheels[1], axle[1])];
-    let determinant = a * d - b * c;
-    [(d + b) / determinant, -(a + c) / determinant]
-}
-
-/// A carrier as both drives move it at these rates.
-fn combined<N: Number>([by_left, by_right]: &[Moving<N>; 2], [p, q]: [N; 2]) -> Carrier<N> {
-    let [one, other] = [&by_left.carrier, &by_right.carrier];
-    Carrier {
-        centre: one.centre,
-        velocity: one.velocity * p + other.velocity * q,
-        omega: one.omega * p + other.omega * q,
     }
 }

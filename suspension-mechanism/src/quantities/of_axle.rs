@@ -11,7 +11,7 @@ use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, reading};
-use crate::quantities::wheel::{Rolling, Wheel};
+use crate::quantities::wheel::{Along, Rolling, Wheel};
 
 /// Within this mean steer angle, a degree, toe decides how the wheels of an axle differ, not the steering.
 const STRAIGHT: f64 = std::f64::consts::PI / 180.0;
@@ -53,6 +53,20 @@ impl Axle {
     fn is_steered(&self) -> bool {
         self.wheels.iter().all(|wheel| wheel.steer.is_some())
     }
+}
+
+/// How a wheel moves where its axle is looked at from the side: where its wheels move each other, both together.
+pub(super) fn side_view(names: &Names, rolling: Rolling) -> Along {
+    if rolling.is_alone(names) {
+        return Along::Travel;
+    }
+    let mut axles = Axle::all(names).into_iter().filter(Axle::has_travel);
+    let other = axles.find_map(|Axle { wheels: [a, b], .. }| match rolling.number {
+        number if number == a.number => Some(b),
+        number if number == b.number => Some(a),
+        _ => None,
+    });
+    other.map_or(Along::Travel, Along::Heave)
 }
 
 /// The readings of each axle that is wanted, under its name. (`dyn`, so that this is compiled once, not for each quantity.)

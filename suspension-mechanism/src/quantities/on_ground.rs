@@ -8,6 +8,7 @@ use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
+use crate::quantities::of_axle::side_view;
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, place, reading};
 use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
@@ -72,6 +73,19 @@ pub(super) fn of_moving<N: Number>(
     })
 }
 
+/// The same as its axle moves that is looked at from the side.
+pub(super) fn of_moving_in_side_view<N: Number>(
+    names: &Names,
+    kind: Kind,
+    on_ground: bool,
+    value: impl Fn(&Moving<N>) -> N + Clone + 'static,
+) -> Vec<Reading<N>> {
+    of_each_wheel(names, &|rolling| {
+        let along = side_view(names, rolling);
+        moving(rolling, along, kind, on_ground, value.clone())
+    })
+}
+
 /// A number of each carrier of one wheel alone in travel, on the ground: a force on that wheel is borne by its links.
 pub(super) fn of_independent<N: Number>(
     names: &Names,
@@ -106,11 +120,12 @@ pub(super) fn moving<N: Number>(
 /// Coordinates of a place that the carrier's motion tells.
 pub(super) fn of_moving_place<N: Number>(
     names: &Names,
-    along: Along,
+    along: impl Fn(Rolling) -> Along,
     axes: &[Axis],
     place: fn(&Moving<N>) -> Vector3<N>,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
+        let along = along(rolling);
         if !is_moved(&rolling, along, false) {
             return Vec::new();
         }

@@ -10,6 +10,7 @@ use crate::mechanism::{Positions, State};
 use crate::quantities::in_roll::InRoll;
 use crate::quantities::number::Number;
 use crate::quantities::places::Places;
+use crate::quantities::two_drives::{combined, rates};
 use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
 
 /// Reads quantities of one state of a mechanism: what several of them need is computed once. It can be read as the
@@ -26,6 +27,7 @@ struct Cells<N> {
     design: OnceCell<Option<Wheel<N>>>,
     kingpin: OnceCell<Option<SteeringAxis<N>>>,
     travel: OnceCell<Option<Moving<N>>>,
+    heave: OnceCell<Option<Moving<N>>>,
     steer: OnceCell<Option<Moving<N>>>,
     /// Of a left wheel, its axle.
     in_roll: OnceCell<Option<InRoll<N>>>,
@@ -39,6 +41,7 @@ impl<N> Default for Cells<N> {
             design: OnceCell::new(),
             kingpin: OnceCell::new(),
             travel: OnceCell::new(),
+            heave: OnceCell::new(),
             steer: OnceCell::new(),
             in_roll: OnceCell::new(),
             next: OnceCell::new(),
@@ -85,15 +88,34 @@ impl<'a, N: Number> Reader<'a, N> {
         kingpin.get_or_init(through).as_ref()
     }
 
-    /// Its carrier as a drive moves it.
+    /// Its carrier as it moves.
     pub(super) fn moving(&self, along: Along, rolling: Rolling) -> Option<&Moving<N>> {
         let cells = self.cells(rolling);
         let cell = match along {
             Along::Travel => &cells.travel,
+            Along::Heave(_) => &cells.heave,
             Along::Steer => &cells.steer,
         };
-        let moving = || self.moved_by(rolling.drive(along)?, rolling);
+        let moving = || match along {
+            Along::Travel | Along::Steer => self.moved_by(rolling.drive(along)?, rolling),
+            Along::Heave(other) => self.in_heave(rolling, other),
+        };
         cell.get_or_init(moving).as_ref()
+    }
+
+    fn in_heave(&self, rolling: Rolling, other: Rolling) -> Option<Moving<N>> {
+        let drives = [rolling.travel?, other.travel?];
+        let by_drives = |wheel| {
+            Some([
+                self.moved_by(drives[0], wheel)?,
+                self.moved_by(drives[1], wheel)?,
+            ])
+        };
+        let (own, of_other) = (by_drives(rolling)?, by_drives(other)?);
+        let rises = [&own, &of_other].map(|wheel| wheel.each_ref().map(|by| by.carrier.velocity.z));
+        let carrier = combined(&own, rates(rises, [1.0, 1.0]));
+        let [moving, _] = own;
+        Some(moving.with(carrier))
     }
 
     /// The same of any drive of travel or steering, computed anew.

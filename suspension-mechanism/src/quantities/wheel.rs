@@ -55,7 +55,7 @@ impl Rolling {
     /// The drive that moves it, where the file names one.
     pub(super) fn drive(&self, along: Along) -> Option<usize> {
         match along {
-            Along::Travel => self.travel,
+            Along::Travel | Along::Heave(_) => self.travel,
             Along::Steer => self.steer,
         }
     }
@@ -97,14 +97,18 @@ impl<N: Number> Wheel<N> {
     }
 }
 
-/// The drive by which a mechanism moves, the others held.
+/// By what a wheel's carrier moves, all other drives held.
 #[derive(Clone, Copy)]
 pub(super) enum Along {
+    /// The wheel's drive of travel.
     Travel,
+    /// The drives of travel of both wheels of its axle, of which this is the other one: both centres rise alike.
+    Heave(Rolling),
+    /// The wheel's drive of steering.
     Steer,
 }
 
-/// A carrier and its wheel as one drive moves them, in the axes of ISO 8855, from the file's origin.
+/// A carrier and its wheel as a drive moves them, or several, in the axes of ISO 8855, from the file's origin.
 pub(super) struct Moving<N> {
     pub(super) carrier: Carrier<N>,
     pub(super) axis: Vector3<N>,
@@ -140,6 +144,15 @@ impl<N: Number> Moving<N> {
                 omega,
             },
         })
+    }
+
+    /// The same wheel with another motion of its carrier.
+    pub(super) fn with(self, carrier: Carrier<N>) -> Self {
+        Self {
+            carrier,
+            screw: OnceCell::new(),
+            ..self
+        }
     }
 
     /// Its instant centre in the front view, where it turns there.

@@ -4,12 +4,15 @@ use nalgebra::Vector3;
 use suspension_core::signal;
 use suspension_core::wheel::InstantCentre;
 
-use crate::mechanism::Axle;
+use crate::mechanism::{Axle, Torque};
 use crate::quantities::axis::Axis;
-use crate::quantities::brake_and_drive::{Torque, of_support, of_support_angle};
+use crate::quantities::brake_and_drive::{Force, of_support, of_support_angle};
 use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
-use crate::quantities::on_ground::{of_independent, of_moving, of_moving_place};
+use crate::quantities::of_axle::side_view;
+use crate::quantities::on_ground::{
+    of_independent, of_moving, of_moving_in_side_view, of_moving_place,
+};
 use crate::quantities::quantity::{Quantity, Shown};
 use crate::quantities::wheel::Along;
 
@@ -45,7 +48,7 @@ catalogue! {
                      carrier does not turn in that view",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
-        read: |names| of_moving_place(names, Along::Travel, &[Axis::Y, Axis::Z], |moving| {
+        read: |names| of_moving_place(names, |_| Along::Travel, &[Axis::Y, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.front_view();
             Vector3::new(Number::unknown(), across, z)
         }),
@@ -64,10 +67,11 @@ catalogue! {
         name: "side_centre",
         sign: "in the axes of the file",
         definition: "of the wheel's carrier in travel, in the plane y = constant through the wheel centre; none where the \
-                     carrier does not turn in that view",
+                     carrier does not turn in that view; of wheels that move each other, on one body or a twist beam, in heave, both \
+                     wheel centres rising alike",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
-        read: |names| of_moving_place(names, Along::Travel, &[Axis::X, Axis::Z], |moving| {
+        read: |names| of_moving_place(names, |rolling| side_view(names, rolling), &[Axis::X, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.side_view();
             Vector3::new(across, Number::unknown(), z)
         }),
@@ -75,10 +79,10 @@ catalogue! {
     SIDE_ARM: "swing arm in the side view" {
         name: "side_arm",
         sign: "positive where the instant centre lies behind",
-        definition: "from the instant centre in the side view to the wheel centre, along x",
+        definition: "from side_centre to the wheel centre, along x",
         source: "side-view swing-arm length",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Travel, Kind::Length, false, |moving| {
+        read: |names| of_moving_in_side_view(names, Kind::Length, false, |moving| {
             moving.side_view().arm
         }),
     }
@@ -86,50 +90,56 @@ catalogue! {
         name: "brake_angle",
         sign: "positive where the contact point moves forward in bump",
         definition: "of the path in travel of the contact point, as a point of the carrier, from the vertical in the \
-                     side view, atan2(v_x, |v_z|) with v_z upwards; its tangent is anti-dive or anti-lift without the car's share",
+                     side view, atan2(v_x, |v_z|) with v_z upwards; its tangent is anti-dive or anti-lift without the car's share; \
+                     of wheels that move each other, on one body or a twist beam, in heave, both wheel centres rising alike",
         source: "side-view support angle, brake torque borne by the carrier",
         shown: Shown::InTables,
-        read: |names| of_support_angle(names, Torque::OfBrakes),
+        read: |names| of_support_angle(names, Torque::Carrier),
     }
     DRIVE_ANGLE: "support angle of inboard drive" {
         name: "drive_angle",
         sign: "positive where the wheel centre moves forward in bump",
         definition: "of the path in travel of the wheel centre, from the vertical in the side view, atan2(v_x, |v_z|) \
-                     with v_z upwards; its tangent is anti-squat without the car's share",
+                     with v_z upwards; its tangent is anti-squat without the car's share; of wheels that move each other in heave, as \
+                     brake_angle",
         source: "side-view support angle, drive torque borne by the chassis",
         shown: Shown::InTables,
-        read: |names| of_support_angle(names, Torque::OfShafts),
+        read: |names| of_support_angle(names, Torque::Chassis),
     }
     ANTI_DIVE: "anti-dive" {
         name: "anti_dive",
         sign: "positive where braking pushes the front wheels down",
-        definition: "of a front axle with outboard brakes, 100 tan(brake_angle) brake_share wheelbase / cg_height",
+        definition: "of a front axle, 100 tan(angle) brake_share wheelbase / cg_height; angle is brake_angle, or \
+                     drive_angle with brake_torque = 'chassis'",
         source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
         shown: Shown::InTables,
-        read: |names| of_support(names, Axle::Front, Torque::OfBrakes, 1.0),
+        read: |names| of_support(names, Axle::Front, Force::Brakes, 1.0),
     }
     ANTI_LIFT: "anti-lift" {
         name: "anti_lift",
         sign: "positive where braking pulls the rear wheels up",
-        definition: "of a rear axle with outboard brakes, -100 tan(brake_angle) brake_share wheelbase / cg_height",
+        definition: "of a rear axle, -100 tan(angle) brake_share wheelbase / cg_height; angle is brake_angle, or \
+                     drive_angle with brake_torque = 'chassis'",
         source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
         shown: Shown::InTables,
-        read: |names| of_support(names, Axle::Rear, Torque::OfBrakes, -1.0),
+        read: |names| of_support(names, Axle::Rear, Force::Brakes, -1.0),
     }
     ANTI_SQUAT: "anti-squat" {
         name: "anti_squat",
         sign: "positive where driving pushes the rear wheels down",
-        definition: "of a rear axle driven by shafts, -100 tan(drive_angle) drive_share wheelbase / cg_height",
+        definition: "of a rear axle, -100 tan(angle) drive_share wheelbase / cg_height; angle is drive_angle where the \
+                     chassis bears the drive_torque, brake_angle where the carrier does, as an axle with the differential \
+                     in it",
         source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
         shown: Shown::InTables,
-        read: |names| of_support(names, Axle::Rear, Torque::OfShafts, -1.0),
+        read: |names| of_support(names, Axle::Rear, Force::Drive, -1.0),
     }
     ANTI_LIFT_IN_DRIVE: "anti-lift in drive" {
         name: "anti_lift_in_drive",
         sign: "positive where driving pulls the front wheels up",
-        definition: "of a front axle driven by shafts, 100 tan(drive_angle) drive_share wheelbase / cg_height",
+        definition: "of a front axle, 100 tan(angle) drive_share wheelbase / cg_height; angle as in anti_squat",
         source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
         shown: Shown::InTables,
-        read: |names| of_support(names, Axle::Front, Torque::OfShafts, 1.0),
+        read: |names| of_support(names, Axle::Front, Force::Drive, 1.0),
     }
 }

@@ -1,0 +1,26 @@
+//! Carriers as the drives of both wheels of an axle move them at once.
+
+use suspension_core::wheel::Carrier;
+
+use crate::quantities::number::Number;
+use crate::quantities::wheel::Moving;
+
+/// The rates of two drives at which two points rise `at` given rates; `rises` are those of each point per drive.
+pub(super) fn rates<N: Number>([[a, b], [c, d]]: [[N; 2]; 2], at: [f64; 2]) -> [N; 2] {
+    let [first, second] = at.map(N::still);
+    let determinant = a * d - b * c;
+    [
+        (d * first - b * second) / determinant,
+        (a * second - c * first) / determinant,
+    ]
+}
+
+/// A carrier as both drives move it at these rates.
+pub(super) fn combined<N: Number>([one, other]: &[Moving<N>; 2], [p, q]: [N; 2]) -> Carrier<N> {
+    let [one, other] = [&one.carrier, &other.carrier];
+    Carrier {
+        centre: one.centre,
+        velocity: one.velocity * p + other.velocity * q,
+        omega: one.omega * p + other.omega * q,
+    }
+}
