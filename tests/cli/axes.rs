@@ -18,8 +18,8 @@ const AXES: [(&str, [f64; 3]); 3] = [
     ("SAE", [1.0, -1.0, -1.0]),
 ];
 
-/// An angle from the z axis of the file.
-const BAR: &str = "bar_arm_rad";
+/// An angle from the z axis of the file, measured by the listing of one's own.
+const LEAN: &str = "lean";
 
 /// Where the hardpoints are stated.
 #[derive(Clone, Copy, Debug)]
@@ -76,7 +76,7 @@ fn turned(signs: [f64; 3]) -> String {
             .collect();
         out += &format!("at {}{rest}", vector(numbers.try_into().unwrap(), signs));
     }
-    out
+    out + &format!("\nmeasure {LEAN}: angle(lower_ball -> upper_ball, z);\n")
 }
 
 fn file(axes: &str, signs: [f64; 3], stated: Stated) -> String {
@@ -127,7 +127,6 @@ fn the_same_corner_is_the_same_in_any_axes() {
             _ => match name {
                 "bump_m" => signs[2],
                 "steer_m" => signs[1],
-                BAR => signs[2],
                 _ => 1.0,
             },
         };
@@ -139,9 +138,7 @@ fn the_same_corner_is_the_same_in_any_axes() {
                     Some((name, _)) => sign(name) * signs[1],
                     None => sign(column),
                 };
-                // From the other end of the axis the angle is what it lacks to a straight one.
-                let turned = if column == BAR && sign < 0.0 { PI } else { 0.0 };
-                let off = (turned + row[column] * sign - value).abs();
+                let off = (row[column] * sign - value).abs();
                 let bound = if per.is_none() { 1e-14 } else { 1e-12 };
                 assert!(
                     off <= bound * value.abs().max(1.0),
@@ -149,6 +146,25 @@ fn the_same_corner_is_the_same_in_any_axes() {
                     row[column]
                 );
             }
+        }
+    }
+}
+
+/// From the other end of the axis the angle is what it lacks to a straight one.
+#[test]
+fn an_angle_from_an_axis_is_from_that_of_the_file() {
+    let lean = |axes| {
+        let rows = swept(axes, Stated::Listing);
+        rows.iter().map(|row| row["lean_rad"]).collect::<Vec<_>>()
+    };
+    let expected = lean(AXES[0]);
+    for (axes, turned) in [(AXES[1], false), (AXES[2], true)] {
+        for (found, expected) in lean(axes).iter().zip(&expected) {
+            let expected = if turned { PI - expected } else { *expected };
+            assert!(
+                (found - expected).abs() < 1e-14,
+                "{axes:?} {found} {expected}"
+            );
         }
     }
 }

@@ -31,7 +31,7 @@ fn corner(unit: &str, springs: &str) -> String {
 }
 
 const SPRINGS: &str = "[springs.spring]\nalong = \"damper\"\nrate = 28000.0\nload = 3800.0\n\
-                       [springs.bar]\nalong = \"bar_arm\"\nrate = 900.0\n";
+                       [springs.bar]\nalong = \"bar_arm\"\nrate = 1500.0\n";
 
 #[test]
 fn wheel_rate_and_load_are_derivatives_of_the_energy() {
@@ -43,7 +43,7 @@ fn wheel_rate_and_load_are_derivatives_of_the_energy() {
         let energy = |row: usize| {
             let [damper, arm] =
                 ["damper_m", "bar_arm_rad"].map(|name| rows[row][name] - design[name]);
-            0.5 * 28000.0 * damper * damper - 3800.0 * damper + 0.5 * 900.0 * arm * arm
+            0.5 * 28000.0 * damper * damper - 3800.0 * damper + 0.5 * 1500.0 * arm * arm
         };
         let [load, rate] = derivatives([0, 1, 2, 3, 4].map(energy), h);
         let found = [rows[2]["spring_load_N"], rows[2]["wheel_rate_N_m"]];
@@ -63,8 +63,8 @@ fn wheel_rate_and_load_are_derivatives_of_the_energy() {
 #[test]
 fn a_bar_in_degrees_is_the_same() {
     let expected = &swept(&corner("", SPRINGS), "bump=0.03")[0];
-    let rate = 900.0_f64.to_radians();
-    let in_degrees = SPRINGS.replace("rate = 900.0", &format!("rate = {rate:?}"));
+    let rate = 1500.0_f64.to_radians();
+    let in_degrees = SPRINGS.replace("rate = 1500.0", &format!("rate = {rate:?}"));
     let found = &swept(&corner("angle = \"deg\"\n", &in_degrees), "bump=0.03")[0];
     for name in ["spring_load_N", "wheel_rate_N_m"] {
         assert!(

@@ -34,10 +34,21 @@ couple rack:        left_rack.y = right_rack.y;
 drive steer: left_rack.y;
 ";
 
+/// A point of layouts with an anti-roll bar, and how much that is twisted. The bar's middle may be in the middle of the vehicle, where
+/// both corners have it.
+const BAR: &str = "bar_outer";
+const TWIST: &str = "\
+/// Twist of the anti-roll bar, between its arms.
+measure bar_twist: angle(right_bar_outer -> right_drop_lower, left_bar_outer -> left_drop_lower
+                         about right_bar_outer -> left_bar_outer);
+";
+
 impl Axle {
     /// Of a layout, for a motion file.
     pub(super) fn of(choice: &Choice<'_>, out: &Path) -> Self {
-        let mirrored = |what: &str| format!("mirror: left -> right;\ninclude left: {what};\n");
+        let twist = choice.listing.point(BAR).map_or("", |_| TWIST);
+        let mirrored =
+            |what: &str| format!("mirror: left -> right;\ninclude left: {what};\n{twist}");
         if choice.listing.drive("steer").is_none() {
             return Self {
                 statements: mirrored(choice.linkage),

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::Values;
-use suspension_core::listing::{Kind, Part, Parts};
+use suspension_core::listing::{Kind, Part, Parts, WheelPlaces};
 use suspension_core::signal::Number as _;
 use suspension_core::wheel::{Carrier, Turn, contact, steer_angle, toe};
 use suspension_double_double::DoubleDouble as Number;
@@ -109,14 +109,24 @@ impl Reference<'_> {
                 of_steering(&mut of_one, &moved_by(steer), ends);
             }
             let own = format!("bump_{}", wheel.name);
-            let own = drives.iter().position(|name| *name == own);
-            let own = own.unwrap_or(travel);
+            let position = |name: &str| drives.iter().position(|drive| *drive == name);
+            let own = position(&own).unwrap_or(travel);
             self.of_travel(&mut of_one, &moved_by(own), ends);
             let rates: Vec<Vector> = lattice.velocities(at, own).values().collect();
             let moves = |place: usize| rates[place].iter().any(|rate| rate.nearest().abs() > 1e-9);
             let others = (0..).map_while(|other| model.wheel(other));
             let mut others = others.filter(|other| other.name != wheel.name);
-            if others.any(|other| other.carrier.into_iter().any(moves)) {
+            let moved = others.find(|other| other.carrier.into_iter().any(moves));
+            let mut in_side_view = moved_by(own);
+            if let Some(other) = &moved {
+                let of_other = format!("bump_{}", other.name);
+                let drives = [own, position(&of_other).expect("a drive")];
+                let rates = drives.map(|drive| lattice.velocities(at, drive).values().collect());
+                in_side_view = in_heave(&each, &rates, [&wheel, other]);
+            }
+            let is_axle = moved.is_some_and(|other| other.carrier == wheel.carrier);
+            self.in_side_view(&mut of_one, &in_side_view, ends, is_axle);
+            if moved.is_some() {
                 of_one.retain(|(name, _)| !OF_INDEPENDENT.contains(&name.as_str()));
             }
             let prefix = match wheel.name {
@@ -188,6 +198,35 @@ impl Reference<'_> {
         let axis = wheel[1] - wheel[0];
         let ground = contact(&wheel[1], &axis, RADIUS.into());
         let front = carrier.front_view(&axis);
+        let path = carrier.velocity_of(&ground);
+        let outboard = if ground.y.is_below_zero() {
+            -100.0
+        } else {
+            100.0
+        }
+        .into();
+        named.extend(
+            [
+                ("roll_centre_m", carrier.roll_centre(&ground) - ground.z),
+                ("jacking_percent", path.y / path.z * outboard),
+                ("front_centre_y", front.across),
+                ("front_centre_z", front.z),
+                ("front_arm_m", front.arm),
+            ]
+            .map(|(name, value)| (name.to_owned(), value)),
+        );
+    }
+
+    /// `is_axle` where one body carries both wheels, which bears the torque of the drive.
+    fn in_side_view(
+        &self,
+        named: &mut Named,
+        carrier: &Carrier<Number>,
+        wheel: [Vector; 2],
+        is_axle: bool,
+    ) {
+        let axis = wheel[1] - wheel[0];
+        let ground = contact(&wheel[1], &axis, RADIUS.into());
         let side = carrier.side_view();
         let path = |velocity: Vector| {
             if velocity.z.is_below_zero() {
@@ -196,28 +235,18 @@ impl Reference<'_> {
                 velocity
             }
         };
-        let [braked, driven] = [path(carrier.velocity_of(&ground)), path(carrier.velocity)];
-        let outboard = if ground.y.is_below_zero() {
-            -100.0
-        } else {
-            100.0
-        }
-        .into();
+        let [braked, by_shafts] = [path(carrier.velocity_of(&ground)), path(carrier.velocity)];
+        let driven = if is_axle { braked } else { by_shafts };
         let angle = |path: Vector| Number::arc_tangent(path.x, path.z);
         let support = |path: Vector, share: f64| path.x / path.z * (100.0 * share * LEVER).into();
-        let [brakes, shafts] = [support(braked, BRAKE_SHARE), support(driven, DRIVE_SHARE)];
+        let [brakes, drive] = [support(braked, BRAKE_SHARE), support(driven, DRIVE_SHARE)];
         named.extend(
             [
-                ("roll_centre_m", carrier.roll_centre(&ground) - ground.z),
-                ("jacking_percent", braked.y / braked.z * outboard),
-                ("front_centre_y", front.across),
-                ("front_centre_z", front.z),
-                ("front_arm_m", front.arm),
                 ("side_centre_x", side.across),
                 ("side_centre_z", side.z),
                 ("side_arm_m", side.arm),
                 ("brake_angle_rad", angle(braked)),
-                ("drive_angle_rad", angle(driven)),
+                ("drive_angle_rad", angle(by_shafts)),
             ]
             .map(|(name, value)| (name.to_owned(), value)),
         );
@@ -225,16 +254,34 @@ impl Reference<'_> {
             match self.car {
                 Car::Front => [
                     ("anti_dive_percent", brakes),
-                    ("anti_lift_in_drive_percent", shafts),
+                    ("anti_lift_in_drive_percent", drive),
                 ],
                 Car::Rear => [
                     ("anti_lift_percent", -brakes),
-                    ("anti_squat_percent", -shafts),
+                    ("anti_squat_percent", -drive),
                 ],
             }
             .map(|(name, value)| (name.to_owned(), value)),
         );
     }
+}
+
+/// The first wheel's carrier as two drives move it at rates at which both wheel centres rise alike.
+fn in_heave(
+    points: &[Vector],
+    rates: &[Vec<Vector>; 2],
+    wheels: [&WheelPlaces<'_>; 2],
+) -> Carrier<Number> {
+    let [[a, b], [c, d]] = wheels.map(|wheel| rates.each_ref().map(|by| by[wheel.axis[1]].z));
+    // Cramer's rule.
+    let [first, second] = [(d - b) / (a * d - b * c), (a - c) / (a * d - b * c)];
+    let place = wheels[0].carrier;
+    let combined = place.map(|place| rates[0][place] * first + rates[1][place] * second);
+    moving_carrier(
+        place.map(|place| points[place]),
+        combined,
+        points[wheels[0].axis[1]],
+    )
 }
 
 fn track(wheels: [[Vector; 2]; 2]) -> Number {
@@ -266,6 +313,19 @@ fn measured(name: &Name, quantity: &Quantity, point: impl Fn(&Name) -> Vector) -
             (
                 format!("{name}_rad"),
                 Number::arc_tangent(length(across), line[*axis]),
+            )
+        }
+        Quantity::Between {
+            lines: [first, second],
+            about: Some(about),
+        } => {
+            let (first, second, axis) = (line(first), line(second), line(about));
+            let axis = axis / length(axis);
+            let across = |line: Vector| line - axis * axis.dot(&line);
+            let (first, second) = (across(first), across(second));
+            (
+                format!("{name}_rad"),
+                Number::arc_tangent(axis.dot(&first.cross(&second)), first.dot(&second)),
             )
         }
         other => panic!("no measure of the catalogue is as {name}: {other:?}"),

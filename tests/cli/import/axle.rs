@@ -182,6 +182,23 @@ fn a_bar_of_both_sides_is_halved() {
     assert_eq!(points["right_bar_inner"], [-120.0, -100.0, 130.0]);
     let output = run(folder.path(), &["sheet", "motion.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
+    // A spring on the twist is a bar: none of its load in heave, of its rate all in roll.
+    let path = folder.path().join("motion.toml");
+    let sprung = std::fs::read_to_string(&path).expect("a file")
+        + "[springs.bar]\nalong = \"bar_twist\"\nrate = 400.0\n";
+    std::fs::write(path, sprung).expect("written");
+    let both = ["left_bump=0:20:2", "right_bump=0:20:2"];
+    let rows = swept(folder.path(), "motion.toml", &both);
+    let [design, one_up, _, both_up] = rows.as_slice() else {
+        panic!("{}", rows.len())
+    };
+    let [heave, roll] = [both_up, one_up].map(|row| row["left_spring_load_N"]);
+    assert!(
+        heave.abs() < 1e-6 * roll.abs() && roll.abs() > 100.0,
+        "{heave} {roll}"
+    );
+    assert_near(both_up["bar_twist_rad"], design["bar_twist_rad"], "twist");
+    assert!(design["roll_rate_Nm_rad"] > 0.0, "{design:?}");
 }
 
 #[test]
