@@ -1,6 +1,7 @@
 //! The command line's options and help.
 
 use std::ffi::OsString;
+use std::io::Write;
 use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
 
@@ -11,6 +12,7 @@ use crate::commands::{
     sensitivities, sheet, sweep, tables, tune,
 };
 use crate::failure::Failure;
+use crate::file::tell;
 use crate::interrupt;
 use crate::mistyped::with_suggestion;
 
@@ -98,7 +100,7 @@ impl Options {
     pub fn given() -> Self {
         let arguments: Vec<OsString> = std::env::args_os().collect();
         Self::try_parse_from(&arguments)
-            .unwrap_or_else(|mistake| with_suggestion(mistake, &Self::command(), &arguments).exit())
+            .unwrap_or_else(|mistake| end(&with_suggestion(mistake, &Self::command(), &arguments)))
     }
 
     /// Does what the command asks for, or without one the published motion.
@@ -128,16 +130,26 @@ impl Options {
     }
 }
 
+/// Ends with help, or a mistake in the options; 1 where help that was asked for cannot be written.
+fn end(told: &clap::Error) -> ! {
+    let is_written = told
+        .print()
+        .and_then(|()| std::io::stdout().flush())
+        .is_ok();
+    let is_lost = !is_written && !told.use_stderr();
+    std::process::exit(if is_lost { 1 } else { told.exit_code() })
+}
+
 /// Does a job of a program; an interrupt sets the flag that it looks at. Says why where it fails.
 pub fn exit_code_of(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> ExitCode {
     if let Err(error) = interrupt::catch_signals() {
-        eprintln!("note: an interrupt will lose rows: {error}");
+        tell(format_args!("note: an interrupt will lose rows: {error}"));
     }
     match job(interrupt::flag()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             if !matches!(failure, Failure::ReaderGone) {
-                eprintln!("{failure}");
+                tell(&failure);
             }
             ExitCode::from(failure.exit_code())
         }

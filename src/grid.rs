@@ -5,6 +5,7 @@ use std::str::FromStr;
 use suspension_core::listing::DriveKind;
 
 use crate::failure::Failure;
+use crate::file::tell;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Axis, Coordinate, Description, From, Grid, MOST_PLACES, evenly_spaced};
 
@@ -85,7 +86,7 @@ pub fn grid(
 ) -> Result<Grid, Failure> {
     let grid = stated(mechanism, swept, absolute).map_err(Failure::Input)?;
     for doubt in doubts(mechanism, swept, absolute) {
-        eprintln!("note: {source}: {doubt}");
+        tell(format_args!("note: {source}: {doubt}"));
     }
     Ok(grid)
 }

@@ -4,7 +4,7 @@ pub mod order;
 
 use std::path::PathBuf;
 use std::str::FromStr;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use clap::{Args, ValueEnum};
 
@@ -13,6 +13,7 @@ use crate::bake::{Continuity, Wish};
 use crate::characteristics::Span;
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::file::tell;
 use crate::load::load;
 use crate::output::files::{refuse_input, write_file};
 use order::{Order, Ordered, Wished, WishedMeasure};
@@ -86,14 +87,9 @@ impl Arguments {
             file: source.name(),
             mechanism: &*loaded.driven("suspension bake")?,
             order: &self.order()?,
+            interrupted,
         };
         let sheet = ordered.sheet()?;
-        if interrupted.load(Ordering::Relaxed) {
-            let name = source.name();
-            return Err(Failure::Interrupted(format!(
-                "{name}: interrupted; nothing was written"
-            )));
-        }
         let language = Language::from(self.language);
         let path = self.output.clone().unwrap_or_else(|| {
             let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
@@ -102,7 +98,11 @@ impl Arguments {
         });
         refuse_input(&path, "--output")?;
         write_file(&path, &sheet.text(language, &path))?;
-        eprintln!("wrote {}: {}", path.display(), sheet.baked.count_in_words());
+        tell(format_args!(
+            "wrote {}: {}",
+            path.display(),
+            sheet.baked.count_in_words()
+        ));
         Ok(())
     }
 

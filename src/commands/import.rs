@@ -23,6 +23,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::file::tell;
 use crate::load::load;
 use crate::mechanism::{self, Axes, Length};
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
@@ -191,7 +192,7 @@ fn refused(stated: &Hardpoints<'_>, message: &str) -> Failure {
 /// The text of the motion file that is to be called `out`.
 fn written_out(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
     for remark in &draft.remarks {
-        eprintln!("note: {}: {remark}", draft.source);
+        tell(format_args!("note: {}: {remark}", draft.source));
     }
     let file = |text: &str| Source::new(out.display().to_string(), text.to_owned());
     // The drives' values at the design position are those of the mechanism.
@@ -208,9 +209,9 @@ fn note_spin_axis(names: &mechanism::Names) {
         && inner < names.chassis + names.free
     {
         let [inner, centre] = [inner, centre].map(|point| &names.points[point]);
-        eprintln!(
+        tell(format_args!(
             "note: camber and toe are those of the line from {inner} to {centre} in this layout"
-        );
+        ));
     }
 }
 

@@ -11,6 +11,7 @@ use suspension_runtime::Listing;
 use crate::characteristics::{Along, Span, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::file::tell;
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::mechanism::State;
@@ -51,7 +52,7 @@ impl Arguments {
         let mechanism = loaded.at_design()?;
         let motion_ends = loaded.own_motion_ends(interrupted)?;
         if let Some(why) = &motion_ends {
-            eprintln!("note: {why}");
+            tell(format_args!("note: {why}"));
         }
         let (page, missing) = self.page(
             &*mechanism,

@@ -108,7 +108,11 @@ pub trait Kinematics: Deref<Target = Description> {
     /// # Errors
     ///
     /// See [`UnmetSurface`].
-    fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface>;
+    fn bake_surface(
+        &self,
+        wanted: &WantedSurface,
+        interrupted: &AtomicBool,
+    ) -> Result<BakedSurface, UnmetSurface>;
 
     /// The mechanism with other hardpoints, at its own design position, then with other lengths; `None` where there is
     /// none.
@@ -228,9 +232,13 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         Ok(Box::new(path))
     }
 
-    fn bake_surface(&self, wanted: &WantedSurface) -> Result<BakedSurface, UnmetSurface> {
+    fn bake_surface(
+        &self,
+        wanted: &WantedSurface,
+        interrupted: &AtomicBool,
+    ) -> Result<BakedSurface, UnmetSurface> {
         let held = L::Drives::from_values(self.first_drives());
-        bake_surface(&self.model, &self.start, held, wanted)
+        bake_surface(&self.model, &self.start, held, wanted, interrupted)
     }
 
     fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>> {

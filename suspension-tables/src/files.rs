@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 use tempfile::{NamedTempFile, TempPath};
 
 use suspension_mechanism::failure::Failure;
-use suspension_mechanism::file::inputs;
+use suspension_mechanism::file::{inputs, tell};
 use suspension_mechanism::interrupt;
 
 /// A file being written. It takes its name only when it is finished; until then what had the
@@ -133,7 +133,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 /// Names the files that were written.
 pub fn announce(written: &[PathBuf]) {
     for path in written {
-        eprintln!("wrote {}", path.display());
+        tell(format_args!("wrote {}", path.display()));
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-use super::program::{command, edited, example, folder, text};
+use super::program::{CORNER, command, edited, example, folder, text};
 
 #[test]
 fn a_closed_standard_output_is_no_failure() {
@@ -24,14 +24,53 @@ fn a_closed_standard_output_is_no_failure() {
     assert!(output.stderr.is_empty(), "{output:?}");
 }
 
+/// Where notes and errors cannot be written they are lost, and nothing else.
+#[cfg(unix)]
+#[test]
+fn a_full_standard_error_costs_no_result() {
+    let folder = folder();
+    std::fs::write(folder.path().join("motion.toml"), CORNER).expect("written");
+    let code = |arguments: &[&str]| {
+        let full = std::fs::File::create("/dev/full").expect("a full device");
+        let mut command = command(folder.path());
+        let status = command
+            .args(arguments)
+            .stdout(Stdio::null())
+            .stderr(full)
+            .status();
+        status.expect("the program runs").code()
+    };
+    assert_eq!(
+        code(&["motion", "motion.toml", "--csv", "all.csv"]),
+        Some(0)
+    );
+    assert!(folder.path().join("all.csv").exists());
+    assert_eq!(code(&["motion", "nothing.toml"]), Some(2));
+    assert_eq!(code(&["motion", "--nothing"]), Some(2));
+}
+
+#[cfg(unix)]
+#[test]
+fn help_that_cannot_be_written_is_a_failure() {
+    let full = std::fs::File::create("/dev/full").expect("a full device");
+    let mut command = command(Path::new("."));
+    let status = command.args(["motion", "--help"]).stdout(full).status();
+    assert_eq!(status.expect("the program runs").code(), Some(1));
+}
+
 /// A motion that takes seconds, ended by a signal after a part of one.
 #[cfg(unix)]
 fn ended_by(signal: &str, folder: &Path, results: &[&str]) -> Output {
     let long = "start = 0.0\nstop = 1.9\nstep = 5e-7";
     std::fs::write(folder.join("long.toml"), edited("instants", long)).expect("written");
+    let arguments = [&["motion", "long.toml"], results].concat();
+    interrupted_by(signal, folder, &arguments)
+}
+
+#[cfg(unix)]
+fn interrupted_by(signal: &str, folder: &Path, arguments: &[&str]) -> Output {
     let child = command(folder)
-        .args(["motion", "long.toml"])
-        .args(results)
+        .args(arguments)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
@@ -63,6 +102,23 @@ fn a_signal_to_end_keeps_whole_rows() {
         let files = std::fs::read_dir(folder.path()).expect("a folder").count();
         assert_eq!(files, 2, "{signal}: nothing temporary is left");
     }
+}
+
+/// A surface whose tolerance none of its layouts meets is tried for minutes.
+#[cfg(unix)]
+#[test]
+fn a_surface_that_is_being_baked_is_given_up() {
+    let folder = folder();
+    std::fs::write(folder.path().join("motion.toml"), CORNER).expect("written");
+    let drives = ["--drive", "bump=0.25:0.35", "--drive", "steer=0.33:0.35"];
+    let arguments = [
+        &["bake", "motion.toml", "--tolerance", "1e-14"][..],
+        &drives,
+    ]
+    .concat();
+    let output = interrupted_by("-INT", folder.path(), &arguments);
+    assert!(text(&output.stderr).ends_with("interrupted; nothing was written\n"));
+    assert!(!folder.path().join("out").exists());
 }
 
 #[cfg(unix)]

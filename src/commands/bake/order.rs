@@ -4,6 +4,8 @@ mod curve;
 mod measure;
 mod surface;
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use crate::bake::source::{About, Ranged, Sheet, Table};
 use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
@@ -55,6 +57,8 @@ pub struct Ordered<'a> {
     pub mechanism: &'a dyn Kinematics,
     /// What to bake.
     pub order: &'a Order,
+    /// Whether the user has enough.
+    pub interrupted: &'a AtomicBool,
 }
 
 /// A drive over its range.
@@ -109,7 +113,7 @@ impl Ordered<'_> {
                 format!("{} = {value} {}", drive.name, inside.of_drive(drive.kind))
             })
             .collect::<Vec<_>>();
-        Ok(Sheet {
+        let sheet = Sheet {
             about: About {
                 file: self.file.to_owned(),
                 linkage: linkage.clone(),
@@ -119,7 +123,11 @@ impl Ordered<'_> {
                 held: held.join(", "),
             },
             baked,
-        })
+        };
+        if self.interrupted.load(Ordering::Relaxed) {
+            return Err(interrupted(self.file));
+        }
+        Ok(sheet)
     }
 
     /// The drives that move, what is said of them, and what is baked; `unit` is that of the last.
@@ -213,6 +221,11 @@ impl Ordered<'_> {
     fn refuse(&self, message: &str) -> Failure {
         Failure::Input(format!("{}: {message}", self.file))
     }
+}
+
+/// Of a file that is not baked to the end.
+fn interrupted(file: &str) -> Failure {
+    Failure::Interrupted(format!("{file}: interrupted; nothing was written"))
 }
 
 /// The part of a range that can be baked, found by `widest`, in a few digits and the file's coordinates and units, as

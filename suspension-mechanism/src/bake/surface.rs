@@ -4,6 +4,8 @@
 mod plane;
 mod wanted;
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use nalgebra::Vector3;
 use suspension_core::Motion;
 use suspension_core::baked::Patch;
@@ -78,7 +80,7 @@ impl BakedSurface {
 /// Bakes the motion of two drives, the others held at `held`, the configuration `start`.
 ///
 /// The number of patches is the smallest with which the tolerance is met, in whichever way they
-/// are laid out.
+/// are laid out. It ends where `interrupted` is set, patch by patch.
 ///
 /// # Errors
 ///
@@ -88,12 +90,14 @@ pub fn bake_surface<L: Suspension<N>, const N: usize>(
     start: &Motion<f64, N>,
     held: L::Drives,
     wanted: &WantedSurface,
+    interrupted: &AtomicBool,
 ) -> Result<BakedSurface, UnmetSurface> {
     let plane = Plane {
         driven: Driven::new(model, wanted.wish),
         start,
         held,
         wanted,
+        interrupted,
     };
     let mut layouts: Vec<[usize; 2]> = (1..=MOST_PATCHES)
         .flat_map(|along| (1..=MOST_PATCHES / along).map(move |across| [along, across]))
@@ -121,6 +125,9 @@ impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
         let mut patches = Vec::new();
         let mut reached = 0.0_f64;
         for index in 0..counts[0] * counts[1] {
+            if self.interrupted.load(Ordering::Relaxed) {
+                return Err(UnmetSurface::Interrupted);
+            }
             let place = [index / counts[1], index % counts[1]];
             let corner = [0, 1].map(|way| self.edge(way, counts, place[way]));
             let lengths = [0, 1].map(|way| self.edge(way, counts, place[way] + 1) - corner[way]);

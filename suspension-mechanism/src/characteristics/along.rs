@@ -8,6 +8,7 @@ use crate::characteristics::course::Course;
 use crate::characteristics::span::Span;
 use crate::characteristics::way::{STEER, numbered};
 use crate::failure::Failure;
+use crate::file::tell;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Axis, From, Grid, Order, Place, State, Unit, Visited, evenly_spaced};
 use crate::number::number;
@@ -89,9 +90,9 @@ fn note_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) {
     if to - from > LONGEST * unit.metre() {
         let symbol = unit.symbol();
         let [from, to] = [from, to].map(number);
-        eprintln!(
+        tell(format_args!(
             "note: {file}: {way} is from {from} {symbol} to {to} {symbol}: is it in another unit?"
-        );
+        ));
     }
 }
 

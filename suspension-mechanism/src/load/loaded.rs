@@ -3,7 +3,7 @@
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Source, check};
+use crate::file::{MotionFile, Source, check, tell};
 use crate::kinematics::Kinematics;
 use crate::load::listing::Chosen;
 use crate::load::prepare::{Request, Start, prepare};
@@ -229,7 +229,7 @@ impl Loaded<'_> {
     pub(super) fn noted(&self, request: Request<'_>) -> Result<Box<dyn Kinematics + '_>, Failure> {
         let mechanism = self.kinematics(request)?;
         for note in &mechanism.notes {
-            eprintln!("note: {note}");
+            tell(format_args!("note: {note}"));
         }
         Ok(mechanism)
     }

@@ -1,5 +1,7 @@
 //! Surfaces of two drives.
 
+use std::sync::atomic::AtomicBool;
+
 use nalgebra::Vector3;
 use suspension::bake::{WantedSurface, Wish, bake_surface};
 use suspension_core::baked::Surface;
@@ -31,7 +33,8 @@ fn check_surface(tolerance: f64, smooth: bool, velocity_within: f64) {
         smooth,
         wish: Wish::Wheel,
     };
-    let baked = bake_surface(&model, &at_rest, held, &wanted).expect("within the tolerance");
+    let baked = bake_surface(&model, &at_rest, held, &wanted, &AtomicBool::new(false))
+        .expect("within the tolerance");
     assert!(baked.reached <= tolerance);
     let table = baked.table::<6>().expect("six outputs");
     let surface = Surface {
@@ -140,7 +143,8 @@ fn a_surface_beyond_the_mechanism_is_refused() {
         smooth: true,
         wish: Wish::Wheel,
     };
-    let refused = bake_surface(&model, &at_rest, held, &wanted).expect_err("out of reach");
+    let refused = bake_surface(&model, &at_rest, held, &wanted, &AtomicBool::new(false))
+        .expect_err("out of reach");
     let message = refused.to_string();
     assert!(
         message.starts_with("the mechanism does not reach -0.67"),

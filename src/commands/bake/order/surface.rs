@@ -2,7 +2,7 @@
 
 use crate::bake::surface::MOST_PATCHES;
 use crate::bake::{BakedSurface, Continuity, UnmetSurface, WantedSurface};
-use crate::commands::bake::order::{Along, Ordered};
+use crate::commands::bake::order::{Along, Ordered, interrupted};
 use crate::failure::Failure;
 use crate::mechanism::advice;
 use crate::number::{number, rounded};
@@ -21,7 +21,7 @@ impl Ordered<'_> {
             smooth: self.order.continuity == Continuity::Velocity,
             wish: self.order.wish,
         };
-        let baked = self.mechanism.bake_surface(&wanted);
+        let baked = self.mechanism.bake_surface(&wanted, self.interrupted);
         let baked = baked.map_err(|unmet| self.unmet(along, &unmet))?;
         let ranges = along.map(|along| along.range);
         Ok(baked.moved(self.mechanism.origin.into(), ranges))
@@ -34,6 +34,7 @@ impl Ordered<'_> {
             format!("{name} = {from} to {to}")
         });
         let reason = match unmet {
+            UnmetSurface::Interrupted => return interrupted(self.file),
             UnmetSurface::OutOfReach { drives, cause } => {
                 let place = along.iter().zip(drives).map(|(along, local)| {
                     self.in_words(along.drive, self.given(along.drive, *local))

@@ -1,5 +1,7 @@
 //! The exact motion as a function of two drives.
 
+use std::sync::atomic::AtomicBool;
+
 use nalgebra::Vector3;
 use suspension_core::stepper::Stopped;
 use suspension_core::{Linkage, Motion, Values};
@@ -14,6 +16,7 @@ pub(super) struct Plane<'a, L: Linkage<N>, const N: usize> {
     pub(super) start: &'a Motion<f64, N>,
     pub(super) held: L::Drives,
     pub(super) wanted: &'a WantedSurface,
+    pub(super) interrupted: &'a AtomicBool,
 }
 
 /// An output with its derivatives by the first drive, the second, and both.

@@ -39,6 +39,8 @@ pub enum UnmetSurface {
     },
     /// The tolerance is not met with [`MOST_PATCHES`].
     TooManyPatches,
+    /// The user has enough.
+    Interrupted,
 }
 
 impl fmt::Display for UnmetSurface {
@@ -52,6 +54,7 @@ impl fmt::Display for UnmetSurface {
             Self::TooManyPatches => {
                 write!(f, "{MOST_PATCHES} patches do not meet the tolerance")
             }
+            Self::Interrupted => f.write_str("interrupted"),
         }
     }
 }
