@@ -120,6 +120,7 @@ fn its_points_are_baked_and_its_wheel_is_refused() {
 fn bakes_points_alone(mechanism: &dyn Kinematics) {
     let baked = |wish| {
         Ordered {
+            interrupted: &AtomicBool::new(false),
             file: "a.toml",
             mechanism,
             order: &order(wish),

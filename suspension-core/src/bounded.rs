@@ -20,9 +20,8 @@
 //! that the prediction lacks: with a prediction of order `p` it grows as `dt^(p + 1)`.
 
 use crate::error::SolveError;
-use crate::factored::smallest_pivot;
+use crate::factored::{check_rates, smallest_pivot, with_pivoting};
 use crate::linkage::Linkage;
-use crate::lu::Lu;
 use crate::motion::{Motion, Prescribed};
 use crate::report::Report;
 use crate::scalar::Real;
@@ -205,8 +204,8 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         if let Some(equation) = start.iter().position(|x| !x.is_finite()) {
             return Err(SolveError::not_finite(equation));
         }
-        let mut lu = Lu::of(linkage.jacobian(at, fixed));
-        lu.eliminate_jacobian(smallest_pivot())?;
+        let lu = with_pivoting(linkage, at, fixed, smallest_pivot())?;
+        check_rates(linkage, &lu)?;
         let (next, measures) = step.settle::<_, true>(&lu, outputs);
         let before = motion.positive_determinant;
         match self.judge(linkage.size(), &measures, before, || step.moved(&next)) {

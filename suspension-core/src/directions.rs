@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use crate::entrywise::difference;
 use crate::error::SolveError;
-use crate::factored::{smallest_pivot, with_factors};
+use crate::factored::with_factors_for_rates;
 use crate::linkage::{Factors, Linkage, Values};
 use crate::magnitude::magnitude;
 use crate::motion::Prescribed;
@@ -57,7 +57,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
         let inputs = Inputs::still(Signal::still(drives));
         let fixed = Prescribed::new(linkage, &inputs).fixed.value;
         let points = linkage.points(position, &fixed);
-        with_factors(linkage, position, &fixed, smallest_pivot(), |factors| {
+        with_factors_for_rates(linkage, position, &fixed, |factors| {
             work(&Directions {
                 linkage,
                 drives,

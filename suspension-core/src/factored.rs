@@ -5,6 +5,7 @@ use nalgebra::SVector;
 
 use crate::error::SolveError;
 use crate::linkage::{Factors, Linkage};
+use crate::listing::Part;
 use crate::lu::Lu;
 use crate::scalar::Real;
 
@@ -16,6 +17,10 @@ const GROWTH_LIMIT: f64 = 1e3;
 /// A pivot, as a multiple of the square root of `EPSILON`, at which no digit of a velocity is
 /// known: a residual at rounding level leaves the position off by as much there.
 const SMALLEST_PIVOT: f64 = 8.0;
+
+/// The part of itself by which the Jacobian's smallest singular value may change within what rounding leaves of the position.
+/// At a lock, where it is zero but for that, a residual of `k` roundings makes it `1 / (2 k)`; residuals of eight are accepted.
+const CHANGE_BY_ROUNDING: f64 = 1.0 / 64.0;
 
 /// The smallest pivot that determines a velocity.
 pub(crate) fn smallest_pivot<T: Real>() -> T {
@@ -59,6 +64,32 @@ where
     }
 }
 
+/// The same for rates, which a singularity leaves without a value: refused where they have hardly a digit.
+///
+/// # Errors
+///
+/// As [`with_factors`].
+#[inline(always)]
+pub fn with_factors_for_rates<T, L, R, const N: usize>(
+    linkage: &L,
+    q: &SVector<T, N>,
+    fixed: &L::Fixed,
+    work: impl FnOnce(&dyn Factors<T, N>) -> R,
+) -> Result<R, SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let factors = linkage.factor(q, fixed);
+    if is_healthy(factors.growth_squared()) {
+        Ok(work(&factors))
+    } else {
+        let lu = with_pivoting(linkage, q, fixed, smallest_pivot())?;
+        check_rates(linkage, &lu)?;
+        Ok(work(&lu))
+    }
+}
+
 #[cold]
 #[inline(never)]
 pub(crate) fn with_pivoting<T, L, const N: usize>(
@@ -76,6 +107,45 @@ where
     Ok(lu)
 }
 
+/// The way of the unknowns that changes the equations least: almost anything is taken to it by the inverse.
+#[cold]
+#[inline(never)]
+fn softest<T: Real, const N: usize>(factors: &Lu<T, N>) -> SVector<T, N> {
+    let any = SVector::from_fn(|row, _| T::one() / T::constant((row + 1) as f64));
+    let way = factors.solve(&any);
+    way / way.norm()
+}
+
+/// Refuses factors near a lock by how much of itself the smallest singular value may change where the position is off by what
+/// rounding leaves of it; so much may rates be off.
+#[cold]
+#[inline(never)]
+pub(crate) fn check_rates<T, L, const N: usize>(
+    linkage: &L,
+    factors: &Lu<T, N>,
+) -> Result<(), SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let way = softest(factors);
+    let still = L::Fixed::default();
+    let curvature = linkage.curvature(&way, &still, &way, &still);
+    let change = factors.solve(&curvature).norm();
+    let rounding = T::EPSILON * linkage.size();
+    let by_rounding = change * change * rounding / curvature.norm();
+    let most = T::constant(CHANGE_BY_ROUNDING);
+    let (unknown, pivot) = factors.smallest_pivot();
+    if by_rounding > most {
+        return Err(SolveError::Singular {
+            part: Part::Unknown(unknown),
+            pivot,
+            threshold: pivot * (by_rounding / most).sqrt(),
+        });
+    }
+    Ok(())
+}
+
 /// The factors of a Jacobian, to keep.
 #[derive(Clone, Copy, Debug)]
 pub enum Factored<F, T, const N: usize> {
@@ -90,7 +160,7 @@ impl<T: Real, F: Factors<T, N>, const N: usize> Factored<F, T, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] where a pivot is not above 8 times the square root of `EPSILON`,
+    /// [`SolveError::Singular`] where the position, off by rounding, leaves hardly a digit of a velocity,
     /// [`SolveError::NotFinite`] where an entry of the Jacobian is not finite.
     pub fn new<L>(linkage: &L, q: &SVector<T, N>, fixed: &L::Fixed) -> Result<Self, SolveError<T>>
     where
@@ -100,7 +170,9 @@ impl<T: Real, F: Factors<T, N>, const N: usize> Factored<F, T, N> {
         if is_healthy(factors.growth_squared()) {
             Ok(Self::InFixedOrder(factors))
         } else {
-            with_pivoting(linkage, q, fixed, smallest_pivot()).map(Self::WithPivoting)
+            let lu = with_pivoting(linkage, q, fixed, smallest_pivot())?;
+            check_rates(linkage, &lu)?;
+            Ok(Self::WithPivoting(lu))
         }
     }
 

@@ -16,7 +16,7 @@ mod tracker;
 use nalgebra::SVector;
 
 use crate::error::SolveError;
-use crate::factored::{smallest_pivot, with_factors};
+use crate::factored::with_factors_for_rates;
 use crate::linkage::{Factors, Linkage};
 use crate::magnitude::{largest, magnitude};
 use crate::motion::Motion;
@@ -58,7 +58,7 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
     {
         let prescribed = PrescribedSeries::new(linkage, inputs);
         let fixed = &prescribed.fixed.value;
-        with_factors(linkage, position, fixed, smallest_pivot(), |factors| {
+        with_factors_for_rates(linkage, position, fixed, |factors| {
             Self::expand::<L, C>(linkage, &prescribed, *position, factors)
         })?
     }

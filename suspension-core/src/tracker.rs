@@ -7,7 +7,7 @@ use nalgebra::SVector;
 
 use crate::entrywise::difference;
 use crate::error::SolveError;
-use crate::factored::{is_healthy, smallest_pivot, with_factors};
+use crate::factored::{is_healthy, with_factors_for_rates};
 use crate::handedness::{self, count_mirrored, is_right};
 use crate::linkage::{Factors, Linkage};
 use crate::listing::Part;
@@ -205,7 +205,7 @@ impl<T: Real> Tracker<T> {
         let moves = &(position - motion.position);
         let before = motion.positive_determinant;
         let fixed = &prescribed.fixed.value;
-        *motion = with_factors(linkage, &position, fixed, smallest_pivot(), |factors| {
+        *motion = with_factors_for_rates(linkage, &position, fixed, |factors| {
             let next = rates_at::<T, L, C, N>(linkage, prescribed, &position, factors).motion()?;
             if before.is_some() && before != next.positive_determinant {
                 let part = Part::Unknown(index_of_largest(moves));

@@ -1,6 +1,8 @@
 //! Motion files of a linkage of one's own, whose drives are coordinates (the catalogue has none):
 //! the same far from the origin.
 
+use std::sync::atomic::AtomicBool;
+
 use std::ops::ControlFlow;
 
 use suspension::bake::source::Table;
@@ -179,6 +181,7 @@ fn baked_far_from_the_origin() {
             wish: Wish::Wheel,
         };
         let ordered = Ordered {
+            interrupted: &AtomicBool::new(false),
             file: "a.toml",
             mechanism: &mechanism(away),
             order: &order,

@@ -3,7 +3,7 @@
 use super::{ChassisSeries, InputSeries, Jet, PrescribedSeries, Series};
 use crate::entrywise::difference;
 use crate::error::SolveError;
-use crate::factored::{smallest_pivot, with_factors};
+use crate::factored::with_factors_for_rates;
 use crate::handedness;
 use crate::linkage::Linkage;
 use crate::listing::Part;
@@ -136,7 +136,7 @@ where
     let prescribed = PrescribedSeries::new(linkage, inputs);
     let (fixed, drives) = (&prescribed.fixed.value, &prescribed.drives.value);
     let start = &motion.position;
-    let (series, turning) = with_factors(linkage, start, fixed, smallest_pivot(), |factors| {
+    let (series, turning) = with_factors_for_rates(linkage, start, fixed, |factors| {
         let position = start - factors.solve(&linkage.residual(start, fixed, drives));
         let series = Series::expand::<L, C>(linkage, &prescribed, position, factors)?;
         let turning = (K < TELLING_ORDER).then(|| {
