@@ -164,3 +164,34 @@ fn a_list_of_a_skew_double_wishbone_is_complete_with_32_or_says_that_it_may_not_
     }
     assert!(complete + 1 >= SEEDS, "{complete} of {SEEDS}");
 }
+
+/// A four-bar linkage whose crank is driven by its angle about its own axis: the rocker stands on either side. The equations
+/// have the sine of a quarter of the angle, which the crank at minus the angle has too, and at what it lacks to a straight one.
+#[test]
+fn a_driven_angle_about_an_axis_is_the_one_that_is_asked_for() {
+    let folder = folder();
+    let statements = "
+        fixed: a at [0, 0, 0], a2 at [0.1, 0, 0], b at [0, 1, 0], b2 at [0.1, 1, 0];
+        free: p at [0, 0, 0.3], q at [0, 1.1, 0.8];
+        hinge crank: a, a2 -> p;
+        hinge rocker: b, b2 -> q;
+        link rod: p -> q;
+        drive turn: angle(a -> b, a -> p about a -> a2);";
+    let file = format!(
+        "unit = \"m\"\ntime = {{ instants = [0.0] }}\ndrives = {{ turn = 1.5 }}\nstatements = '''{statements}'''\n"
+    );
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let angles = [1.5, 0.4, 2.4, -0.9];
+    let mut arguments = vec!["assemblies", "a.toml", "--csv", "a.csv", "--at"];
+    let words = angles.map(|angle| angle.to_string());
+    arguments.extend(words.iter().map(String::as_str));
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("2 real (6 more at another angle of a drive)"));
+    let rows = rows(&std::fs::read(folder.path().join("a.csv")).expect("a table"));
+    assert_eq!(rows.len(), 2 * angles.len());
+    for row in rows {
+        let crank = row["p_z"].atan2(row["p_y"]);
+        assert!((crank - row["turn_rad"]).abs() < 1e-9, "{row:?}");
+    }
+}

@@ -118,6 +118,10 @@ fn certainty(listed: &Listed) -> String {
         0 => String::new(),
         count => format!(" ({count} beside a fold, real or complex is not to be told)"),
     };
+    let turned = match tally.turned {
+        0 => String::new(),
+        count => format!(" ({count} more at another angle of a drive)"),
+    };
     let evidence = &tally.evidence;
     let trace = match evidence.trace {
         Some(bend) => format!("the trace test leaves {} of a straight line", rounded(bend)),
@@ -128,7 +132,7 @@ fn certainty(listed: &Listed) -> String {
         loops => format!("{loops} loops, the last {}", evidence.quiet),
     };
     format!(
-        "{verdict}:\n{} real and {} complex assemblies, {} at infinity, \
+        "{verdict}:\n{} real{turned} and {} complex assemblies, {} at infinity, \
          {} not accounted for{unconfirmed},\nof the {} that such a mechanism has with general \
          lengths ({} random starts, {loops} without a\nnew one; {trace}).\n",
         tally.real,

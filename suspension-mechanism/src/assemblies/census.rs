@@ -30,6 +30,9 @@ pub struct Census<const N: usize> {
 pub struct Tally {
     /// How many are real.
     pub real: usize,
+    /// How many more are real, with another angle where a drive is one about an axis: the equations have the sine of its
+    /// quarter, which other angles have too.
+    pub turned: usize,
     /// How many are complex.
     pub complex: usize,
     /// How many have imaginary parts that may be rounding, and no iteration confirms a real one:
@@ -47,7 +50,7 @@ impl Tally {
     /// How many assemblies of a general mechanism were followed neither to one of this mechanism
     /// nor to infinity: several that coincide, paths lost near a singularity, or the unconfirmed ones.
     pub fn unaccounted(&self) -> usize {
-        let accounted = self.real + self.complex + self.infinite;
+        let accounted = self.real + self.turned + self.complex + self.infinite;
         self.generic.saturating_sub(accounted)
     }
 
@@ -117,6 +120,7 @@ pub(crate) fn census<L: Enumerable<N>, const N: usize>(
         .collect();
     let tally = Tally {
         real: real.len(),
+        turned: 0,
         complex: complex.len(),
         unconfirmed: nearly_real.len() - real.len(),
         generic: generic.roots.len(),

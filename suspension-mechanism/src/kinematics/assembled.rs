@@ -1,6 +1,7 @@
 //! The ways to put a mechanism together.
 
 use nalgebra::SVector;
+use suspension_core::listing::DriveKind;
 use suspension_core::lu::Lu;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
@@ -52,18 +53,43 @@ impl<L: Suspension<N>, const N: usize> Assembled for Enumerated<'_, L, N> {
         let inputs = still::<L, N>(drives);
         let census = self.search.at(&inputs);
         let each = census.real.iter();
-        let mut assemblies: Vec<_> = each.map(|q| assembly(self.mechanism, &inputs, q)).collect();
+        let at_drives = each.filter(|q| is_at_angles(self.mechanism, &inputs, q));
+        let assemblies = at_drives.map(|q| assembly(self.mechanism, &inputs, q));
+        let mut assemblies: Vec<_> = assemblies.collect();
         assemblies.sort_by(|a, b| a.distance.total_cmp(&b.distance));
         for (number, assembly) in (1..).zip(&mut assemblies) {
             assembly.number = number;
         }
-        (assemblies, census.tally)
+        let tally = Tally {
+            real: assemblies.len(),
+            turned: census.real.len() - assemblies.len(),
+            ..census.tally
+        };
+        (assemblies, tally)
     }
 }
 
 fn still<L: Suspension<N>, const N: usize>(drives: &[f64]) -> Inputs<Still, L::Drives> {
     let value = L::Drives::from_values(drives.iter().copied());
     Inputs::still(Signal::still(value))
+}
+
+/// Whether the angles about axes that are driven are what they are driven to.
+fn is_at_angles<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    inputs: &Inputs<Still, L::Drives>,
+    q: &SVector<f64, N>,
+) -> bool {
+    /// Of an angle, in radians, near a singularity too.
+    const NEAR: f64 = 1e-4;
+    let (model, names) = (&mechanism.model, &mechanism.names);
+    let points = Motion::at_rest(*q).points(model, inputs).value;
+    let (found, driven) = (model.drives_at(&points), inputs.drives.value);
+    let mut pairs = found.values().zip(driven.values()).zip(&names.drives);
+    pairs.all(|((found, driven), drive)| {
+        let off = (0.5 * (found - driven)).sin().abs();
+        drive.kind != DriveKind::Turn || off < NEAR
+    })
 }
 
 fn assembly<L: Suspension<N>, const N: usize>(
