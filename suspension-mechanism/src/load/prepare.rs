@@ -15,7 +15,7 @@ use crate::load::sharing::sharing;
 use crate::load::springs::springs;
 use crate::load::task::Task;
 use crate::load::vehicle::with_vehicle;
-use crate::load::{led, said_of_drives, said_of_wheels, start};
+use crate::load::{columns, led, said_of_drives, said_of_wheels, start};
 use crate::mechanism::{Description, DriveLaws, Instants, Mechanism, Names, Suspension};
 
 /// What is to be prepared.
@@ -149,6 +149,9 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         }
     };
     let drive_offsets = offsets.values().take(names.drives.len());
+    let named = names.clone().with(springs, masses).designed(&points);
+    let named = named.sharing(&sharing(&names, &design));
+    columns::check(source, &named, file.unit())?;
     let description = Description {
         linkage: linkage.to_owned(),
         unit: file.unit(),
@@ -163,11 +166,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
             .collect(),
         design: design.given(&design.drives),
         led_by: lead.as_ref().map(|lead| lead.measure),
-        names: names
-            .clone()
-            .with(springs, masses)
-            .designed(&points)
-            .sharing(&sharing(&names, &design)),
+        names: named,
         notes,
     };
     Ok(Mechanism {

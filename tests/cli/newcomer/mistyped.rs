@@ -1,5 +1,7 @@
 //! Names that are mistyped, or stand for another kind.
 
+use suspension_core::linkages::LISTINGS;
+
 use super::super::program::CORNER;
 use super::refusal;
 
@@ -109,5 +111,31 @@ fn a_load_that_is_no_line_of_its_case_is_told_how_it_is_written() {
         let said = refusal("loads", &[("a.toml", &format!("{CORNER}{load}"))], &[]);
         let how = "; a force is written contact = [-3000.0, 0.0, 4000.0], in N, under [loads.NAME]";
         assert_eq!(said, format!("{expected}{how}"));
+    }
+}
+
+#[test]
+fn a_name_that_makes_the_column_of_a_quantity_is_refused() {
+    let listing = LISTINGS
+        .iter()
+        .find(|(name, _)| *name == "double_wishbone_pushrod");
+    let (_, listing) = listing.expect("a text");
+    let file = CORNER.replace(
+        "linkage = \"double_wishbone_pushrod\"",
+        "listing = \"a.linkage\"",
+    );
+    for (statement, said_of) in [
+        (
+            "measure toe: angle(lower_ball -> upper_ball, z);",
+            "`toe` of the listing would be the column `toe_rad` of tables, as toe angle is",
+        ),
+        (
+            "point contact: upright at [0.0, 0.7, 0.1];",
+            "`contact` of the listing would be the column `contact_x` of tables, as contact point is",
+        ),
+    ] {
+        let listing = format!("{listing}\n{statement}\n");
+        let said = refusal("motion", &[("a.toml", &file), ("a.linkage", &listing)], &[]);
+        assert_eq!(said, format!("a.toml: {said_of}: give it another name"));
     }
 }
