@@ -48,10 +48,14 @@ impl Names {
         spellings(&self.numbers, number)
     }
 
+    /// The names of all points.
+    pub(super) fn all_of_points(&self) -> impl Iterator<Item = &str> {
+        self.points.keys().flat_map(|point| self.of_point(point))
+    }
+
     /// Whether any point goes by the name.
     pub(super) fn is_point(&self, name: &str) -> bool {
-        let mut points = self.points.keys();
-        points.any(|point| self.of_point(point).any(|other| other == name))
+        self.all_of_points().any(|other| other == name)
     }
 
     /// Whether any number goes by the name.

@@ -1,9 +1,12 @@
 //! Which axes a file has, by the order of its points.
 
+use suspension_core::listing::{Kind, Parts};
+
 use super::choice::Choice;
 use super::hardpoints::{Hardpoint, Side};
 use super::names::Order;
 use crate::mechanism::Axes;
+use crate::number::{number, rounded};
 
 /// What points say of an axis.
 struct Clue {
@@ -34,6 +37,7 @@ pub(super) fn orientation(
     stated: Option<Axes>,
     usual: Axes,
 ) -> Result<Orientation, String> {
+    check_outboard(choice)?;
     let clues = [
         of_order(choice, &order.ahead, 0, "behind"),
         of_order(choice, &order.above, 2, "below"),
@@ -72,6 +76,31 @@ pub(super) fn orientation(
             why: "as is usual in such files".to_owned(),
             doubts: Vec::new(),
         }),
+    }
+}
+
+/// In the second column the wheel centre is further from the middle of the vehicle than the points on the chassis are on average: in no
+/// suspension it is not, but where columns are swapped.
+fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
+    let chassis = choice.listing.count(Kind::ChassisPoint);
+    let is_pick_up = |name: &str| {
+        choice
+            .listing
+            .point(name)
+            .is_some_and(|point| point < chassis)
+    };
+    let pick_ups = choice.found.iter().filter(|(name, _)| is_pick_up(name));
+    let pick_ups: Vec<f64> = pick_ups.map(|(_, point)| point.at[1].abs()).collect();
+    let average = pick_ups.iter().sum::<f64>() / pick_ups.len() as f64;
+    match choice.point("wheel_centre") {
+        Some(centre) if centre.at[1].abs() <= average => Err(format!(
+            "the columns seem to be swapped: the second one is y, across the vehicle, and is {} at `{}`, but {} on average at \
+             the points on the chassis; put them in the order x (along), y (across), z (up or down)",
+            number(centre.at[1]),
+            centre.name,
+            rounded(average, 4)
+        )),
+        _ => Ok(()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! What is assumed of hardpoints, and what is doubtful about them, a sentence each.
 
 use suspension_core::listing::{Kind, Parts};
+use suspension_listing::did_you_mean::nearest;
 
 use super::choice::Choice;
 use super::hardpoints::Hardpoint;
@@ -67,11 +68,19 @@ impl Imported<'_> {
             found.any(|(_, used)| std::ptr::eq(*used, **point))
         };
         let unused = self.points.iter().filter(|point| !is_used(point));
-        let unused: Vec<&str> = unused.map(|point| point.name.as_str()).collect();
+        let unused: Vec<String> = unused.map(|point| self.unused(point)).collect();
         if !unused.is_empty() {
             remarks.push(format!("not used: {}", unused.join(", ")));
         }
         remarks
+    }
+
+    /// The name of a point that is not used, with the one that may have been meant where it is not known.
+    fn unused(&self, point: &Hardpoint) -> String {
+        let all = self.names.all_of_points();
+        let meant = nearest(&point.key, all).filter(|_| !self.names.is_point(&point.key));
+        let hint = meant.map(|name| format!(" (did you mean {name}?)"));
+        format!("{}{}", point.name, hint.unwrap_or_default())
     }
 
     /// Points that seem to be on another part than the layout has them on.

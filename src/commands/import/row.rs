@@ -74,6 +74,19 @@ impl<'a> Row<'a> {
         fields.filter_map(|field| self.number(field)).collect()
     }
 
+    /// The numbers behind the first word: others number the rows.
+    pub(super) fn numbers_behind_name(&self) -> Vec<f64> {
+        let fields = self.fields.iter();
+        let behind = fields.skip_while(|field| self.number(field).is_some());
+        behind.filter_map(|field| self.number(field)).collect()
+    }
+
+    /// Whether there is any digit, of a number or of what was to be one.
+    pub(super) fn has_digits(&self) -> bool {
+        let mut fields = self.fields.iter();
+        fields.any(|field| field.contains(|c: char| c.is_ascii_digit()))
+    }
+
     /// The name: what stands before the coordinates, or else behind them, as in reports of Lotus.
     pub(super) fn name(&self) -> String {
         let first = self.found().map_or(self.fields.len(), |(first, _)| first);

@@ -21,7 +21,8 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
             let words = spelled(line);
             let words: Vec<&str> = words.split('_').collect();
             check_columns(&words).map_err(|message| source.refuse(&place, message))?;
-            stated.unit = stated.unit.or_else(|| unit_of_heading(&words));
+            let unit = unit_of_heading(&words).map_err(|message| source.refuse(&place, message))?;
+            stated.unit = stated.unit.or(unit);
         }
     }
     if stated
@@ -38,7 +39,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a known point that does not have three numbers.
+/// [`Failure::Input`] at a known point that does not have three numbers, and at a known number that is none.
 pub(super) fn add(
     stated: &mut Hardpoints<'_>,
     row: &Row<'_>,
@@ -50,8 +51,12 @@ pub(super) fn add(
         (Some(at), _) if !key.is_empty() => {
             stated.add_point(&name, row.sides(), at, row.place.clone());
         }
-        (_, [value]) if names.is_number(&key) => {
-            stated.add_number(&name, row.sides(), *value, row.place.clone());
+        _ if names.is_number(&key) && row.has_digits() => {
+            let [value] = row.numbers_behind_name()[..] else {
+                let message = format!("`{name}` needs one number behind it, with a decimal point");
+                return Err(stated.source.refuse(&row.place, message));
+            };
+            stated.add_number(&name, row.sides(), value, row.place.clone());
         }
         (_, [_, ..]) if names.is_point(&key) => {
             let message = format!("point `{name}` needs three numbers in a row: x, y, z");
@@ -61,6 +66,20 @@ pub(super) fn add(
     }
     Ok(())
 }
+
+/// Units of length that are none of motion files.
+const OTHER_UNITS: [&str; 10] = [
+    "cm",
+    "centimeter",
+    "centimetre",
+    "centimeters",
+    "centimetres",
+    "dm",
+    "km",
+    "ft",
+    "foot",
+    "feet",
+];
 
 /// Columns are x, y, z.
 fn check_columns(words: &[&str]) -> Result<(), String> {
@@ -77,13 +96,28 @@ fn check_columns(words: &[&str]) -> Result<(), String> {
 }
 
 /// The unit in the headings of columns, in a line of units, and in a remark on units.
-fn unit_of_heading(words: &[&str]) -> Option<Length> {
+///
+/// # Errors
+///
+/// Where it is none that motion files have.
+fn unit_of_heading(words: &[&str]) -> Result<Option<Length>, String> {
     let said = |word: &str| words.contains(&word);
     let of_columns = said("x") && said("y") && said("z");
-    let of_units = words.iter().all(|word| unit(word).is_some());
-    let remarked = said("unit") || said("units");
+    let other = words.iter().find(|word| OTHER_UNITS.contains(word));
+    let of_units = words
+        .iter()
+        .all(|word| unit(word).is_some() || other == Some(word));
+    let remarked = ["unit", "units", "length", "lengths", "dimensions"]
+        .iter()
+        .any(|word| said(word));
+    if let Some(other) = other.filter(|_| of_columns || of_units || remarked) {
+        return Err(format!(
+            "lengths are in {other}; convert them to mm, m or in, and say so here"
+        ));
+    }
     let mut found = words.iter().filter_map(|word| unit(word));
     // «in» may be no unit: «x, y, z in mm».
     let other = found.clone().find(|unit| *unit != Length::Inch);
-    (of_columns || of_units || remarked).then(|| other.or_else(|| found.next()))?
+    let found = other.or_else(|| found.next());
+    Ok(found.filter(|_| of_columns || of_units || remarked))
 }

@@ -246,3 +246,65 @@ fn a_motion_file_that_is_there_is_not_replaced_unasked() {
     let output = run(folder.path(), &["import", "a.csv", "-o", "a.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
 }
+
+#[test]
+fn columns_that_are_swapped_are_refused() {
+    for columns in [[1, 0, 2], [0, 2, 1]] {
+        let swapped = CORNER.map(|(name, at)| (name, columns.map(|column| at[column])));
+        let said = refusal("a.csv", &table(&swapped), &[]);
+        let expected = "a.csv: the columns seem to be swapped: the second one is y, across the vehicle, and is ";
+        assert!(said.starts_with(expected), "{said}");
+    }
+}
+
+#[test]
+fn a_unit_that_is_none_of_motion_files_is_refused() {
+    for heading in [
+        "# unit: cm",
+        "name, x [cm], y [cm], z [cm]",
+        "# all lengths in centimetres",
+    ] {
+        let said = refusal("a.csv", &format!("{heading}\n{}", table(&CORNER)), &[]);
+        let expected = "a.csv:1:1: lengths are in c";
+        assert!(said.starts_with(expected), "{said}");
+        assert!(
+            said.ends_with("; convert them to mm, m or in, and say so here"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn a_number_that_cannot_be_read_is_refused() {
+    for line in [
+        "toe_angle, 0,15",
+        "camber_angle, -0.026 rad",
+        "tire_radius, 12 x 30",
+    ] {
+        let said = refusal("a.csv", &format!("{line}\n{}", table(&CORNER)), &[]);
+        assert!(said.starts_with("a.csv:1:1: `"), "{said}");
+        assert!(
+            said.ends_with("` needs one number behind it, with a decimal point"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn rows_may_be_numbered() {
+    let rows = table(&CORNER) + "toe_angle, 0.2\n";
+    let rows = rows.lines().enumerate();
+    let numbered: String = rows.map(|(row, line)| format!("{row}, {line}\n")).collect();
+    let folder = folder();
+    let imported = import(folder.path(), "a.csv", &numbered, &[]);
+    assert!(imported.notes.contains("toe 0.2 deg"), "{}", imported.notes);
+}
+
+#[test]
+fn a_point_that_is_mistyped_and_not_needed_is_told_with_the_one_that_was_meant() {
+    let folder = folder();
+    let file = table(&CORNER).replace("shock_to_chassis", "shock_to_chasis");
+    let imported = import(folder.path(), "a.csv", &file, &[]);
+    let expected = "shock_to_chasis (did you mean shock_to_chassis?)";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
+}
