@@ -9,6 +9,7 @@ mod live_axle_panhard;
 mod live_axle_splayed;
 mod live_axle_watt;
 mod macpherson;
+mod multi_link;
 mod semi_trailing_arm;
 mod split_lower_arm;
 mod steered_axle;

@@ -149,7 +149,12 @@ fn every_listing_is_found_by_its_own_names() {
         {
             points.push((marker, [-1.27, 0.415, 0.218]));
         }
-        let imported = import(folder.path(), "own.csv", &table(&points), &[]);
+        // Its points are those of multi_link, which has a spin axis of its own.
+        let options: &[&str] = match *linkage {
+            "five_link" => &["--linkage", "five_link"],
+            _ => &[],
+        };
+        let imported = import(folder.path(), "own.csv", &table(&points), options);
         assert_eq!(imported.text("linkage"), *linkage);
         assert_eq!(imported.text("unit"), "m");
         let expected = points.iter().map(|(name, at)| ((*name).to_owned(), *at));

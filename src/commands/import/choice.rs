@@ -1,6 +1,8 @@
 //! Which listing of the catalogue a file is of: the one that takes most of its points, and lacks none.
 
+use std::cmp::Reverse;
 use suspension_core::linkages::LISTINGS;
+
 use suspension_listing::did_you_mean::nearest;
 use suspension_listing::text;
 use suspension_runtime::{CatalogueAndFiles, Listing, Mistakes, catalogue};
@@ -140,7 +142,13 @@ pub(super) fn choose<'a>(
     let mut candidates: Vec<Candidate<'a>> = candidates.map_err(refuse)?;
     candidates.sort_by_key(|candidate| {
         let (found, missing) = (candidate.found.len(), candidate.missing.len());
-        (found == 0, missing, usize::MAX - found)
+        // Of two with as many points, the one with a spin axis of its own.
+        (
+            found == 0,
+            missing,
+            Reverse(found),
+            Reverse(candidate.spare.len()),
+        )
     });
     let mut candidates = candidates.into_iter();
     let Some(best) = candidates.next() else {
@@ -164,7 +172,11 @@ pub(super) fn choose<'a>(
         return Err(format!("{what} {}{unknown}", best.lacks(names)));
     }
     match candidates.next() {
-        Some(other) if other.missing.is_empty() && other.found.len() == best.found.len() => {
+        Some(other)
+            if other.missing.is_empty()
+                && other.found.len() == best.found.len()
+                && other.spare.len() == best.spare.len() =>
+        {
             Err(format!(
                 "the points are those of {} and of {}: say which with --linkage",
                 best.linkage, other.linkage
