@@ -38,15 +38,29 @@ pub fn names<V>(
     Err(source.refuse(&table.span(), message))
 }
 
+/// Checks that the file names no other points than those that the linkage has.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first that it has not.
+pub fn known_points(
+    source: &Source,
+    file: &MotionFile,
+    known: &[impl Borrow<str>],
+) -> Result<(), Failure> {
+    let all: Vec<&str> = known.iter().map(Borrow::borrow).collect();
+    let has = format!("the linkage has {}", all.join(", "));
+    known_names(source, &file.points, "point", known, &has)
+}
+
 /// Checks that the points have the known names and no other, and that each has a position.
 ///
 /// # Errors
 ///
 /// [`Failure::Input`] at the first unknown name, or at the table where a position is missing.
 pub fn point_names(source: &Source, file: &MotionFile, known: &[String]) -> Result<(), Failure> {
+    known_points(source, file, known)?;
     let table = &file.points;
-    let has = format!("the linkage has {}", known.join(", "));
-    known_names(source, table, "point", known, &has)?;
     let missing = missing(table, known);
     let (points, first) = match missing.as_slice() {
         [] => return Ok(()),

@@ -9,7 +9,7 @@ use suspension_runtime::{Fitted, Listing, Mistake, Mistakes, Model, Room, Size, 
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Offset, Position, Source};
+use crate::file::{MotionFile, Offset, Position, Source, check};
 use crate::kinematics::{Kinematics, changing};
 use crate::load::points::points;
 use crate::load::prepare::{Request, prepare};
@@ -99,8 +99,11 @@ fn of_catalogue(
     };
     let listing = Listing::parse_file(text, wanted)
         .map_err(|mistakes| refused(&Source::new(wanted, text), &mistakes))?;
+    let all: Vec<&str> = points(&listing).collect();
+    check::known_points(source, file, &all)?;
     let stated = file.points.get_ref();
-    let missing: Vec<_> = points(&listing)
+    let missing: Vec<_> = all
+        .into_iter()
         .filter(|point| !stated.contains_key(*point))
         .map(|point| format!("`{point}`"))
         .collect();

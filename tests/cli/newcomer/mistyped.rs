@@ -139,3 +139,20 @@ fn a_name_that_makes_the_column_of_a_quantity_is_refused() {
         assert_eq!(said, format!("a.toml: {said_of}: give it another name"));
     }
 }
+
+/// In a file whose unit the catalogue's hardpoints are not in, so that it has to state them all.
+#[test]
+fn a_mistyped_point_of_a_file_in_millimetres_is_told_with_its_line() {
+    let file = CORNER.replace("unit = \"m\"", "unit = \"mm\"")
+        + "[points]\nlower_bal = [5.0, 700.0, 170.0]\n";
+    let said = refusal("motion", &[("a.toml", &file)], &[]);
+    let line = 1 + file
+        .lines()
+        .position(|line| line.starts_with("lower_bal"))
+        .expect("a line");
+    assert!(
+        said.starts_with(&format!("a.toml:{line}:1: unknown point `lower_bal`; ")),
+        "{said}"
+    );
+    assert!(said.ends_with("; did you mean `lower_ball`?"), "{said}");
+}
