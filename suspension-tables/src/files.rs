@@ -154,7 +154,7 @@ pub fn refuse_plot(table: &Path, option: &str, plots: &[PathBuf]) -> Result<(), 
 }
 
 /// Where a path leads, whether there is something or not.
-fn resolved(path: &Path) -> PathBuf {
+pub(crate) fn resolved(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let mut found = PathBuf::new();
     for component in path.components() {

@@ -66,16 +66,22 @@ fn json_goes_to_standard_output_and_to_a_place_of_its_own() {
     let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert_eq!(json["rows"][0]["bump_m"], 0.3);
     assert!(!folder.path().join("out").exists());
-    for (json, expected) in [
+    for (csv, json, expected) in [
         (
+            "-",
             "a.toml",
             "a.toml: this is the file that is read, which --json would overwrite",
         ),
-        ("-", "--csv and --json name the same place"),
+        ("-", "-", "--csv and --json name the same place"),
+        (
+            "all.csv",
+            "./all.csv",
+            "--csv and --json name the same place",
+        ),
     ] {
         let output = run(
             folder.path(),
-            &["motion", "a.toml", "--csv", "-", "--json", json],
+            &["motion", "a.toml", "--csv", csv, "--json", json],
         );
         assert_eq!(output.status.code(), Some(2), "{output:?}");
         assert!(text(&output.stderr).contains(expected), "{output:?}");
