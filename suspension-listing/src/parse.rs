@@ -108,8 +108,9 @@ impl Reading<'_> {
         self.texts.retain(|text| !is_mirror(text));
         let points = mirror.points(&self.listing)?;
         let others = self.texts.iter().filter_map(|text| mirror.statement(text));
-        let images = points.into_iter().chain(others).collect::<Vec<_>>();
-        images.into_iter().try_for_each(|image| self.add(image))
+        let images = points.into_iter().map(Ok).chain(others);
+        let images: Vec<syn::Result<TokenStream>> = images.collect();
+        images.into_iter().try_for_each(|image| self.add(image?))
     }
 
     /// Adds a statement.

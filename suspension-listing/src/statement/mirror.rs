@@ -80,7 +80,11 @@ impl Mirror {
     }
 
     /// The image of a statement; `None` where it has no name, or one of neither side.
-    pub(crate) fn statement(&self, tokens: &[TokenTree]) -> Option<TokenStream> {
+    ///
+    /// # Errors
+    ///
+    /// At a sum of y with other coordinates, of which the exchange of names makes no image.
+    pub(crate) fn statement(&self, tokens: &[TokenTree]) -> Option<syn::Result<TokenStream>> {
         // Behind its docs.
         let names = tokens
             .split(|token| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ':'));
@@ -88,8 +92,13 @@ impl Mirror {
         let TokenTree::Ident(name) = name else {
             return None;
         };
-        let image = self.tokens(tokens.iter().cloned());
-        self.is_named(name).then_some(image)
+        if !self.is_named(name) {
+            return None;
+        }
+        Some(match y_beside_others(tokens) {
+            Some(y) => Err(mixed(y)),
+            None => Ok(self.tokens(tokens.iter().cloned())),
+        })
     }
 
     fn tokens(&self, tokens: impl IntoIterator<Item = TokenTree>) -> TokenStream {
@@ -162,6 +171,26 @@ fn opposite(vector: TokenStream) -> TokenStream {
         }
     }
     image.into_iter().collect()
+}
+
+/// The y of a sum that has other coordinates too.
+fn y_beside_others(tokens: &[TokenTree]) -> Option<&Ident> {
+    let is_dot =
+        |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == '.');
+    let axes = tokens.windows(2).filter_map(|pair| match pair {
+        [dot, TokenTree::Ident(axis)] if is_dot(dot) => Some(axis),
+        _ => None,
+    });
+    let (y, others): (Vec<&Ident>, Vec<&Ident>) = axes.partition(|axis| *axis == "y");
+    y.first().copied().filter(|_| !others.is_empty())
+}
+
+fn mixed(y: &Ident) -> Error {
+    errors::at(
+        y,
+        "`mirror` makes no image of a sum of y with x or z, whose y would change its sign; state it for each side, under \
+         names without the words that are exchanged",
+    )
 }
 
 fn stated_twice(word: &Ident) -> Error {

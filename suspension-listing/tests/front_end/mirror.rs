@@ -171,3 +171,24 @@ fn mistakes_have_the_places_of_what_is_mirrored() {
         ]
     );
 }
+
+/// The image of `y = z` is `-y = z`; the exchange of names would make `y = z` of it.
+#[test]
+fn a_sum_of_y_with_other_coordinates_has_no_image() {
+    for statement in [
+        "couple left_wedge: left.y = tie_left.z;",
+        "measure left_sum: 0.5 left_hub.x - left_inner.y;",
+    ] {
+        let text = format!("{HALF}\n{statement}");
+        let mistakes = text::parse(&text, "axle", &NoIncludes)
+            .expect_err("no image")
+            .mistakes;
+        let [mistake] = mistakes.as_slice() else {
+            panic!("{mistakes:?}")
+        };
+        let expected =
+            "`mirror` makes no image of a sum of y with x or z, whose y would change its sign; ";
+        assert!(mistake.message.starts_with(expected), "{}", mistake.message);
+        assert_eq!(mistake.line, text.lines().count());
+    }
+}
