@@ -205,3 +205,17 @@ fn a_listing_read_at_run_time_has_the_same_corner() {
     ];
     assert_eq!(written, read);
 }
+
+/// A program whose `main` returns the error prints it so.
+#[test]
+fn a_failure_is_a_sentence_for_debuggers_too() {
+    let mut corner = design();
+    let far = Drives {
+        bump: 9.0,
+        ..corner.drives()
+    };
+    let failure = corner
+        .step(1.0, Signal::still(far))
+        .expect_err("out of reach");
+    assert_eq!(format!("{failure:?}"), failure.to_string());
+}

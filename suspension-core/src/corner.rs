@@ -165,7 +165,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         Ok(report)
     }
 
-    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed. The
+    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed. That is a time as
+    /// [`Corner::time`] has it, no duration: where the corner stands there already it stays. The
     /// functions continue from where the corner stands: a jump at the start may be refused, which
     /// [`Corner::step`] would follow.
     ///

@@ -105,8 +105,8 @@ pub trait Explain {
 }
 
 /// An error with the listing that it is about: printed, it names the parts concerned; with `{:#}` the
-/// remedy is left out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// remedy is left out. `Debug` is the same, which a program prints whose `main` returns the error.
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Failure<E, G> {
     /// The error.
     pub error: E,
@@ -120,7 +120,13 @@ impl<E: Explain, G: Parts> fmt::Display for Failure<E, G> {
     }
 }
 
-impl<E: Explain + fmt::Debug, G: Parts + fmt::Debug> core::error::Error for Failure<E, G> {}
+impl<E: Explain, G: Parts> fmt::Debug for Failure<E, G> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl<E: Explain, G: Parts> core::error::Error for Failure<E, G> {}
 
 /// Display with numbers, [`Failure`] for names.
 macro_rules! messages {

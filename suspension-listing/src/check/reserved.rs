@@ -1,8 +1,8 @@
 //! Names that the generated code needs.
 
 /// Fields of the generated model and its factors, variables of its methods, and names that a pattern
-/// does not bind.
-const RESERVED: [&str; 13] = [
+/// does not bind; and a word that Rust keeps to itself from its edition of 2024 on.
+const RESERVED: [&str; 14] = [
     "fixed",
     "size",
     "drive_rate",
@@ -16,6 +16,7 @@ const RESERVED: [&str; 13] = [
     "Ok",
     "Err",
     "Listing",
+    "gen",
 ];
 
 pub(super) fn is_reserved(name: &str) -> bool {

@@ -158,6 +158,14 @@ fn angle(content: ParseStream<'_>) -> syn::Result<Quantity> {
     content.parse::<Token![,]>()?;
     if !content.peek2(Token![->]) {
         let axis = content.parse()?;
+        if content.peek(Ident) {
+            let word: Ident = content.parse()?;
+            return Err(if word == "about" {
+                axis_about(&word)
+            } else {
+                not_about(&word)
+            });
+        }
         return Ok(Quantity::Angle { line, axis });
     }
     let lines = [line, arrow(content)?];
@@ -218,7 +226,7 @@ fn unknown_quantity(function: &Ident) -> Error {
         function,
         format!(
             "there is no quantity `{function}(..)`; write `p.z`, `0.5 p.z + 0.5 q.z`, `p along [0, 1, 0]`, \
-             `angle(p -> q, z)`, `angle(p -> q, r -> s)` or `length(p -> q)`{hint}"
+             `angle(p -> q, z)`, `angle(p -> q, r -> s)`, `angle(p -> q, r -> s about t -> u)` or `length(p -> q)`{hint}"
         ),
     )
 }
@@ -229,6 +237,14 @@ fn not_about(word: &Ident) -> Error {
         format!(
             "unexpected `{word}`; write `)`, or the line that the angle is about: `about t -> u`"
         ),
+    )
+}
+
+fn axis_about(word: &Ident) -> Error {
+    errors::at(
+        word,
+        "an angle about a line is one between two lines; in place of the axis write a line, of two chassis points say: \
+         `angle(p -> q, r -> s about t -> u)`",
     )
 }
 

@@ -189,3 +189,23 @@ fn a_mistyped_name_is_told_the_one_that_was_meant() {
         assert!(told.ends_with(expected), "{told}");
     }
 }
+
+#[test]
+fn an_angle_of_an_axis_about_a_line_is_told_how_it_is_written() {
+    let text = "fixed: a, b;\nfree: p;\nlink rod: a -> p;\ndrive y: p.y;\ndrive z: p.z;\n\
+                measure turn: angle(a -> p, z about a -> b);";
+    let message = only_message(text);
+    assert!(
+        message.starts_with("an angle about a line is one between two lines; "),
+        "{message}"
+    );
+}
+
+#[test]
+fn words_that_rust_keeps_to_itself_are_no_names() {
+    let message = only_message("fixed: a;\nfree: ref;\n");
+    let expected = "expected a name that is no keyword of Rust, found `ref`; ";
+    assert!(message.starts_with(expected), "{message}");
+    let text = "fixed: gen, b, c;\nfree: p;\nlink one: gen -> p;\nlink two: b -> p;\ndrive z: p.z;";
+    assert!(only_message(text).starts_with("the name `gen` is used by the generated code; "));
+}
