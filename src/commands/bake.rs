@@ -40,7 +40,12 @@ pub struct Arguments {
     #[arg(long, value_name = "Y", allow_negative_numbers = true)]
     to: Option<f64>,
     /// How far a point may be off, in metres whatever the file's unit.
-    #[arg(long, value_name = "M", default_value = "1e-6")]
+    #[arg(
+        long,
+        value_name = "M",
+        default_value = "1e-6",
+        allow_negative_numbers = true
+    )]
     tolerance: f64,
     /// How many derivatives do not jump where segments join: as many as are read.
     #[arg(long, value_name = "0|1|2", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=2))]

@@ -31,13 +31,23 @@ pub struct Arguments {
     #[arg(long = "of", value_name = "NAME")]
     of: Vec<String>,
     /// How many hardpoint coordinates and lengths are printed of each, those with the largest effect first.
-    #[arg(long, value_name = "COUNT", default_value = "5")]
+    #[arg(
+        long,
+        value_name = "COUNT",
+        default_value = "5",
+        allow_negative_numbers = true
+    )]
     largest: NonZeroUsize,
     /// How many suspensions are built with random changes, where the file has tolerances.
     #[arg(long, value_name = "COUNT", default_value_t = 1000, value_parser = samples)]
     samples: usize,
     /// What the random changes begin with: the same number gives the same ones.
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        default_value_t = 1,
+        allow_negative_numbers = true
+    )]
     seed: u64,
     /// Write all as comma-separated values to PATH, or to standard output for `-`, a row for each coordinate and length.
     #[arg(long, value_name = "PATH")]

@@ -91,7 +91,7 @@ fn wrong_orders_are_exit_code_2_and_one_sentence() {
             "a.toml: a tolerance is a positive number of metres",
         ),
         (
-            &["--tolerance=-1"],
+            &["--tolerance", "-1"],
             "a.toml: a tolerance is a positive number of metres",
         ),
         (
