@@ -107,13 +107,13 @@ where
     Ok(lu)
 }
 
-/// The way of the unknowns that changes the equations least: almost anything is taken to it by the inverse.
+/// The direction of the unknowns that changes the equations least: the inverse takes almost anything to it.
 #[cold]
 #[inline(never)]
-fn softest<T: Real, const N: usize>(factors: &Lu<T, N>) -> SVector<T, N> {
+fn least_determined<T: Real, const N: usize>(factors: &Lu<T, N>) -> SVector<T, N> {
     let any = SVector::from_fn(|row, _| T::one() / T::constant((row + 1) as f64));
-    let way = factors.solve(&any);
-    way / way.norm()
+    let direction = factors.solve(&any);
+    direction / direction.norm()
 }
 
 /// Refuses factors near a lock by how much of itself the smallest singular value may change where the position is off by what
@@ -128,9 +128,9 @@ where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    let way = softest(factors);
+    let direction = least_determined(factors);
     let still = L::Fixed::default();
-    let curvature = linkage.curvature(&way, &still, &way, &still);
+    let curvature = linkage.curvature(&direction, &still, &direction, &still);
     let change = factors.solve(&curvature).norm();
     let rounding = T::EPSILON * linkage.size();
     let by_rounding = change * change * rounding / curvature.norm();

@@ -307,3 +307,33 @@ fn range_and_assemblies_start_from_where_the_measure_leads_to() {
         }
     }
 }
+
+/// A crank that its measured angle turns twice round, a slider in place of it; measured, the angle jumps at half a turn.
+#[test]
+fn an_angle_about_an_axis_leads_round_and_round() {
+    let folder = folder();
+    let statements = "
+        fixed: a at [0, 0, 0], a2 at [0.1, 0, 0], s1 at [0, 0.2, 0], s2 at [0, 1, 0];
+        free: p at [0, 0, 0.2], q at [0, 0.4582575694955840, 0];
+        hinge crank: a, a2 -> p;
+        slide guide: q on s1 -> s2;
+        link rod: p -> q;
+        drive along: q.y;
+        measure turn: angle(a -> s2, a -> p about a -> a2);";
+    for rate in [2.0, -2.0] {
+        let file = format!(
+            "unit = \"m\"\ntime = {{ start = 0.0, stop = 6.0, step = 0.05 }}\n\
+             drives = {{ turn = [1.5707963267948966, {rate:?}] }}\nstatements = '''{statements}'''\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let rows = rows(&output.stdout);
+        assert_eq!(rows.len(), 121);
+        for row in rows {
+            let turn = 1.5707963267948966 + rate * row["t_s"];
+            assert!((row["p_y"] - 0.2 * turn.cos()).abs() < 1e-9, "{row:?}");
+            assert!((row["p_z"] - 0.2 * turn.sin()).abs() < 1e-9, "{row:?}");
+        }
+    }
+}

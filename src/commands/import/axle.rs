@@ -34,8 +34,8 @@ couple rack:        left_rack.y = right_rack.y;
 drive steer: left_rack.y;
 ";
 
-/// A point of layouts with an anti-roll bar, and how much that is twisted. The bar's middle may be in the middle of the vehicle, where
-/// both corners have it.
+/// A point of layouts with an anti-roll bar, and how much that is twisted. The bar's middle may be in the middle of the
+/// vehicle, where both corners have it.
 const BAR: &str = "bar_outer";
 const TWIST: &str = "\
 /// Twist of the anti-roll bar, between its arms.

@@ -79,8 +79,8 @@ pub(super) fn orientation(
     }
 }
 
-/// In the second column the wheel centre is further from the middle of the vehicle than the points on the chassis are on average: in no
-/// suspension it is not, but where columns are swapped.
+/// In every suspension the wheel centre is further from the middle of the vehicle than the points on the chassis are on
+/// average: where it is not, columns are swapped.
 fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
     let chassis = choice.listing.count(Kind::ChassisPoint);
     let is_pick_up = |name: &str| {

@@ -1,5 +1,9 @@
 //! A motion that a measure of the linkage leads in place of one of the drives.
 
+use std::cell::Cell;
+use std::f64::consts::TAU;
+
+use suspension_core::listing::MeasureKind;
 use suspension_core::path::{Leader, Led, measured};
 use suspension_core::report::Report;
 use suspension_core::stepper::Stopped;
@@ -49,7 +53,21 @@ impl<const N: usize> Lead<N> {
                 refused: None,
             });
         };
-        let target = |t| self.law.at(t);
+        // Turns of an angle are counted from what is asked of it: measured, it jumps after half of one.
+        let is_angle = model.measure_kind(self.measure) == MeasureKind::Angle;
+        let asked = Cell::new(0.0);
+        let target = |t| {
+            let target = self.law.at(t);
+            asked.set(target.value);
+            target
+        };
+        let quantity = |points: &Signal<L::Points>| {
+            let mut measured = quantity(points);
+            if is_angle {
+                measured.value += TAU * ((asked.get() - measured.value) / TAU).round();
+            }
+            measured
+        };
         leader.advance(model, |t| drives.inputs(t), quantity, target, times, led)
     }
 
