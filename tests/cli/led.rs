@@ -1,5 +1,7 @@
 //! Motions that a measure leads in place of a drive.
 
+use std::f64::consts::FRAC_PI_2;
+
 use std::path::Path;
 
 use super::program::{Rows, example, folder, rows, run, text};
@@ -323,7 +325,7 @@ fn an_angle_about_an_axis_leads_round_and_round() {
     for rate in [2.0, -2.0] {
         let file = format!(
             "unit = \"m\"\ntime = {{ start = 0.0, stop = 6.0, step = 0.05 }}\n\
-             drives = {{ turn = [1.5707963267948966, {rate:?}] }}\nstatements = '''{statements}'''\n"
+             drives = {{ turn = [{FRAC_PI_2:?}, {rate:?}] }}\nstatements = '''{statements}'''\n"
         );
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
         let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
@@ -331,7 +333,7 @@ fn an_angle_about_an_axis_leads_round_and_round() {
         let rows = rows(&output.stdout);
         assert_eq!(rows.len(), 121);
         for row in rows {
-            let turn = 1.5707963267948966 + rate * row["t_s"];
+            let turn = FRAC_PI_2 + rate * row["t_s"];
             assert!((row["p_y"] - 0.2 * turn.cos()).abs() < 1e-9, "{row:?}");
             assert!((row["p_z"] - 0.2 * turn.sin()).abs() < 1e-9, "{row:?}");
         }
