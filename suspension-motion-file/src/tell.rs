@@ -1,4 +1,4 @@
-//! What is told on standard error, beside results.
+//! Messages on standard error, beside results.
 
 use std::fmt::Display;
 use std::io::{Write, stderr};

@@ -1,7 +1,6 @@
 //! Motions that a measure leads in place of a drive.
 
 use std::f64::consts::FRAC_PI_2;
-
 use std::path::Path;
 
 use super::program::{Rows, example, folder, rows, run, text};

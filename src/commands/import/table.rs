@@ -39,7 +39,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a known point that does not have three numbers, and at a known number that is none.
+/// [`Failure::Input`] at a known point that does not have three numbers, and at an angle or radius that cannot be read.
 pub(super) fn add(
     stated: &mut Hardpoints<'_>,
     row: &Row<'_>,
