@@ -22,8 +22,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::failure::Failure;
-use crate::file::Source;
-use crate::file::tell;
+use crate::file::{Source, tell};
 use crate::load::load;
 use crate::mechanism::{self, Axes, Length};
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};

@@ -10,8 +10,7 @@ use suspension_runtime::Listing;
 
 use crate::characteristics::{Along, Span, curves, parameters, ways};
 use crate::failure::Failure;
-use crate::file::Source;
-use crate::file::tell;
+use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::mechanism::State;

@@ -90,6 +90,11 @@ where
     }
 }
 
+/// The factors with partial pivoting, whose pivots must exceed `threshold`.
+///
+/// # Errors
+///
+/// As [`with_factors`].
 #[cold]
 #[inline(never)]
 pub(crate) fn with_pivoting<T, L, const N: usize>(

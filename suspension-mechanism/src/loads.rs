@@ -152,7 +152,7 @@ impl<'l> Structure<'l> {
     }
 }
 
-/// The part of what acts that is no work of its own.
+/// Work of a force per unit of a drive that is rounding alone, as a part of the force; the same of singular values.
 const ROUNDING: f64 = 1e-12;
 
 /// Whether columns depend on each other but for rounding, whatever the units of columns and rows.

@@ -57,7 +57,7 @@ pub struct Ordered<'a> {
     pub mechanism: &'a dyn Kinematics,
     /// What to bake.
     pub order: &'a Order,
-    /// Whether the user has enough.
+    /// Whether the user has interrupted the program.
     pub interrupted: &'a AtomicBool,
 }
 

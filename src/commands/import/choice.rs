@@ -1,8 +1,8 @@
 //! Which listing of the catalogue a file is of: the one that takes most of its points, and lacks none.
 
 use std::cmp::Reverse;
-use suspension_core::linkages::LISTINGS;
 
+use suspension_core::linkages::LISTINGS;
 use suspension_listing::did_you_mean::nearest;
 use suspension_listing::text;
 use suspension_runtime::{CatalogueAndFiles, Listing, Mistakes, catalogue};

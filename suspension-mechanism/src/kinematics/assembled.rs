@@ -80,7 +80,7 @@ fn is_at_angles<L: Suspension<N>, const N: usize>(
     inputs: &Inputs<Still, L::Drives>,
     q: &SVector<f64, N>,
 ) -> bool {
-    /// Of an angle, in radians, near a singularity too.
+    /// What angles may be off, in radians: near a singularity positions have half their digits.
     const NEAR: f64 = 1e-4;
     let (model, names) = (&mechanism.model, &mechanism.names);
     let points = Motion::at_rest(*q).points(model, inputs).value;

@@ -53,7 +53,7 @@ impl<const N: usize> Lead<N> {
                 refused: None,
             });
         };
-        // Turns of an angle are counted from what is asked of it: measured, it jumps after half of one.
+        // A measured angle about an axis jumps by a turn at half a turn: the value nearest to the one that is asked for counts.
         let is_angle = model.measure_kind(self.measure) == MeasureKind::Angle;
         let asked = Cell::new(0.0);
         let target = |t| {

@@ -32,7 +32,7 @@ pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<
     })
 }
 
-/// Of what an axle bears.
+/// The forces of a car of which each axle has a share.
 #[derive(Clone, Copy)]
 pub(super) enum Force {
     Brakes,

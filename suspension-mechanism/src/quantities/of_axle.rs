@@ -55,7 +55,7 @@ impl Axle {
     }
 }
 
-/// How a wheel moves where its axle is looked at from the side: where its wheels move each other, both together.
+/// How a wheel moves in the side view of its axle: in travel, or in heave where the wheels of the axle move each other.
 pub(super) fn side_view(names: &Names, rolling: Rolling) -> Along {
     if rolling.is_alone(names) {
         return Along::Travel;

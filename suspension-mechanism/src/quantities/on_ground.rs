@@ -73,7 +73,7 @@ pub(super) fn of_moving<N: Number>(
     })
 }
 
-/// The same as its axle moves that is looked at from the side.
+/// The same in the side view: in travel, or in heave where the wheels of an axle move each other.
 pub(super) fn of_moving_in_side_view<N: Number>(
     names: &Names,
     kind: Kind,

@@ -97,7 +97,7 @@ impl<N: Number> Wheel<N> {
     }
 }
 
-/// By what a wheel's carrier moves, all other drives held.
+/// The drives that move a wheel's carrier, all others held.
 #[derive(Clone, Copy)]
 pub(super) enum Along {
     /// The wheel's drive of travel.

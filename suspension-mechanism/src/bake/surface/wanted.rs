@@ -39,7 +39,7 @@ pub enum UnmetSurface {
     },
     /// The tolerance is not met with [`MOST_PATCHES`].
     TooManyPatches,
-    /// The user has enough.
+    /// The user has interrupted it.
     Interrupted,
 }
 

@@ -80,7 +80,8 @@ catalogue! {
     AXLE_ROLL_CENTRE: "roll centre of the axle" {
         name: "axle_roll_centre",
         sign: "in the axes and from the origin of the file",
-        definition: "of any axle of wheels with a drive of travel each, symmetric or not, in roll, the left contact point rising as fast as the right one falls: \
+        definition: "of any axle whose wheels have a drive of travel each, symmetric or not, in roll, the left contact point rising as \
+                     fast as the right one falls: \
                      where the normals to the velocities of both, as points of the carriers, meet in the front view",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
