@@ -53,7 +53,9 @@ pub(super) fn add(
         }
         _ if names.is_number(&key) && row.has_digits() => {
             let [value] = row.numbers_behind_name()[..] else {
-                let message = format!("`{name}` needs one number behind it, with a decimal point");
+                let message = format!(
+                    "`{name}` needs one number behind it, with a decimal point and without a unit"
+                );
                 return Err(stated.source.refuse(&row.place, message));
             };
             stated.add_number(&name, row.sides(), value, row.place.clone());

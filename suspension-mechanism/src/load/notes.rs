@@ -220,8 +220,8 @@ fn drive_torque(task: &Task<'_>) -> Option<String> {
     let is_of_axle =
         |wheel: &Wheel| wheel.drive_share.is_some() && wheel.drive_torque == Torque::Carrier;
     (is_open && wheels.any(is_of_axle)).then(|| {
-        "one body carries both driven wheels and is taken to bear the torque of the drive; of a de Dion axle state \
-         drive_torque = \"chassis\" under [vehicle], else \"carrier\""
+        "one body carries both driven wheels and is taken to have the differential in it and bear the torque of the drive; if that is \
+         so state drive_torque = \"carrier\" under [vehicle], of a de Dion axle \"chassis\""
             .to_owned()
     })
 }

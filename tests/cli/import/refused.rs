@@ -284,7 +284,7 @@ fn a_number_that_cannot_be_read_is_refused() {
         let said = refusal("a.csv", &format!("{line}\n{}", table(&CORNER)), &[]);
         assert!(said.starts_with("a.csv:1:1: `"), "{said}");
         assert!(
-            said.ends_with("` needs one number behind it, with a decimal point"),
+            said.ends_with("` needs one number behind it, with a decimal point and without a unit"),
             "{said}"
         );
     }
