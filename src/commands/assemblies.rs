@@ -110,6 +110,9 @@ found from random starts and by going round loops of such mechanisms, and follow
 the file's. The trace test confirms that none is missing: their sum is linear in the drive. A
 complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
 
+A corner takes seconds, up to half a minute. The two sides of an axle multiply: it has thousands of assemblies, and takes
+hours; what is found of them is counted on a terminal, and an interrupt ends the search.
+
 Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 there is no
 assembly at a value, or the file's first instant is out of reach, 130 interrupted: what was found is kept.
 

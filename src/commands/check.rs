@@ -9,11 +9,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 
 use crate::assemblies::Tally;
+use crate::commands::assemblies::listed::GENERAL;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::output::files::print;
+use crate::output::progress::Found;
 use crate::reach::DriveRange;
 use condition::Condition;
 use report::Report;
@@ -24,7 +26,7 @@ use report::Report;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// Count the assemblies at the design position too: seconds to minutes.
+    /// Count the assemblies at the design position too: seconds for a corner, hours for an axle.
     #[arg(long)]
     assemblies: bool,
 }
@@ -66,13 +68,16 @@ impl Arguments {
             condition,
             ranges,
             motion,
-            tally: self.assemblies.then(|| tally(mechanism)),
+            tally: self
+                .assemblies
+                .then(|| tally(mechanism, interrupted))
+                .flatten(),
             notes: &mechanism.notes,
         };
         print(&report.text())?;
         if interrupted.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted(format!(
-                "{name}: interrupted; the search for locks is cut short"
+                "{name}: interrupted; what is not in the report was not looked at"
             )));
         }
         if is_singular {
@@ -103,9 +108,14 @@ fn motion(loaded: &Loaded<'_>, interrupted: &AtomicBool) -> Result<Option<String
     Ok((!interrupted.load(Ordering::Relaxed)).then_some(in_words))
 }
 
-fn tally(mechanism: &dyn Kinematics) -> Tally {
-    let (_, tally) = mechanism.assemblies().at(&mechanism.first_drives());
-    tally
+/// How many assemblies there are; `None` where the user interrupts.
+fn tally(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Option<Tally> {
+    let found = Found::new(GENERAL);
+    let watch = |count| found.goes_on(count, interrupted);
+    let (_, tally) = mechanism
+        .assemblies(&watch)?
+        .at(&mechanism.first_drives())?;
+    Some(tally)
 }
 
 const NOTES: &str = "\

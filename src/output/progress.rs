@@ -1,9 +1,14 @@
-//! A progress bar on standard error, for work that takes more than a second.
+//! How far work is that takes more than a second, on standard error.
 
 use std::io::{IsTerminal, stderr};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+
+/// What takes longer is shown.
+const LONG: Duration = Duration::from_secs(1);
 
 /// Counts steps; shows a bar once the work has taken a second and only on a terminal.
 #[derive(Debug)]
@@ -37,7 +42,7 @@ impl Progress {
         if !self.visible || !self.done.is_multiple_of(STEPS_A_LOOK) {
             return;
         }
-        if self.bar.is_none() && self.began.elapsed() > Duration::from_secs(1) {
+        if self.bar.is_none() && self.began.elapsed() > LONG {
             self.bar = Some(bar(self.total, self.units));
         }
         if let Some(bar) = &self.bar {
@@ -61,5 +66,58 @@ fn bar(total: usize, units: &str) -> ProgressBar {
     match style {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
+    }
+}
+
+/// Tells how many are found so far, of what nobody knows the number of; shown once the search has taken a second and only
+/// on a terminal.
+#[derive(Debug)]
+pub struct Found {
+    began: Instant,
+    units: &'static str,
+    line: OnceLock<ProgressBar>,
+    visible: bool,
+}
+
+impl Found {
+    /// None yet of the `units`.
+    pub fn new(units: &'static str) -> Self {
+        Self {
+            began: Instant::now(),
+            units,
+            line: OnceLock::new(),
+            visible: stderr().is_terminal(),
+        }
+    }
+
+    /// So many are found; whether the search goes on, which it does until the user interrupts.
+    pub fn goes_on(&self, count: usize, interrupted: &AtomicBool) -> bool {
+        if self.visible && self.began.elapsed() > LONG {
+            let line = self.line.get_or_init(|| counter(self.units));
+            line.set_position(count as u64);
+        }
+        !interrupted.load(Ordering::Relaxed)
+    }
+
+    /// Takes the line away for good, before something else is written.
+    pub fn clear(&self) {
+        if let Some(line) = self.line.get() {
+            line.finish_and_clear();
+        }
+    }
+}
+
+impl Drop for Found {
+    fn drop(&mut self) {
+        self.clear();
+    }
+}
+
+fn counter(units: &str) -> ProgressBar {
+    let line = ProgressBar::new_spinner();
+    let style = ProgressStyle::with_template(&format!("{{spinner}} {{pos}} {units} ({{elapsed}})"));
+    match style {
+        Ok(style) => line.with_style(style),
+        Err(_) => line,
     }
 }

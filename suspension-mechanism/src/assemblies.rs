@@ -23,24 +23,33 @@ pub use generic::Evidence;
 use family::{Family, complex};
 use generic::Generic;
 
+/// Watches a search that may take long. It is called before each root is followed, by several threads, with the number of
+/// assemblies that are known of a mechanism of general lengths; `false` gives the search up.
+pub type Watch<'a> = dyn Fn(usize) -> bool + Sync + 'a;
+
 /// The search for all assemblies of a mechanism. What it finds out about general lengths serves all
 /// values of the drives.
 pub struct Assemblies<'a, L: Enumerable<N>, const N: usize> {
     model: &'a L,
-    generic: Generic<L::Listing, N>,
+    generic: Generic<'a, L::Listing, N>,
 }
 
 impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
-    /// Searches a mechanism of general lengths, starting around `near`.
-    pub fn new(model: &'a L, near: &SVector<f64, N>, inputs: &Inputs<Still, L::Drives>) -> Self {
+    /// Searches a mechanism of general lengths, starting around `near`; `None` where `watch` gives the search up.
+    pub fn new(
+        model: &'a L,
+        near: &SVector<f64, N>,
+        inputs: &Inputs<Still, L::Drives>,
+        watch: &'a Watch<'a>,
+    ) -> Option<Self> {
         const SEED: u64 = 1;
         let family = Family::new(model);
-        let generic = Generic::new(family, near, complex(model, inputs), SEED);
-        Self { model, generic }
+        let generic = Generic::new(family, near, complex(model, inputs), SEED, watch)?;
+        Some(Self { model, generic })
     }
 
-    /// All assemblies at values of the drives.
-    pub fn at(&mut self, inputs: &Inputs<Still, L::Drives>) -> Census<N> {
+    /// All assemblies at values of the drives; `None` where the search is given up.
+    pub fn at(&mut self, inputs: &Inputs<Still, L::Drives>) -> Option<Census<N>> {
         census::census(&mut self.generic, self.model, inputs)
     }
 }

@@ -12,6 +12,7 @@ use std::time::{Duration, Instant};
 use nalgebra::Vector3;
 use suspension_core::{Inputs, Still, Tracker, Values};
 
+use crate::assemblies::Watch;
 use crate::bake::{
     BakedSurface, Exact, LedPath, OutOfReach, Path, UnmetSurface, WantedSurface, Wish, bake_surface,
 };
@@ -75,8 +76,8 @@ pub trait Kinematics: Deref<Target = Description> {
     /// The equations at the first instant.
     fn equations(&self) -> Equations;
 
-    /// The search for assemblies.
-    fn assemblies(&self) -> Box<dyn Assembled + '_>;
+    /// The search for assemblies; `None` where `watch` gives it up.
+    fn assemblies<'a>(&'a self, watch: &'a Watch<'a>) -> Option<Box<dyn Assembled + 'a>>;
 
     /// The motion along one drive over a range, in local coordinates, the others held as at the first instant.
     ///
@@ -199,8 +200,8 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         Equations::of(self)
     }
 
-    fn assemblies(&self) -> Box<dyn Assembled + '_> {
-        Box::new(Enumerated::new(self))
+    fn assemblies<'a>(&'a self, watch: &'a Watch<'a>) -> Option<Box<dyn Assembled + 'a>> {
+        Some(Box::new(Enumerated::new(self, watch)?))
     }
 
     fn path(

@@ -133,22 +133,35 @@ fn two_commands_lead_from_adams_names_to_the_sheet() {
     assert!((design["damper_mm"] - length).abs() < 1e-9);
 }
 
+/// The points of a layout, where its listing has them.
+fn listed(linkage: &str) -> Vec<(String, [f64; 3])> {
+    let (_, listing) = LISTINGS
+        .iter()
+        .find(|(name, _)| *name == linkage)
+        .expect("a layout");
+    let listing = Listing::parse(listing).expect("a listing");
+    let points = listing.stated();
+    let points = points.map(|(point, at)| (listing.name(Part::Point(point)).to_owned(), at.into()));
+    let mut points: Vec<_> = points.collect();
+    // Two listings leave the wheel centre to the host.
+    if let Some(marker) = ["p11", "wheel_centre"]
+        .into_iter()
+        .find(|name| listing.point(name) == Some(points.len()))
+    {
+        points.push((marker.to_owned(), [-1.27, 0.415, 0.218]));
+    }
+    points
+}
+
 #[test]
 fn every_listing_is_found_by_its_own_names() {
     let folder = folder();
-    for (linkage, listing) in LISTINGS {
-        let listing = Listing::parse(listing).expect("a listing");
-        let stated: Vec<_> = listing.stated().collect();
-        let points = stated.iter();
-        let points = points.map(|(point, at)| (listing.name(Part::Point(*point)), (*at).into()));
-        let mut points: Vec<(&str, [f64; 3])> = points.collect();
-        // Two listings leave the wheel centre to the host.
-        if let Some(marker) = ["p11", "wheel_centre"]
-            .into_iter()
-            .find(|name| listing.point(name) == Some(points.len()))
-        {
-            points.push((marker, [-1.27, 0.415, 0.218]));
-        }
+    for (linkage, _) in LISTINGS {
+        let listed = listed(linkage);
+        let points: Vec<_> = listed
+            .iter()
+            .map(|(name, at)| (name.as_str(), *at))
+            .collect();
         // Its points are those of multi_link, which has a spin axis of its own.
         let options: &[&str] = match *linkage {
             "five_link" => &["--linkage", "five_link"],

@@ -179,6 +179,33 @@ fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
     }
 }
 
+/// An axle has so many assemblies that nobody waits for them.
+#[cfg(unix)]
+#[test]
+fn a_search_for_assemblies_is_given_up() {
+    let folder = folder();
+    let axle = include_str!("../../examples/steered_axle.toml");
+    std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
+    let output = interrupted_by(
+        "-INT",
+        folder.path(),
+        &["assemblies", "axle.toml", "--csv", "all.csv"],
+    );
+    let said = text(&output.stderr);
+    let expected = "axle.toml: interrupted in the search for the assemblies of such a mechanism with general lengths: ";
+    assert!(said.contains(expected), "{said}");
+    let output = interrupted_by(
+        "-INT",
+        folder.path(),
+        &["check", "axle.toml", "--assemblies"],
+    );
+    let said = text(&output.stderr);
+    assert!(
+        said.ends_with("axle.toml: interrupted; what is not in the report was not looked at\n"),
+        "{said}"
+    );
+}
+
 /// After the first of many values has been listed.
 #[cfg(unix)]
 #[test]

@@ -1,10 +1,14 @@
 //! The assemblies of a file's mechanism.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use crate::assemblies::Tally;
 use crate::failure::Failure;
 use crate::kinematics::{Assembly, Kinematics};
+use crate::output::progress::Found;
+
+/// What is searched for first.
+pub const GENERAL: &str = "assemblies of such a mechanism with general lengths";
 
 /// Where assemblies are wanted.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,7 +38,7 @@ pub type OnListed<'a> = dyn FnMut(&Listed) -> Result<(), Failure> + 'a;
 /// # Errors
 ///
 /// [`Failure::Input`] where the wish makes no sense, [`Failure::Solver`] where there is no assembly at a value,
-/// [`Failure::Interrupted`] between two values, and what `on_listed` fails with.
+/// [`Failure::Interrupted`], and what `on_listed` fails with.
 pub fn list(
     mechanism: &dyn Kinematics,
     file: &str,
@@ -68,15 +72,25 @@ pub fn list(
             values.iter().map(with).collect::<Result<_, _>>()?
         }
     };
+    let given_up = |done: &str| Failure::Interrupted(format!("{file}: interrupted {done}"));
+    let known = AtomicUsize::new(0);
+    let found = Found::new(GENERAL);
+    let watch = |count| {
+        known.store(count, Ordering::Relaxed);
+        found.goes_on(count, interrupted)
+    };
     let mut nowhere = Vec::new();
-    let mut search = mechanism.assemblies();
+    let mut search = mechanism.assemblies(&watch).ok_or_else(|| {
+        let known = known.load(Ordering::Relaxed);
+        given_up(&format!(
+            "in the search for the {GENERAL}: {known} were found, and none was followed to the file's own lengths yet"
+        ))
+    })?;
     for (done, drives) in places.iter().enumerate() {
-        if interrupted.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted(format!(
-                "{file}: interrupted after {done} of the drive's values"
-            )));
-        }
-        let (assemblies, tally) = search.at(drives);
+        let listed = search.at(drives);
+        let (assemblies, tally) =
+            listed.ok_or_else(|| given_up(&format!("after {done} of the drive's values")))?;
+        found.clear();
         let given = mechanism.given(drives);
         let listed = Listed {
             drives_in_words: mechanism

@@ -34,6 +34,12 @@ couple rack:        left_rack.y = right_rack.y;
 drive steer: left_rack.y;
 ";
 
+/// What is said above a corner's listing, whose coordinates are those of the catalogue.
+const ABOVE_CORNER: &str = "\
+// A corner of the axle: statements of the catalogue, without a rack of its own. The hardpoints are those of the motion file
+// that includes it, under [points]; the coordinates here only hold where it states none.
+";
+
 /// A point of layouts with an anti-roll bar, and how much that is twisted. The bar's middle may be in the middle of the
 /// vehicle, where both corners have it.
 const BAR: &str = "bar_outer";
@@ -58,6 +64,7 @@ impl Axle {
         let name = out.file_stem().unwrap_or_default().to_string_lossy();
         let name = format!("{name}_corner.linkage");
         let corner = choice.text.replace(RACK, FREE_RACK).replace(STEER, "");
+        let corner = format!("{ABOVE_CORNER}{corner}");
         Self {
             statements: mirrored(&format!("{name:?}")) + SHARED_RACK,
             corner: Some((out.with_file_name(name), corner)),

@@ -70,6 +70,8 @@ pub(super) struct Hardpoints<'a> {
     pub(super) source: &'a Source,
     pub(super) points: Vec<Hardpoint>,
     pub(super) numbers: Vec<Number>,
+    /// What is to be said of rows that are not used, a sentence each.
+    pub(super) unread: Vec<String>,
     /// The unit of lengths, where the file states it.
     pub(super) unit: Option<Length>,
     /// Whether its angles are in radians.
@@ -85,6 +87,7 @@ impl<'a> Hardpoints<'a> {
             source,
             points: Vec::new(),
             numbers: Vec::new(),
+            unread: Vec::new(),
             unit: None,
             radians: false,
             usual,

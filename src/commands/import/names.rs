@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
+use suspension_listing::did_you_mean::nearest;
 
 use crate::failure::Failure;
 
@@ -15,7 +16,7 @@ pub(super) struct Names {
     pub(super) order: Order,
 }
 
-/// How points lie to one another, in any suspension.
+/// How points lie to one another.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Order {
@@ -25,6 +26,8 @@ pub(super) struct Order {
     pub(super) above: Vec<[String; 2]>,
     /// The first is on the part of the second, and so nearer to it than to the third.
     pub(super) near: Vec<[String; 3]>,
+    /// The layouts whose points lie otherwise.
+    pub(super) otherwise: Vec<String>,
 }
 
 impl Names {
@@ -56,6 +59,12 @@ impl Names {
     /// Whether any point goes by the name.
     pub(super) fn is_point(&self, name: &str) -> bool {
         self.all_of_points().any(|other| other == name)
+    }
+
+    /// The name of a number that may have been meant by one that is none.
+    pub(super) fn number_meant(&self, name: &str) -> Option<&str> {
+        let numbers = self.numbers.keys();
+        nearest(name, numbers.flat_map(|number| self.of_number(number)))
     }
 
     /// Whether any number goes by the name.

@@ -6,7 +6,7 @@ use super::choice::Choice;
 use super::hardpoints::{Hardpoint, Side};
 use super::names::Order;
 use crate::mechanism::Axes;
-use crate::number::{number, rounded};
+use crate::number::number;
 
 /// What points say of an axis.
 struct Clue {
@@ -38,8 +38,10 @@ pub(super) fn orientation(
     usual: Axes,
 ) -> Result<Orientation, String> {
     check_outboard(choice)?;
+    let is_otherwise = order.otherwise.iter().any(|name| name == choice.linkage);
+    let ahead = if is_otherwise { &[][..] } else { &order.ahead };
     let clues = [
-        of_order(choice, &order.ahead, 0, "behind"),
+        of_order(choice, ahead, 0, "behind"),
         of_order(choice, &order.above, 2, "below"),
         of_side(choice.point("wheel_centre")),
     ];
@@ -79,9 +81,18 @@ pub(super) fn orientation(
     }
 }
 
-/// In every suspension the wheel centre is further from the middle of the vehicle than the points on the chassis are on
-/// average: where it is not, columns are swapped.
+/// In every suspension the wheel centre is further from the middle of the vehicle than all points on the chassis, and the
+/// spin axis lies across the vehicle: where that is not so, columns are swapped.
 fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
+    let Some(centre) = choice.point("wheel_centre") else {
+        return Ok(());
+    };
+    let is_swapped = |why: String| {
+        Err(format!(
+            "the columns seem to be swapped: the second one is y, across the vehicle, and {why}; put them in the order \
+             x (along), y (across), z (up or down)"
+        ))
+    };
     let chassis = choice.listing.count(Kind::ChassisPoint);
     let is_pick_up = |name: &str| {
         choice
@@ -90,17 +101,26 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
             .is_some_and(|point| point < chassis)
     };
     let pick_ups = choice.found.iter().filter(|(name, _)| is_pick_up(name));
-    let pick_ups: Vec<f64> = pick_ups.map(|(_, point)| point.at[1].abs()).collect();
-    let average = pick_ups.iter().sum::<f64>() / pick_ups.len() as f64;
-    match choice.point("wheel_centre") {
-        Some(centre) if centre.at[1].abs() <= average => Err(format!(
-            "the columns seem to be swapped: the second one is y, across the vehicle, and is {} at `{}`, but {} on average at \
-             the points on the chassis; put them in the order x (along), y (across), z (up or down)",
-            number(centre.at[1]),
-            centre.name,
-            rounded(average, 4)
-        )),
-        _ => Ok(()),
+    let outboard = pick_ups
+        .map(|(_, point)| *point)
+        .find(|point| point.at[1].abs() >= centre.at[1].abs());
+    if let Some(point) = outboard {
+        let [y, at] = [point, centre].map(|point| number(point.at[1]));
+        let (name, of) = (&point.name, &centre.name);
+        return is_swapped(format!(
+            "is {y} at `{name}` on the chassis, but {at} at `{of}`"
+        ));
+    }
+    match choice.point("axle") {
+        Some(axle) => {
+            let [x, y, _] = [0, 1, 2].map(|axis| (axle.at[axis] - centre.at[axis]).abs());
+            if x <= y {
+                return Ok(());
+            }
+            let (name, of) = (&axle.name, &centre.name);
+            is_swapped(format!("from `{name}` to `{of}` it changes less than x"))
+        }
+        None => Ok(()),
     }
 }
 

@@ -48,6 +48,7 @@ impl Imported<'_> {
         ];
         let doubts = doubts.iter();
         remarks.extend(doubts.map(|doubt| format!("that is doubtful, as {doubt}")));
+        remarks.extend(self.stated.unread.iter().cloned());
         remarks.extend(self.said.iter().cloned());
         remarks
     }

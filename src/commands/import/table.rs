@@ -47,26 +47,45 @@ pub(super) fn add(
 ) -> Result<(), Failure> {
     let name = row.name();
     let (key, _) = key_of(&name);
-    match (row.coordinates(), row.numbers().as_slice()) {
+    let coordinates = row.coordinates();
+    if let Some(name) = before_number(&name, names).filter(|_| coordinates.is_none()) {
+        return Err(no_number(stated, name, row));
+    }
+    match (coordinates, row.numbers().as_slice()) {
         (Some(at), _) if !key.is_empty() => {
             stated.add_point(&name, row.sides(), at, row.place.clone());
         }
-        _ if names.is_number(&key) && row.has_digits() => {
-            let [value] = row.numbers_behind_name()[..] else {
-                let message = format!(
-                    "`{name}` needs one number behind it, with a decimal point and without a unit"
-                );
-                return Err(stated.source.refuse(&row.place, message));
-            };
-            stated.add_number(&name, row.sides(), value, row.place.clone());
-        }
+        _ if names.is_number(&key) && row.has_digits() => match row.numbers_behind_name()[..] {
+            [value] => stated.add_number(&name, row.sides(), value, row.place.clone()),
+            _ => return Err(no_number(stated, &name, row)),
+        },
         (_, [_, ..]) if names.is_point(&key) => {
             let message = format!("point `{name}` needs three numbers in a row: x, y, z");
             return Err(stated.source.refuse(&row.place, message));
         }
+        (None, [_]) => {
+            let meant = names.number_meant(&key);
+            let place = stated.line(&row.place);
+            let said =
+                meant.map(|meant| format!("`{name}` ({place}) is not used: did you mean {meant}?"));
+            stated.unread.extend(said);
+        }
         _ => {}
     }
     Ok(())
+}
+
+fn no_number(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>) -> Failure {
+    let message =
+        format!("`{name}` needs one number behind it, with a decimal point and without a unit");
+    stated.source.refuse(&row.place, message)
+}
+
+/// The name of a number that a blank parts from one: the comma behind it is that of a decimal.
+fn before_number<'a>(words: &'a str, names: &Names) -> Option<&'a str> {
+    let (name, number) = words.split_once(' ')?;
+    number.trim().parse::<f64>().ok()?;
+    names.is_number(&key_of(name).0).then_some(name)
 }
 
 /// Units of length that are none of motion files.

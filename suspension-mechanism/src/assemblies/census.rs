@@ -5,8 +5,7 @@ use suspension_core::{Inputs, Newton, Still};
 
 use crate::assemblies::family::{Enumerable, Member, Vector, complex};
 use crate::assemblies::generic::{Evidence, Generic, add_distinct};
-use crate::assemblies::parallel;
-use crate::assemblies::path::{End, follow};
+use crate::assemblies::path::End;
 
 /// Ways on which the roots are followed at most: a straight one, and detours where paths of that
 /// are lost.
@@ -83,12 +82,12 @@ impl Tally {
     }
 }
 
-/// Follows the generic roots to the mechanism.
+/// Follows the generic roots to the mechanism; `None` where the search is given up.
 pub(crate) fn census<L: Enumerable<N>, const N: usize>(
-    generic: &mut Generic<L::Listing, N>,
+    generic: &mut Generic<'_, L::Listing, N>,
     model: &L,
     inputs: &Inputs<Still, L::Drives>,
-) -> Census<N> {
+) -> Option<Census<N>> {
     let size = model.size();
     let target = Member {
         drives: complex::<L, N>(model, inputs),
@@ -99,7 +98,7 @@ pub(crate) fn census<L: Enumerable<N>, const N: usize>(
     for way in 0..WAYS {
         let detour = (way > 0).then(|| generic.waypoint());
         let lines = generic.lines(detour.into_iter().chain([target]));
-        let ends = parallel::map(&generic.roots, |root| follow(&lines, root));
+        let ends = generic.follow_all(&lines)?;
         infinite = ends.iter().filter(|end| **end == End::Infinite).count();
         for end in ends {
             if let End::Root(root) = end {
@@ -127,7 +126,7 @@ pub(crate) fn census<L: Enumerable<N>, const N: usize>(
         infinite: infinite.min(generic.roots.len().saturating_sub(roots.len())),
         evidence: generic.evidence,
     };
-    Census { real, tally }
+    Some(Census { real, tally })
 }
 
 /// The real root within `bound` of a nearly real one.

@@ -3,6 +3,7 @@
 use nalgebra::{Complex, SVector};
 use suspension_core::Listing;
 
+use crate::assemblies::Watch;
 use crate::assemblies::family::{Drives, Family, Line, Member, Vector};
 use crate::assemblies::parallel;
 use crate::assemblies::path::{End, follow};
@@ -48,16 +49,17 @@ impl Evidence {
 }
 
 /// A member of a family with its roots.
-pub(crate) struct Generic<G: Listing<N>, const N: usize> {
+pub(crate) struct Generic<'a, G: Listing<N>, const N: usize> {
     family: Family<G, N>,
     member: Member<Drives<G, N>, N>,
     pub(crate) roots: Vec<Vector<N>>,
     pub(crate) evidence: Evidence,
     random: Random,
+    watch: &'a Watch<'a>,
 }
 
-impl<G: Listing<N>, const N: usize> Generic<G, N> {
-    /// Finds the roots of a random member near the one of which `q` is a root.
+impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
+    /// Finds the roots of a random member near the one of which `q` is a root; `None` where `watch` gives the search up.
     ///
     /// Duff, Hill, Jensen, Lee, Leykin and Sommars 2019, Solving polynomial systems via homotopy
     /// continuation and monodromy.
@@ -66,7 +68,8 @@ impl<G: Listing<N>, const N: usize> Generic<G, N> {
         q: &SVector<f64, N>,
         drives: Drives<G, N>,
         seed: u64,
-    ) -> Self {
+        watch: &'a Watch<'a>,
+    ) -> Option<Self> {
         let mut random = Random::new(seed);
         let root = q.map(Complex::from) + random.vector::<N>(family.size);
         let mut generic = Self {
@@ -75,14 +78,15 @@ impl<G: Listing<N>, const N: usize> Generic<G, N> {
             roots: vec![root],
             evidence: Evidence::default(),
             random,
+            watch,
         };
-        generic.start(q);
-        generic.go_round();
-        generic
+        generic.start(q)?;
+        generic.go_round()?;
+        Some(generic)
     }
 
     /// Follows random points here, from the members of which they are roots.
-    fn start(&mut self, q: &SVector<f64, N>) {
+    fn start(&mut self, q: &SVector<f64, N>) -> Option<()> {
         let starts: Vec<Vector<N>> = (0..STARTS)
             .map(|index| {
                 // From a third of the linkage's size to thirty times that.
@@ -91,26 +95,26 @@ impl<G: Listing<N>, const N: usize> Generic<G, N> {
             })
             .collect();
         self.evidence.starts = starts.len();
-        let ends = parallel::map(&starts, |start| {
+        let ends = self.each(&starts, |start| {
             let from = self.family.of_root(start, self.member.drives);
             follow(&[self.family.line(from, self.member)], start)
-        });
+        })?;
         self.add(ends);
+        Some(())
     }
 
     /// Follows the roots along loops until there is good reason to believe that they are all. A root
     /// that the trace test misses may need more loops than those that were quiet.
-    fn go_round(&mut self) {
+    fn go_round(&mut self) -> Option<()> {
         while self.evidence.loops < MOST_LOOPS {
             if self.evidence.quiet >= QUIET {
-                self.evidence.trace = self.bend();
+                self.evidence.trace = self.bend()?;
                 if self.evidence.is_convincing() {
-                    return;
+                    break;
                 }
             }
             let round = [self.waypoint(), self.waypoint(), self.member];
-            let way = self.lines(round);
-            let ends = parallel::map(&self.roots, |root| follow(&way, root));
+            let ends = self.follow_all(&self.lines(round))?;
             let known = self.roots.len();
             self.add(ends);
             self.evidence.loops += 1;
@@ -119,6 +123,22 @@ impl<G: Listing<N>, const N: usize> Generic<G, N> {
                 self.evidence.quiet = 0;
             }
         }
+        Some(())
+    }
+
+    /// Where a way leads from each root; `None` where the search is given up.
+    pub(crate) fn follow_all(&self, way: &[Line<'_, G, N>]) -> Option<Vec<End<N>>> {
+        self.each(&self.roots, |root| follow(way, root))
+    }
+
+    fn each(
+        &self,
+        roots: &[Vector<N>],
+        end: impl Fn(&Vector<N>) -> End<N> + Sync,
+    ) -> Option<Vec<End<N>>> {
+        let goes_on = || (self.watch)(self.roots.len());
+        let ends = parallel::map(roots, |root| goes_on().then(|| end(root)));
+        ends.into_iter().collect()
     }
 
     /// A random member, to go round by.
@@ -143,27 +163,24 @@ impl<G: Listing<N>, const N: usize> Generic<G, N> {
             .collect()
     }
 
-    /// The trace test along the first drive of a free point.
-    fn bend(&mut self) -> Option<f64> {
-        let row = self.family.driven_row()?;
+    /// The trace test along the first drive of a free point, where there is one; `None` where the search is given up.
+    fn bend(&mut self) -> Option<Option<f64>> {
+        let Some(row) = self.family.driven_row() else {
+            return Some(None);
+        };
         let shift = self.random.vector::<1>(self.family.size).x;
-        let sums = [1.0, 2.0].map(|steps| {
+        let sum = |steps: f64| {
             let mut member = self.member;
             member.right[row] += shift * steps;
-            let way = self.lines([member]);
-            let ends = parallel::map(&self.roots, |root| follow(&way, root));
-            ends.into_iter()
-                .try_fold(Vector::zeros(), |sum, end| match end {
-                    End::Root(root) => Some(sum + root),
-                    End::Infinite | End::Lost => None,
-                })
-        });
-        let [Some(one), Some(two)] = sums else {
-            return Some(f64::INFINITY);
+            Some(sum_of(self.follow_all(&self.lines([member]))?))
+        };
+        let (Some(one), Some(two)) = (sum(1.0)?, sum(2.0)?) else {
+            return Some(Some(f64::INFINITY));
         };
         let none: Vector<N> = self.roots.iter().sum();
         let bend = (two - one * Complex::from(2.0) + none).camax();
-        Some(bend / (two - none).camax().max(self.family.size))
+        let change = (two - none).camax();
+        Some(Some(bend / change.max(self.family.size)))
     }
 
     fn add(&mut self, ends: Vec<End<N>>) {
@@ -173,6 +190,15 @@ impl<G: Listing<N>, const N: usize> Generic<G, N> {
             }
         }
     }
+}
+
+/// The sum of the roots, where all ends are roots.
+fn sum_of<const N: usize>(ends: Vec<End<N>>) -> Option<Vector<N>> {
+    ends.into_iter()
+        .try_fold(Vector::zeros(), |sum, end| match end {
+            End::Root(root) => Some(sum + root),
+            End::Infinite | End::Lost => None,
+        })
 }
 
 /// Adds a root that is not yet among the others.

@@ -5,7 +5,7 @@ use suspension_core::listing::DriveKind;
 use suspension_core::lu::Lu;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
-use crate::assemblies::{Assemblies, Tally};
+use crate::assemblies::{Assemblies, Tally, Watch};
 use crate::mechanism::{Mechanism, State, Suspension};
 
 /// A real assembly.
@@ -30,8 +30,8 @@ pub struct Assembly {
 /// The search for all assemblies of a mechanism.
 pub trait Assembled {
     /// The assemblies at values of the drives, in local coordinates: the real ones, nearest to the configuration of
-    /// the first instant first, and what became of all.
-    fn at(&mut self, drives: &[f64]) -> (Vec<Assembly>, Tally);
+    /// the first instant first, and what became of all; `None` where the search is given up.
+    fn at(&mut self, drives: &[f64]) -> Option<(Vec<Assembly>, Tally)>;
 }
 
 /// The search over the equations of a mechanism.
@@ -41,17 +41,18 @@ pub(super) struct Enumerated<'a, L: Suspension<N>, const N: usize> {
 }
 
 impl<'a, L: Suspension<N>, const N: usize> Enumerated<'a, L, N> {
-    pub(super) fn new(mechanism: &'a Mechanism<L, N>) -> Self {
+    pub(super) fn new(mechanism: &'a Mechanism<L, N>, watch: &'a Watch<'a>) -> Option<Self> {
         let inputs = still::<L, N>(&mechanism.first_drives());
-        let search = Assemblies::new(&mechanism.model, &mechanism.start.position, &inputs);
-        Self { mechanism, search }
+        let Mechanism { model, start, .. } = mechanism;
+        let search = Assemblies::new(model, &start.position, &inputs, watch)?;
+        Some(Self { mechanism, search })
     }
 }
 
 impl<L: Suspension<N>, const N: usize> Assembled for Enumerated<'_, L, N> {
-    fn at(&mut self, drives: &[f64]) -> (Vec<Assembly>, Tally) {
+    fn at(&mut self, drives: &[f64]) -> Option<(Vec<Assembly>, Tally)> {
         let inputs = still::<L, N>(drives);
-        let census = self.search.at(&inputs);
+        let census = self.search.at(&inputs)?;
         let each = census.real.iter();
         let at_drives = each.filter(|q| is_at_angles(self.mechanism, &inputs, q));
         let assemblies = at_drives.map(|q| assembly(self.mechanism, &inputs, q));
@@ -65,7 +66,7 @@ impl<L: Suspension<N>, const N: usize> Assembled for Enumerated<'_, L, N> {
             turned: census.real.len() - assemblies.len(),
             ..census.tally
         };
-        (assemblies, tally)
+        Some((assemblies, tally))
     }
 }
 

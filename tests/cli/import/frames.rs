@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::program::folder;
-use super::{CORNER, IN_OUR_AXES, import, table};
+use super::{CORNER, IN_OUR_AXES, import, listed, table};
 
 /// The corner with its coordinates multiplied, x, y, z, and a prefix before its names.
 fn corner(prefix: &str, signs: [f64; 3]) -> String {
@@ -41,6 +41,28 @@ fn axes_are_told_by_the_order_of_points_and_named() {
         let imported = import(folder.path(), "a.csv", &corner("", signs), &[]);
         assert_eq!(imported.points(), expected(1.0));
         let told = format!("note: a.csv: axes are {axes}");
+        assert!(imported.notes.contains(&told), "{}", imported.notes);
+    }
+}
+
+/// A published layout has the same names, and its front links behind the rear ones.
+#[test]
+fn axes_of_five_links_are_told() {
+    let folder = folder();
+    let listed = listed("multi_link");
+    for (signs, axes) in [([1.0, 1.0], "ISO 8855"), ([-1.0, -1.0], "Adams")] {
+        let points = listed
+            .iter()
+            .map(|(name, [x, y, z])| (name.as_str(), [signs[0] * x, signs[1] * y, *z]));
+        let points: Vec<_> = points.collect();
+        let imported = import(folder.path(), "a.csv", &table(&points), &[]);
+        assert_eq!(imported.text("linkage"), "multi_link");
+        assert_eq!(
+            imported.points(),
+            listed.iter().cloned().collect(),
+            "{axes}"
+        );
+        let told = format!("note: a.csv: axes are {axes} (");
         assert!(imported.notes.contains(&told), "{}", imported.notes);
     }
 }

@@ -249,8 +249,10 @@ fn a_motion_file_that_is_there_is_not_replaced_unasked() {
 
 #[test]
 fn columns_that_are_swapped_are_refused() {
-    for columns in [[1, 0, 2], [0, 2, 1]] {
-        let swapped = CORNER.map(|(name, at)| (name, columns.map(|column| at[column])));
+    // The second in coordinates of the vehicle, the origin far ahead.
+    for (columns, ahead) in [([1, 0, 2], 0.0), ([1, 0, 2], 2600.0), ([0, 2, 1], 0.0)] {
+        let placed = CORNER.map(|(name, [x, y, z])| (name, [x + ahead, y, z]));
+        let swapped = placed.map(|(name, at)| (name, columns.map(|column| at[column])));
         let said = refusal("a.csv", &table(&swapped), &[]);
         let expected = "a.csv: the columns seem to be swapped: the second one is y, across the vehicle, and is ";
         assert!(said.starts_with(expected), "{said}");
@@ -280,6 +282,7 @@ fn a_number_that_cannot_be_read_is_refused() {
         "toe_angle, 0,15",
         "camber_angle, -0.026 rad",
         "tire_radius, 12 x 30",
+        "toe_angle 0,15",
     ] {
         let said = refusal("a.csv", &format!("{line}\n{}", table(&CORNER)), &[]);
         assert!(said.starts_with("a.csv:1:1: `"), "{said}");
@@ -288,6 +291,19 @@ fn a_number_that_cannot_be_read_is_refused() {
             "{said}"
         );
     }
+}
+
+#[test]
+fn a_number_that_is_mistyped_is_told_with_the_one_that_was_meant() {
+    let folder = folder();
+    let imported = import(
+        folder.path(),
+        "a.csv",
+        &(table(&CORNER) + "toe_angel, 0.2\n"),
+        &[],
+    );
+    let expected = "`toe_angel` (a.csv:16) is not used: did you mean toe_angle?";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
 }
 
 #[test]

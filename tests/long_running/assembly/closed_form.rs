@@ -46,9 +46,9 @@ fn at(height: f64) -> Inputs<Still, two_links::Drives<f64>> {
 fn two_links_meet_in_two_points_or_none() {
     let model = two_links::Model::new(&DESIGN).expect("a geometry");
     let near = model.unknowns(&DESIGN);
-    let mut search = Assemblies::new(&model, &near, &at(0.0));
+    let mut search = Assemblies::new(&model, &near, &at(0.0), &|_| true).expect("a search");
     for height in [0.0, 1.0, 3.999, 4.001, 7.0] {
-        let census = search.at(&at(height));
+        let census = search.at(&at(height)).expect("a census");
         assert!(census.tally.is_complete(), "{height}: {census:?}");
         assert_eq!(census.tally.generic, 2);
         let square: f64 = 16.0 - height * height;
@@ -78,8 +78,10 @@ fn two_links_meet_in_two_points_or_none() {
 fn roots_beside_a_fold_are_not_counted_as_complex() {
     let model = two_links::Model::new(&DESIGN).expect("a geometry");
     let near = model.unknowns(&DESIGN);
-    let mut search = Assemblies::new(&model, &near, &at(0.0));
-    let census = search.at(&at(4.0 + 4.7e-6 * 4.7e-6 / 8.0));
+    let mut search = Assemblies::new(&model, &near, &at(0.0), &|_| true).expect("a search");
+    let census = search
+        .at(&at(4.0 + 4.7e-6 * 4.7e-6 / 8.0))
+        .expect("a census");
     println!("{census:?}");
     assert_eq!((census.real.len(), census.tally.complex), (0, 0));
     assert!(census.tally.unconfirmed > 0 && census.tally.unaccounted() == 2);
@@ -104,9 +106,9 @@ fn a_tripod_has_two_assemblies_wherever_its_foot_is() {
         })
     };
     let near = model.unknowns(&design);
-    let mut search = Assemblies::new(&model, &near, &at(1.0));
+    let mut search = Assemblies::new(&model, &near, &at(1.0), &|_| true).expect("a search");
     for foot in [0.0, 1.0, 2.0] {
-        let census = search.at(&at(foot));
+        let census = search.at(&at(foot)).expect("a census");
         assert!(census.tally.is_complete(), "{foot}: {census:?}");
         assert_eq!(census.tally.evidence.trace, None);
         // The feet lie in the plane z = 0, in which the two are mirror images.

@@ -27,8 +27,10 @@ where
     Const<15>: DimMin<Const<15>, Output = Const<15>>,
 {
     let near = model.unknowns(rough);
-    let mut search = Assemblies::new(model, &near, &inputs(0.0));
-    INSTANTS.iter().map(|t| search.at(&inputs(*t))).collect()
+    let mut search = Assemblies::new(model, &near, &inputs(0.0), &|_| true).expect("a search");
+    let each = INSTANTS.iter();
+    let each = each.map(|t| search.at(&inputs(*t)).expect("a census"));
+    each.collect()
 }
 
 /// Newton's method from anywhere finds none that the list has not. Tells how many of the list it

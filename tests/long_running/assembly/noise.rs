@@ -41,7 +41,8 @@ fn same(a: &Vector, b: &Vector) -> bool {
 fn instants(model: &Model) -> Vec<Instant> {
     let inputs = support::five_link_inputs;
     let mut motion = support::motions(model, &support::five_link_rough(), inputs)[0];
-    let mut search = Assemblies::new(model, &motion.position, &inputs(0.0));
+    let mut search =
+        Assemblies::new(model, &motion.position, &inputs(0.0), &|_| true).expect("a search");
     let mut last = 0.0;
     (0..INSTANTS)
         .map(|index| {
@@ -49,7 +50,7 @@ fn instants(model: &Model) -> Vec<Instant> {
             let tracked = Tracker::default().advance(model, inputs, last, t, &mut motion);
             tracked.expect("a regular motion");
             last = t;
-            let census = search.at(&inputs(t));
+            let census = search.at(&inputs(t)).expect("a census");
             assert!(census.tally.is_complete(), "t = {t}: {census:?}");
             let instant = Instant {
                 t,
