@@ -107,10 +107,11 @@ The list is ordered by distance; one row each in the CSV file, with every free p
 
 How: over complex numbers all assemblies of a mechanism of general lengths hang together. They are
 found from random starts and by going round loops of such mechanisms, and followed from there to
-the file's. The trace test confirms that none is missing: their sum is linear in the drive. A
+the file's. The trace test confirms that none is missing: a general plane takes the place of the drive's coordinate, and the
+sum of all assemblies is linear in where it stands. Of those with a plane some go to infinity as it becomes the coordinate's. A
 complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
 
-A corner takes seconds, up to half a minute. The two sides of an axle multiply: it has thousands of assemblies, and takes
+A corner takes seconds. The two sides of an axle multiply: it has thousands of assemblies, and takes
 hours; what is found of them is counted on a terminal, and an interrupt ends the search.
 
 Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 there is no

@@ -12,6 +12,7 @@ mod generic;
 mod parallel;
 mod path;
 mod random;
+mod tilt;
 
 use nalgebra::SVector;
 use suspension_core::{Inputs, Still};
@@ -22,6 +23,7 @@ pub use generic::Evidence;
 
 use family::{Family, complex};
 use generic::Generic;
+use random::Random;
 
 /// Watches a search that may take long. It is called before each root is followed, by several threads, with the number of
 /// assemblies that are known of a mechanism of general lengths; `false` gives the search up.
@@ -43,8 +45,9 @@ impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
         watch: &'a Watch<'a>,
     ) -> Option<Self> {
         const SEED: u64 = 1;
-        let family = Family::new(model);
-        let generic = Generic::new(family, near, complex(model, inputs), SEED, watch)?;
+        let mut random = Random::new(SEED);
+        let family = Family::new(model, &mut random);
+        let generic = Generic::new(family, near, complex(model, inputs), random, watch)?;
         Some(Self { model, generic })
     }
 

@@ -60,6 +60,32 @@ fn nine_distances_have_mirrored_assemblies_too() {
     assert_eq!((rows.len(), right), (14, 4));
 }
 
+/// Where the curve of the wheel runs off to infinity along planes of the drive's coordinate, a general plane cuts it; and where
+/// roots go to infinity as lengths become the mechanism's, they are told from those that are lost.
+#[test]
+fn the_list_of_a_layout_is_complete() {
+    let folder = folder();
+    for (file, tally) in [
+        (
+            include_str!("../../examples/double_wishbone.toml"),
+            "24 real and 72 complex assemblies, 48 at infinity, 0 not",
+        ),
+        (
+            include_str!("../../examples/macpherson.toml"),
+            "8 real and 12 complex assemblies, 4 at infinity, 0 not",
+        ),
+    ] {
+        std::fs::write(folder.path().join("layout.toml"), file).expect("written");
+        let output = run(folder.path(), &["assemblies", "layout.toml"]);
+        let listed = text(&output.stdout);
+        assert!(
+            listed.contains("The list is complete by all that was tried:"),
+            "{listed}"
+        );
+        assert!(listed.contains(tally), "{listed}");
+    }
+}
+
 #[test]
 fn a_value_without_an_assembly_is_no_success() {
     let folder = folder();

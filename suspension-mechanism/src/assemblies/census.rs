@@ -9,7 +9,7 @@ use crate::assemblies::path::End;
 
 /// Ways on which the roots are followed at most: a straight one, and detours where paths of that
 /// are lost.
-const WAYS: usize = 4;
+const WAYS: usize = 8;
 
 /// The largest imaginary part of a real root, and how far it may lie from where Newton's method
 /// confirms it, as a multiple of the linkage's size.
@@ -63,7 +63,10 @@ impl Tally {
     pub fn doubts(&self) -> Vec<String> {
         let general =
             || "not all assemblies of such a mechanism with general lengths were found".to_owned();
-        let lost = |count| format!("{count} of them were lost on their way to this one");
+        let lost = |count| match count {
+            1 => "one of them was lost on its way to this one".to_owned(),
+            _ => format!("{count} of them were lost on their way to this one"),
+        };
         let unpaired = || {
             format!(
                 "complex assemblies come in pairs and {} is odd",
@@ -92,6 +95,7 @@ pub(crate) fn census<L: Enumerable<N>, const N: usize>(
     let target = Member {
         drives: complex::<L, N>(model, inputs),
         right: Vector::zeros(),
+        tilted: 0.0,
     };
     let mut roots = Vec::new();
     let mut infinite = 0;
@@ -99,7 +103,9 @@ pub(crate) fn census<L: Enumerable<N>, const N: usize>(
         let detour = (way > 0).then(|| generic.waypoint());
         let lines = generic.lines(detour.into_iter().chain([target]));
         let ends = generic.follow_all(&lines)?;
-        infinite = ends.iter().filter(|end| **end == End::Infinite).count();
+        // Another way loses other paths: as many go to infinity on each.
+        let far = ends.iter().filter(|end| **end == End::Infinite).count();
+        infinite = far.max(infinite);
         for end in ends {
             if let End::Root(root) = end {
                 add_distinct(&mut roots, root, size);

@@ -4,6 +4,8 @@ use nalgebra::{Complex, SVector};
 use suspension_core::{Inputs, Linkage, Listing, Still, Values};
 
 use crate::assemblies::factors::Factors;
+use crate::assemblies::random::Random;
+use crate::assemblies::tilt::Tilt;
 
 /// Unknowns, right-hand sides and residuals.
 pub(crate) type Vector<const N: usize> = SVector<Complex<f64>, N>;
@@ -23,7 +25,7 @@ impl<L, const N: usize> Enumerable<N> for L where
 pub(crate) type Drives<G, const N: usize> = <G as Listing<N>>::Drives<Complex<f64>>;
 type Fixed<G, const N: usize> = <G as Listing<N>>::Fixed<Complex<f64>>;
 
-/// All systems `F(q; u) = c` of one geometry.
+/// All systems `F(q; u) = c` of one geometry, the equation of a drive tilted or not.
 ///
 /// Each `q` is a root of exactly one `c` for given `u`, so that all pairs `(q, c)` form a copy of
 /// the space of `q`: one piece. Loops of `c` therefore lead from any root of a generic `c` to any
@@ -32,6 +34,8 @@ pub(crate) struct Family<G: Listing<N>, const N: usize> {
     model: G::Model<Complex<f64>>,
     /// The longest length of the linkage.
     pub(crate) size: f64,
+    /// Of the first drive of a free point: alone among drives they have an equation.
+    tilt: Option<Tilt<N>>,
 }
 
 /// One system of a family.
@@ -41,20 +45,43 @@ pub(crate) struct Member<D, const N: usize> {
     pub(crate) drives: D,
     /// `c`.
     pub(crate) right: Vector<N>,
+    /// How much of the tilt it has.
+    pub(crate) tilted: f64,
 }
 
 impl<G: Listing<N>, const N: usize> Family<G, N> {
-    pub(crate) fn new(model: &G::Model<f64>) -> Self {
+    pub(crate) fn new(model: &G::Model<f64>, random: &mut Random) -> Self {
+        let model_of_complex = G::converted(model, Complex::from);
+        let tilt = driven_row::<G, N>(&model_of_complex);
         Self {
-            model: G::converted(model, Complex::from),
+            model: model_of_complex,
             size: model.size(),
+            tilt: tilt.map(|row| Tilt::new(row, random.vector(1.0))),
         }
     }
 
     /// The member of which `q` is a root.
-    pub(crate) fn of_root(&self, q: &Vector<N>, drives: Drives<G, N>) -> Member<Drives<G, N>, N> {
-        let right = self.model.residual(q, &self.fixed(&drives), &drives);
-        Member { drives, right }
+    pub(crate) fn of_root(
+        &self,
+        q: &Vector<N>,
+        drives: Drives<G, N>,
+        tilted: f64,
+    ) -> Member<Drives<G, N>, N> {
+        let right = self.residual(q, &drives, tilted);
+        Member {
+            drives,
+            right,
+            tilted,
+        }
+    }
+
+    /// `F(q; u)`.
+    fn residual(&self, q: &Vector<N>, drives: &Drives<G, N>, tilted: f64) -> Vector<N> {
+        let mut rows = self.model.residual(q, &self.fixed(drives), drives);
+        if let Some(tilt) = &self.tilt {
+            tilt.add(tilted, q, &mut rows);
+        }
+        rows
     }
 
     /// The straight line from one member to another.
@@ -67,6 +94,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         let change = Member {
             drives: Values::from_values(ends.map(|(from, to)| to - from)),
             right: to.right - from.right,
+            tilted: to.tilted - from.tilted,
         };
         let fixed_rate = self
             .model
@@ -79,22 +107,27 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         }
     }
 
-    /// The equation of the first drive of a free point: alone among drives they have one.
-    pub(crate) fn driven_row(&self) -> Option<usize> {
-        let nowhere = Vector::zeros();
-        let still = Fixed::<G, N>::default();
-        let at_rest = Drives::<G, N>::default();
-        let mut rows = (0..at_rest.values().count()).filter_map(|drive| {
-            let rate = at_rest.with(drive, Complex::from(1.0));
-            let rate = self.model.drive_rate(&nowhere, &still, &still, &rate);
-            rate.iter().position(|rate| *rate != Complex::ZERO)
-        });
-        rows.next()
+    /// The equation that is tilted.
+    pub(crate) fn tilted_row(&self) -> Option<usize> {
+        self.tilt.as_ref().map(|tilt| tilt.row)
     }
 
     fn fixed(&self, drives: &Drives<G, N>) -> Fixed<G, N> {
         self.model.drive_anchors(*self.model.fixed(), drives)
     }
+}
+
+/// The equation of the first drive of a free point.
+fn driven_row<G: Listing<N>, const N: usize>(model: &G::Model<Complex<f64>>) -> Option<usize> {
+    let nowhere = Vector::zeros();
+    let still = Fixed::<G, N>::default();
+    let at_rest = Drives::<G, N>::default();
+    let mut rows = (0..at_rest.values().count()).filter_map(|drive| {
+        let rate = at_rest.with(drive, Complex::from(1.0));
+        let rate = model.drive_rate(&nowhere, &still, &still, &rate);
+        rate.iter().position(|rate| *rate != Complex::ZERO)
+    });
+    rows.next()
 }
 
 /// The coordinates that drives prescribe.
@@ -125,21 +158,27 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         Values::from_values(ends.map(|(from, change)| from + change * s))
     }
 
+    fn tilted(&self, s: f64) -> f64 {
+        self.from.tilted + self.change.tilted * s
+    }
+
     /// `F(q; u(s)) - c(s)`.
     pub(crate) fn residual(&self, q: &Vector<N>, s: f64) -> Vector<N> {
-        let drives = self.drives(s);
-        let fixed = self.family.fixed(&drives);
         let right = self.from.right + self.change.right * Complex::from(s);
-        self.family.model.residual(q, &fixed, &drives) - right
+        self.family.residual(q, &self.drives(s), self.tilted(s)) - right
     }
 
     /// The factors of `dF/dq`.
     pub(crate) fn factors(&self, q: &Vector<N>, s: f64) -> Factors<N> {
         let fixed = self.family.fixed(&self.drives(s));
-        Factors::of(self.family.model.jacobian(q, &fixed))
+        let mut jacobian = self.family.model.jacobian(q, &fixed);
+        if let Some(tilt) = &self.family.tilt {
+            tilt.add_gradient(self.tilted(s), &mut jacobian);
+        }
+        Factors::of(jacobian)
     }
 
-    /// Taylor coefficients of the root, order 1 first: `F` is quadratic in `q` and `u` together, so
+    /// Taylor coefficients of the root, order 1 first: `F` is quadratic in `q`, `u` and the tilt together, so
     /// that one factorisation gives all of them.
     pub(crate) fn series<const K: usize>(
         &self,
@@ -152,10 +191,16 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         let of_drives = model.drive_rate(q, &fixed, &self.fixed_rate, &self.change.drives);
         let mut terms = [Vector::zeros(); K];
         for order in 0..K {
-            let right = match order {
-                0 => of_drives + self.change.right,
-                _ => self.curvature(&terms[..order]) * Complex::from(-0.5),
+            let (mut right, last) = match order {
+                0 => (of_drives + self.change.right, q),
+                _ => {
+                    let curvature = self.curvature(&terms[..order]);
+                    (curvature * Complex::from(-0.5), &terms[order - 1])
+                }
             };
+            if let Some(tilt) = &self.family.tilt {
+                tilt.add(-self.change.tilted, last, &mut right);
+            }
             terms[order] = factors.solve(&right)?;
         }
         Some(terms)

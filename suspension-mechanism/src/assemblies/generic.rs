@@ -13,7 +13,7 @@ use crate::assemblies::random::Random;
 const STARTS: usize = 200;
 
 /// Loops without a new root after which the search may end. One is not enough: of a double wishbone with skew
-/// axes 24 of 32 roots may be closed under a loop, and their sum bends by as little as 5e-7.
+/// axes 24 of 32 roots were closed under a loop, and their sum bent by as little as 5e-7.
 const QUIET: usize = 4;
 
 /// Loops that are made at most.
@@ -36,7 +36,7 @@ pub struct Evidence {
     /// How many of them, the last ones, brought no new root.
     pub quiet: usize,
     /// The trace test (Sommese, Verschelde and Wampler 2002): how far the sum of the roots is from
-    /// linear as a drive moves, relative to its change. Where one is missing it is not linear.
+    /// linear as the plane in the place of a drive moves, relative to its change. Where one is missing it is not linear.
     /// `None` where no drive moves a free point.
     pub trace: Option<f64>,
 }
@@ -67,13 +67,12 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
         family: Family<G, N>,
         q: &SVector<f64, N>,
         drives: Drives<G, N>,
-        seed: u64,
+        mut random: Random,
         watch: &'a Watch<'a>,
     ) -> Option<Self> {
-        let mut random = Random::new(seed);
         let root = q.map(Complex::from) + random.vector::<N>(family.size);
         let mut generic = Self {
-            member: family.of_root(&root, drives),
+            member: family.of_root(&root, drives, 1.0),
             family,
             roots: vec![root],
             evidence: Evidence::default(),
@@ -96,7 +95,9 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             .collect();
         self.evidence.starts = starts.len();
         let ends = self.each(&starts, |start| {
-            let from = self.family.of_root(start, self.member.drives);
+            let from = self
+                .family
+                .of_root(start, self.member.drives, self.member.tilted);
             follow(&[self.family.line(from, self.member)], start)
         })?;
         self.add(ends);
@@ -163,9 +164,9 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             .collect()
     }
 
-    /// The trace test along the first drive of a free point, where there is one; `None` where the search is given up.
+    /// The trace test across the plane in the place of a drive, where there is one; `None` where the search is given up.
     fn bend(&mut self) -> Option<Option<f64>> {
-        let Some(row) = self.family.driven_row() else {
+        let Some(row) = self.family.tilted_row() else {
             return Some(None);
         };
         let shift = self.random.vector::<1>(self.family.size).x;

@@ -1,6 +1,6 @@
 //! Roots followed along a line of the family.
 
-use nalgebra::Complex;
+use nalgebra::{Complex, ComplexField};
 use suspension_core::Listing;
 
 use crate::assemblies::factors::Factors;
@@ -22,11 +22,12 @@ const MOST_STEPS: usize = 400;
 /// The shortest step, as a part of the line.
 const SHORTEST: f64 = 1e-12;
 
-/// How large a root may become, as a multiple of the linkage's size.
-const FAR: f64 = 1e5;
+/// How large a root is that may be on its way to infinity, as a multiple of the linkage's size. Rounding ends paths at a few
+/// times that.
+const FAR: f64 = 1e4;
 
-/// The last part of a line: only there a root as large is on its way to infinity.
-const NEAR_THE_END: f64 = 1e-2;
+/// How near to the end of a line, as a part of what is left of it, its series must have the pole.
+const POLE: f64 = 0.3;
 
 /// Where a path led.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +36,7 @@ pub(crate) enum End<const N: usize> {
     Root(Vector<N>),
     /// To infinity at the end of the line.
     Infinite,
-    /// To where the root is not isolated, or far away before the end, or no steps are left.
+    /// To where the root is not isolated, or too far away for its rounding, or no steps are left.
     Lost,
 }
 
@@ -57,16 +58,12 @@ fn follow_line<G: Listing<N>, const N: usize>(line: &Line<'_, G, N>, mut q: Vect
     let mut factors = line.factors(&q, s);
     for _ in 0..MOST_STEPS {
         let scale = line.size() + q.camax();
-        if scale > FAR * line.size() {
-            return if 1.0 - s < NEAR_THE_END {
-                End::Infinite
-            } else {
-                End::Lost
-            };
-        }
         let Some(terms) = line.series(&q, s, &factors) else {
             return End::Lost;
         };
+        if scale > FAR * line.size() && has_pole_at(1.0 - s, &terms) {
+            return End::Infinite;
+        }
         let Some(step) = step(line, &q, s, &terms, scale) else {
             return End::Lost;
         };
@@ -102,6 +99,15 @@ fn step<G: Listing<N>, const N: usize>(
         step = (there - s) * 0.5;
     }
     None
+}
+
+/// Whether the series has its nearest pole so far ahead: by the quotient of its last two terms, which for a pole of order `p`
+/// is the way to it times `k / (k - 1 + p)`.
+fn has_pole_at<const N: usize>(ahead: f64, terms: &[Vector<N>; TERMS]) -> bool {
+    let [.., before, last] = terms;
+    let largest = last.icamax();
+    let way = before[largest] / last[largest];
+    (way - Complex::from(ahead)).modulus() < POLE * ahead
 }
 
 /// How far the series is good to `tolerance`, from its last two terms.
