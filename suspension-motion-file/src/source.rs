@@ -16,6 +16,9 @@ const LARGEST: usize = 4 << 20;
 /// The longest part of a message that may quote the file, in characters.
 const LONGEST: usize = 400;
 
+/// The characters at the end of a longer one that stay.
+const ENDING: usize = 100;
+
 /// An input file: its name as the user gave it, and its text.
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -140,13 +143,22 @@ fn read_at_most(path: &Path, limit: usize) -> io::Result<Vec<u8>> {
     }
 }
 
-/// Text that may quote a file, fit for a terminal: control characters escaped, cut where it is long.
+/// Text that may quote a file, fit for a terminal: control characters escaped, and where it is long without its middle, as what
+/// is to be done stands at the end.
 fn in_one_line(text: &str) -> String {
-    let mut line: String = text.chars().take(LONGEST).map(escaped).collect();
-    if text.chars().nth(LONGEST).is_some() {
-        line.push_str(" ...");
+    let count = text.chars().count();
+    let escaped = |(_, character)| escaped(character);
+    let mut characters = text.chars().enumerate();
+    if count <= LONGEST {
+        return characters.map(escaped).collect();
     }
-    line
+    let first: String = characters
+        .by_ref()
+        .take(LONGEST - ENDING)
+        .map(escaped)
+        .collect();
+    let last = characters.skip_while(|(place, _)| place + ENDING < count);
+    format!("{first} ... {}", last.map(escaped).collect::<String>())
 }
 
 fn escaped(character: char) -> String {
@@ -164,10 +176,11 @@ mod tests {
     #[test]
     fn a_message_is_one_line() {
         let source = Source::new("a.toml", "");
-        let long = "\u{1b}[31m\n".to_owned() + &"é".repeat(1000);
+        let long = "\u{1b}[31m\n".to_owned() + &"é".repeat(1000) + "; did you mean `e`?";
         let message = source.refuse(&(0..0), long).to_string();
         assert!(message.starts_with("a.toml:1:1: \\u{1b}[31m\\né"));
-        assert!(message.ends_with("é ...") && message.chars().count() < 450);
+        assert!(message.contains("é ... é") && message.chars().count() < 450);
+        assert!(message.ends_with("é; did you mean `e`?"));
     }
 
     #[test]

@@ -76,8 +76,8 @@ fn motion(mechanism: &Description, range: &DriveRange) -> String {
         }
         None if mechanism.led_by.is_some() => "led by a measure, not by this drive".to_owned(),
         None => format!(
-            "the file's motion, carried on to {CARRIED_ON} times its duration, is at neither end \
-             by this drive alone"
+            "the file's motion, carried on to {CARRIED_ON} times its duration, brings this drive to \
+             neither end"
         ),
     }
 }
