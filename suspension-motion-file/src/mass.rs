@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use nalgebra::Vector3;
 use serde::Deserialize;
 use serde::de::{self, MapAccess, Visitor, value::MapAccessDeserializer};
 use toml::Spanned;
@@ -27,6 +28,20 @@ pub struct BodyMass {
     /// products of inertia with a minus).
     #[serde(default)]
     pub inertia: Vec<f64>,
+}
+
+impl BodyMass {
+    /// Turns it by half a turn about an axis.
+    pub(crate) fn turn(&mut self, turned: impl Fn(Vector3<f64>) -> Vector3<f64>) {
+        if let Centre::At(at) = self.centre.get_mut() {
+            *at = turned((*at).into()).into();
+        }
+        let [x, y, z] = turned(Vector3::repeat(1.0)).into();
+        let products = self.inertia.iter_mut().skip(3);
+        for (product, sign) in products.zip([x * y, y * z, z * x]) {
+            *product *= sign;
+        }
+    }
 }
 
 /// A centre of mass.

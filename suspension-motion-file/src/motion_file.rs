@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use nalgebra::Vector3;
 use serde::Deserialize;
 use serde::de::{
     self, MapAccess, SeqAccess, Visitor,
@@ -130,12 +131,22 @@ impl MotionFile {
         file
     }
 
-    /// The same file with its points and offsets in other axes; what else it states stays.
+    /// The same file with its points, offsets and masses in other axes; what else it states stays.
     pub fn turned(mut self, axes: Axes) -> Self {
         let from = self.axes;
+        let turned = |vector: Vector3<f64>| axes.turned(from.turned(vector));
         for position in self.points.get_mut().values_mut() {
             let (Position::At(at) | Position::Off(Offset { offset: at, .. })) = position.get_mut();
-            *at = axes.turned(from.turned((*at).into())).into();
+            *at = turned((*at).into()).into();
+        }
+        for mass in self
+            .masses
+            .iter_mut()
+            .flat_map(|table| table.get_mut().values_mut())
+        {
+            if let MassTable::OfBody(body) = mass.get_mut() {
+                body.turn(turned);
+            }
         }
         Self { axes, ..self }
     }

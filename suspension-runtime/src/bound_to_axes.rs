@@ -47,4 +47,22 @@ impl Listing {
         let named = named.chain(measures.map(|measure| &measure.named.name));
         named.chain(equations).next().map(|name| name.as_str())
     }
+
+    /// 1 or -1: which way a measure goes where the coordinates of all points are multiplied by `signs`, a rotation that no statement
+    /// is [bound](Self::bound_to_axes) by.
+    pub fn measure_sign(&self, measure: &str, signs: [f64; 3]) -> f64 {
+        let mut measures = self.system().measures.iter();
+        let found = measures.find(|found| found.named.name.as_str() == measure);
+        let axis = found.and_then(|found| match &found.quantity {
+            Quantity::Sum(terms) => terms
+                .iter()
+                .find(|term| term.factor != 0.0)
+                .map(|term| term.axis),
+            Quantity::Along { direction, .. } => direction.iter().position(|part| *part != 0.0),
+            Quantity::Angle { axis, .. } => Some(*axis),
+            Quantity::Between { .. } | Quantity::Length { .. } => None,
+        });
+        axis.and_then(|axis| signs.get(axis).copied())
+            .unwrap_or(1.0)
+    }
 }

@@ -101,6 +101,58 @@ fn millimetres_are_converted_to_the_unit_of_the_first() {
     assert!((a - 0.4).abs() < 1e-12);
 }
 
+/// Masses are turned with the points, and what a spring along a coordinate presses changes its sign with that.
+#[test]
+fn masses_and_springs_are_the_same_in_other_axes() {
+    let file = |axes: &str, [x, y, z]: [f64; 3]| {
+        let at = |a: f64, b: f64, c: f64| format!("[{:?}, {:?}, {:?}]", a * x, b * y, c * z);
+        let points = [
+            at(0.20, 0.35, 0.16),
+            at(-0.20, 0.36, 0.15),
+            at(0.005, 0.70, 0.17),
+            at(0.01, 0.75, 0.30),
+            at(0.01, 0.65, 0.30),
+        ];
+        let [front, rear, ball, centre, axle] = points;
+        let [xy, yz, zx] = [0.1 * x * y, 0.05 * y * z, -0.02 * z * x];
+        let mass = at(0.02, 0.72, 0.33);
+        let load = -3000.0 * z;
+        format!(
+            "unit = \"m\"\n{axes}statements = \"\"\"\nfixed: front at {front}, rear at {rear};\n\
+             free: ball at {ball}, wheel_centre at {centre};\nhinge arm: front, rear -> ball, wheel_centre;\n\
+             point axle: arm at {axle};\ndrive bump: wheel_centre.z;\nmeasure height: ball.z;\n\
+             wheel: axle -> wheel_centre;\n\"\"\"\n\
+             time = {{ instants = [0.0] }}\nvehicle = {{ wheel_radius = 0.3 }}\ndrives = {{ bump = {:?} }}\n\
+             [masses]\narm = {{ mass = 20.0, centre = {mass}, inertia = [0.6, 0.9, 0.5, {xy:?}, {yz:?}, {zx:?}] }}\n\
+             [springs.s]\nalong = \"height\"\nrate = 20000.0\nload = {load:?}\n",
+            0.30 * z,
+        )
+    };
+    let iso = file("", [1.0; 3]);
+    for (axes, signs) in [("Adams", [-1.0, -1.0, 1.0]), ("SAE", [1.0, -1.0, -1.0])] {
+        let other = file(&format!("axes = \"{axes}\"\n"), signs);
+        let (_folder, output) = compare(&iso, &other, &["--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let rows = rows(&output);
+        for wanted in [
+            "effective mass at the wheel",
+            "load on the springs at the wheel",
+            "wheel rate",
+        ] {
+            assert!(
+                rows.iter().any(|(names, _)| names[1] == wanted),
+                "{wanted}: {rows:?}"
+            );
+        }
+        for (names, [_, a, b, difference]) in &rows {
+            assert!(
+                difference.abs() < 1e-8 * (1.0 + a.abs()),
+                "{axes}: {names:?} {a} {b}"
+            );
+        }
+    }
+}
+
 /// The tip goes up by z on a circle of 0.5 m; the spring above it stands 0.4 or 0.5 m high.
 #[test]
 fn the_largest_difference_of_a_curve_is_where_the_circle_has_it() {

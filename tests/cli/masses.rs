@@ -209,6 +209,23 @@ fn what_is_no_mass_is_refused_with_its_place() {
     );
 }
 
+/// A centre of mass that is stated by a point moves with it: what is tuned is what the file that is written has.
+#[test]
+fn a_centre_moves_with_the_point_that_it_is_stated_by() {
+    let file = "linkage = \"double_wishbone\"\nunit = \"m\"\nvehicle = { wheel_radius = 0.3 }\ntime = { instants = [0.0] }\n\
+                [drives]\nbump = 0.3\nsteer = 0.34\n\
+                [masses]\nupright = { mass = 20.0, centre = \"upper_ball\", inertia = [0.6, 0.9, 0.5] }\n\
+                [tune.moves.ball]\npoints = [\"upper_ball\"]\nalong = \"y\"\nby = [-0.03, 0.03]\n\
+                [tune.targets.mass]\nof = \"effective_mass\"\nvalue = 19.25\nwithin = 0.001\n";
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["tune", "a.toml", "--out", "b.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let tuned = std::fs::read_to_string(folder.path().join("b.toml")).expect("a motion file");
+    let mass = grid(&tuned, &["--drive", "bump=0.0"])[0]["effective_mass_kg"];
+    assert!((mass - 19.25).abs() < 1e-3, "{mass}");
+}
+
 /// A picture of each case: the numbers of the table along the links, and an arrow for what acts.
 #[test]
 fn a_picture_shows_what_links_bear() {

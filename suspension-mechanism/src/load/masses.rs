@@ -107,15 +107,16 @@ impl Reader<'_> {
     fn of_body(&self, points: &[usize], stated: &BodyMass, name: &str) -> Result<Mass, Failure> {
         let metre = self.task.file.unit().metre();
         let local = |point: Vector3<f64>| (point - self.origin) / metre;
-        let centre = match stated.centre.get_ref() {
-            Centre::At(centre) => Vector3::from(*centre),
+        let (centre, named) = match stated.centre.get_ref() {
+            Centre::At(centre) => (Vector3::from(*centre), None),
             Centre::Point(point) => {
-                let names = self.task.names.points.iter();
-                let mut found = names.zip(self.design).filter(|(name, _)| *name == point);
-                *found.next().map(|(_, at)| at).ok_or_else(|| {
+                let mut points = self.task.names.points.iter().zip(self.design).enumerate();
+                let found = points.find(|(_, (name, _))| *name == point);
+                let (number, (_, at)) = found.ok_or_else(|| {
                     let message = format!("`{point}` is no point of the listing");
                     self.task.source.refuse(&stated.centre.span(), message)
-                })?
+                })?;
+                (*at, Some(number))
             }
         };
         let inertia = match *stated.inertia.as_slice() {
@@ -140,7 +141,11 @@ impl Reader<'_> {
             centre: local(centre),
             inertia,
         };
-        Ok(Mass::Body(held, body))
+        Ok(Mass::Body {
+            held,
+            body,
+            centre: named,
+        })
     }
 }
 

@@ -1,5 +1,7 @@
 //! The mechanism of a file in other axes than its own.
 
+use toml::Spanned;
+
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::load::loaded::Loaded;
@@ -7,7 +9,8 @@ use crate::load::prepare::{Request, Start};
 use crate::mechanism::Axes;
 
 impl Loaded<'_> {
-    /// The same as [`at_design`](Self::at_design) in other axes: points are turned to them, and the statements mean their coordinates.
+    /// The same as [`at_design`](Self::at_design) in other axes: points and masses are turned to them, and the statements mean their
+    /// coordinates.
     ///
     /// # Errors
     ///
@@ -15,15 +18,13 @@ impl Loaded<'_> {
     /// in other axes.
     pub fn at_design_in(&self, axes: Axes) -> Result<Box<dyn Kinematics + '_>, Failure> {
         let [from, to] = [self.axes(), axes].map(Axes::signs);
+        let signs = [0, 1, 2].map(|axis| from[axis] * to[axis]);
         let refuse = |what: String| {
             let name = self.source.name();
             Failure::Input(format!("{name}: {what}; state both files in the same axes"))
         };
         let names = [self.axes(), axes].map(Axes::name);
-        if let Some(statement) = self
-            .listing()
-            .bound_to_axes([0, 1, 2].map(|axis| from[axis] * to[axis]))
-        {
+        if let Some(statement) = self.listing().bound_to_axes(signs) {
             let [from, to] = names;
             return Err(refuse(format!(
                 "`{statement}` joins coordinates of which only some change their sign from axes {from} to {to}"
@@ -33,7 +34,15 @@ impl Loaded<'_> {
             let [from, to] = names;
             return Err(refuse(format!("[design] is in axes {from}, not {to}")));
         }
-        let file = self.file.clone().turned(axes);
+        let mut file = self.file.clone().turned(axes);
+        let springs = file
+            .springs
+            .iter_mut()
+            .flat_map(|table| table.get_mut().values_mut());
+        for spring in springs.map(Spanned::get_mut) {
+            let sign = self.listing().measure_sign(spring.along.get_ref(), signs);
+            *spring.load.get_mut() *= sign;
+        }
         self.noted(Request {
             file: &file,
             ..self.request(Start::Design)

@@ -13,8 +13,15 @@ pub enum Mass {
     At(usize, f64),
     /// Of a uniform rod between two points, kg.
     Rod([usize; 2], f64),
-    /// Of a body that is held by three points, in metres.
-    Body([usize; 3], RigidBody<f64>),
+    /// Of a body.
+    Body {
+        /// Three points that hold it.
+        held: [usize; 3],
+        /// What it is, in metres.
+        body: RigidBody<f64>,
+        /// The point that its centre of mass is stated by, and moves with.
+        centre: Option<usize>,
+    },
 }
 
 impl Mass {
@@ -33,7 +40,7 @@ impl Mass {
                 let forces = rod(*mass, ends.each_ref().map(accelerations), field);
                 ends.iter().copied().zip(forces).collect()
             }
-            Self::Body(held, body) => {
+            Self::Body { held, body, .. } => {
                 let at = points.map(|all: &Points| held.map(|point| all[point] / metre));
                 held.iter().copied().zip(body.forces(&at, field)?).collect()
             }
@@ -55,13 +62,19 @@ impl Mass {
         Some(-work.sum::<f64>() / metre)
     }
 
-    /// The same part of a mechanism whose points stand elsewhere, its centre of mass where it was.
+    /// The same part of a mechanism whose points stand elsewhere, its centre of mass where it was, or where the point is now that
+    /// it is stated by.
     pub(crate) fn held_at(&self, places: &[Vector3<f64>], metre: f64) -> Self {
         match self {
-            Self::Body(held, body) => {
-                let points = held.map(|point| places[point] / metre);
-                Self::Body(*held, RigidBody { points, ..*body })
-            }
+            Self::Body { held, body, centre } => Self::Body {
+                held: *held,
+                body: RigidBody {
+                    points: held.map(|point| places[point] / metre),
+                    centre: centre.map_or(body.centre, |point| places[point] / metre),
+                    ..*body
+                },
+                centre: *centre,
+            },
             other => other.clone(),
         }
     }
