@@ -48,7 +48,7 @@ pub use positions::Positions;
 pub use ready::{Mechanism, WhereItStarts};
 pub use sensitive::{CHANGES_AT_ONCE, InDesign, Sensitive};
 pub use spring::Spring;
-pub use state::{Moved, State};
+pub use state::{Moved, Movement, State};
 pub use suspension_motion_file::{Angle, Axes, Axle, Instants, Length, Torque, Unit, is_within};
 pub use through::OnState;
 pub use under::Borne;

@@ -1,5 +1,7 @@
 //! What springs do at the wheels, against differences of their energy.
 
+use std::collections::BTreeMap;
+
 use super::program::{Rows, folder, rows, run, text};
 
 fn swept(file: &str, drive: &str) -> Rows {
@@ -112,6 +114,63 @@ fn roll_rate_is_the_second_derivative_of_the_energy() {
 }
 
 /// The line from the contact point to the roll centre.
+/// A swing axle with its masses and springs, led in three ways: by the height of each wheel, by heave and roll, and by an angle of each
+/// wheel, of which the right one's goes the other way.
+#[test]
+fn numbers_of_an_axle_are_those_of_its_wheels_whatever_drives_them() {
+    let axle = |drives: &str, values: &str, travel: &str| {
+        let spring = |side: &str| {
+            format!("[springs.{side}]\nalong = \"{side}_spring\"\nrate = 30000.0\nload = 4000.0\n")
+        };
+        let file = format!(
+            "unit = \"m\"\nstatements = \"\"\"\nmirror: left -> right;\n\
+             fixed: left_inner at [0.45, 0.30, 0.32], left_outer at [0.45, 0.60, 0.30], left_top at [0.1, 0.55, 0.65];\n\
+             free: left_wheel_centre at [0.0, 0.75, 0.30], left_low at [0.08, 0.56, 0.25];\n\
+             hinge left_arm: left_inner, left_outer -> left_wheel_centre, left_low;\npoint left_hub: left_arm at [0.0, 0.65, 0.30];\n\
+             measure left_spring: length(left_low -> left_top);\n{drives}\nwheel left: left_hub -> left_wheel_centre;\n\"\"\"\n\
+             time = {{ instants = [0.0] }}\ndrives = {{ {values} }}\n\
+             [vehicle]\nwheel_radius = 0.3\ntravel = {travel}\n{}{}\
+             [masses]\nleft_arm = {{ mass = 20.0, centre = \"left_wheel_centre\" }}\nright_arm = {{ mass = 20.0, centre = \"right_wheel_centre\" }}\n",
+            spring("left"),
+            spring("right"),
+        );
+        let (first, _) = values.split_once(' ').expect("a drive");
+        swept(&file, &format!("{first}=0.0")).remove(0)
+    };
+    let by_height = axle(
+        "drive bump_left: left_wheel_centre.z;",
+        "bump_left = 0.3, bump_right = 0.3",
+        "{ left = \"bump_left\", right = \"bump_right\" }",
+    );
+    let by_heave = axle(
+        "drive heave: 0.5 left_wheel_centre.z + 0.5 right_wheel_centre.z;\ndrive roll: left_wheel_centre.z - right_wheel_centre.z;",
+        "heave = 0.3, roll = 0.0",
+        "\"heave\"",
+    );
+    let by_angle = axle(
+        "drive swing_left: angle(left_top -> left_outer, left_outer -> left_wheel_centre about left_inner -> left_outer);",
+        "swing_left = 2.3842570993657453, swing_right = -2.3842570993657453",
+        "{ left = \"swing_left\", right = \"swing_right\" }",
+    );
+    let near = |name: &str, row: &BTreeMap<String, f64>| {
+        let (found, expected) = (row[name], by_height[name]);
+        assert!(
+            (found - expected).abs() < 1e-9 * expected,
+            "{name}: {found} {expected}"
+        );
+    };
+    for side in ["left", "right"] {
+        for name in ["spring_load_N", "wheel_rate_N_m", "effective_mass_kg"] {
+            near(&format!("{side}_{name}"), &by_heave);
+            near(&format!("{side}_{name}"), &by_angle);
+        }
+    }
+    near("heave_rate_N_m", &by_angle);
+    near("roll_rate_Nm_rad", &by_angle);
+    // No bar joins the wheels.
+    assert!((by_height["heave_rate_N_m"] - by_height["left_wheel_rate_N_m"]).abs() < 1e-6);
+}
+
 #[test]
 fn jacking_is_the_slope_of_the_line_to_the_roll_centre() {
     let row = &swept(&corner("", ""), "bump=0.0")[0];

@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
+use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 use syn::{Error, Ident, LitStr, Token};
 
@@ -35,7 +36,7 @@ pub(crate) const INCLUDE: Word = Word {
 };
 
 /// Words that stand where names do.
-const WORDS: [&str; 5] = ["at", "on", "along", "length", "angle"];
+const WORDS: [&str; 6] = ["at", "on", "along", "about", "length", "angle"];
 
 /// Axes, which stand behind a point's full stop, or last in parentheses: `angle(a -> b, z)`.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -132,7 +133,8 @@ impl Include {
     }
 
     fn prefixed(&self, name: &Ident) -> Ident {
-        Ident::new(&format!("{}_{name}", self.name), name.span())
+        let [before, name_alone] = [&self.name, name].map(IdentExt::unraw);
+        Ident::new(&format!("{before}_{name_alone}"), name.span())
     }
 
     fn named_as_a_word(&self, word: &str) -> Error {

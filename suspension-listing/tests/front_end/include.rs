@@ -65,6 +65,11 @@ impl IncludeSource for Files {
                 "include again: \"circle\"; include more: \"circle\";",
             ),
             ("words", "free: on;"),
+            ("about", "free: about;"),
+            (
+                "raw",
+                "fixed: r#type;\nfree: b;\nlink rod: r#type -> b;\ndrive x: b.x;\ndrive y: b.y;",
+            ),
             (
                 "unknown",
                 "fixed: a;\nfree: b;\nlink rod:\n    a -> nowhere;\n",
@@ -98,6 +103,14 @@ fn an_axle_in_a_folder_includes_its_corner_beside_it_twice() {
     assert_eq!(included.len(), by_hand.len());
 }
 
+/// Behind another name a word of Rust is none.
+#[test]
+fn names_that_are_words_of_rust_are_joined_without_their_mark() {
+    let included = read("include r#fn: \"raw\";").expect("a point");
+    let by_hand = "fixed: fn_type; free: fn_b; link fn_rod: fn_type -> fn_b; drive fn_x: fn_b.x; drive fn_y: fn_b.y;";
+    assert_eq!(included, read(by_hand).expect("a point"));
+}
+
 #[test]
 fn what_cannot_be_included_is_refused_at_the_statement() {
     for (text, expected) in [
@@ -114,6 +127,10 @@ fn what_cannot_be_included_is_refused_at_the_statement() {
         (
             "include left: \"words\";",
             "vehicle:1:9: `words` names something `on`, a word of statements; give it another name to include it",
+        ),
+        (
+            "include left: \"about\";",
+            "`about` names something `about`, a word of statements",
         ),
         (
             "include left \"words\";",

@@ -1,5 +1,7 @@
 //! The mechanism about a place: its states with velocities, and with derivatives with respect to its drives.
 
+mod moved;
+
 use std::cell::OnceCell;
 use std::rc::Rc;
 
@@ -14,7 +16,6 @@ use crate::mechanism::names::Suspension;
 use crate::mechanism::points::Points;
 use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::{Moved, State};
-use crate::mechanism::vehicle::Pair;
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// A state at a position with the velocities of travel and steering there.
@@ -135,31 +136,6 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         self.moved
             .get_or_init(|| self.along_travel().into())
             .clone()
-    }
-
-    fn along_travel(&self) -> Vec<Moved> {
-        let names = &self.mechanism.names;
-        if names.vehicle.springs.is_empty() {
-            return Vec::new();
-        }
-        let alone = names.vehicle.travel.iter().map(|drive| vec![(*drive, 1.0)]);
-        let pairs = Pair::all(&names.wheels).into_iter();
-        let opposed = pairs.filter_map(|pair| {
-            let [a, b] = pair.wheels.map(|wheel| names.wheels[wheel].travel);
-            Some(vec![(a?, 1.0), (b?, -1.0)])
-        });
-        let state_along = |change: Vec<(usize, f64)>| {
-            let parts = change.iter();
-            let drives = parts.fold(L::Drives::from_values([]), |drives, (drive, part)| {
-                drives.with(*drive, *part)
-            });
-            let points = self.directions?.points(drives);
-            let state = self
-                .mechanism
-                .state(0.0, &self.drives, points.as_ref().ok()?);
-            Some(Moved { change, state })
-        };
-        alone.chain(opposed).filter_map(state_along).collect()
     }
 
     /// The state with derivatives with respect to a drive; `None` where the mechanism locks.

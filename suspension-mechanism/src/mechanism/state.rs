@@ -31,8 +31,7 @@ pub struct State {
     /// derivatives along the rates of `points`, NaN where those are not known; `None` of drives that neither move a
     /// wheel up and down nor steer it, and where the mechanism locks.
     pub velocities: Vec<Option<Signal<Points>>>,
-    /// Where springs are: the states along changes of travel drives, the derivatives with respect to them, those of each
-    /// alone and those of the two of an axle the opposite ways.
+    /// Where springs are: the states with derivatives along movements of the wheels up and down.
     pub moved: Rc<[Moved]>,
     /// Springs and anti-roll bars.
     pub springs: Rc<[Spring]>,
@@ -46,11 +45,22 @@ pub struct State {
     pub residual: f64,
 }
 
-/// A state with derivatives along a change of drives.
+/// How wheels move up and down, the other drives held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Movement {
+    /// As a drive of travel moves them.
+    Travel(usize),
+    /// The two of an axle, by number, so that their centres rise alike, by drives of their own.
+    Heave([usize; 2]),
+    /// So that the centre of the first rises as that of the second falls.
+    Roll([usize; 2]),
+}
+
+/// A state with derivatives along a movement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moved {
-    /// Drives by number, each with its part.
-    pub change: Vec<(usize, f64)>,
+    /// The movement.
+    pub movement: Movement,
     /// The state.
     pub state: State,
 }
@@ -61,11 +71,11 @@ impl State {
         self.points.value[point] + self.origin
     }
 
-    /// The state along a change of drives, where it is known.
-    pub fn moved_along(&self, change: &[(usize, f64)]) -> Option<&State> {
+    /// The state along a movement, where it is known.
+    pub fn moved_along(&self, movement: Movement) -> Option<&State> {
         let mut moved = self.moved.iter();
         moved
-            .find(|moved| moved.change == change)
+            .find(|moved| moved.movement == movement)
             .map(|moved| &moved.state)
     }
 

@@ -14,19 +14,24 @@ pub(super) fn of_wheels<N: Number>(names: &Names) -> Vec<Reading<N>> {
         let Some(drive) = rolling.travel.filter(|_| has_masses) else {
             return Vec::new();
         };
+        let together = rolling.moved_together(names);
         vec![without_derivatives(Kind::Mass, move |state| {
-            effective(state, rolling, drive)
+            effective(state, &together, drive)
         })]
     })
 }
 
-fn effective(state: &State, rolling: Rolling, drive: usize) -> Option<f64> {
+/// Of one of the wheels that a drive moves.
+fn effective(state: &State, together: &[Rolling], drive: usize) -> Option<f64> {
     let velocities = &state.moved_by(drive)?.value;
     let energies = state.masses.iter();
     let energies =
         energies.map(|mass| mass.twice_energy(&state.points.value, velocities, state.metre));
     let twice_energy: f64 = energies.sum::<Option<f64>>()?;
-    let [_, centre] = rolling.points.axis;
-    let rise = state.axes.turned(velocities[centre]).z / state.metre;
-    Some(twice_energy / (rise * rise))
+    let rises = together.iter().map(|rolling| {
+        let [_, centre] = rolling.points.axis;
+        state.axes.turned(velocities[centre]).z / state.metre
+    });
+    let squares: f64 = rises.map(|rise| rise * rise).sum();
+    Some(twice_energy / squares)
 }

@@ -4,14 +4,14 @@ use suspension_core::Signal;
 use suspension_core::listing::MeasureKind;
 use suspension_core::signal::Number as _;
 
-use crate::mechanism::{Names, State};
+use crate::mechanism::{Movement, Names, State};
 use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::of_axle::{Axle, of_each_axle};
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
-use crate::quantities::wheel::Rolling;
+use crate::quantities::wheel::{Rolling, share};
 
 /// What all springs do along a coordinate.
 #[derive(Clone, Copy)]
@@ -64,22 +64,37 @@ pub(super) fn of_wheels<N: Number>(
         let Some(drive) = rolling.travel.filter(|_| has_springs) else {
             return Vec::new();
         };
+        let together = rolling.moved_together(names);
         let of_state = move |state: &State| {
-            let state = state.moved_along(&[(drive, 1.0)])?;
-            Some(value(Sprung::along(height(state, rolling), state)))
+            let state = state.moved_along(Movement::Travel(drive))?;
+            let height = |rolling| height(state, rolling);
+            let share = share(&together, rolling, |rolling| height(rolling).rate);
+            Some(share * value(Sprung::along(height(rolling), state)))
         };
         vec![without_derivatives(kind, of_state)]
     })
 }
 
-/// The same of each axle in roll, its wheels moving opposite ways, along the angle of the line through their centres.
+/// A number of the springs at each wheel of an axle in heave, both centres rising alike: each wheel has half of it.
+pub(super) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
+    let has_springs = !names.vehicle.springs.is_empty();
+    let is_sprung = |axle: &Axle| axle.has_travel() && has_springs;
+    of_each_axle(names, &is_sprung, &|wheels| {
+        let of_state = move |state: &State| {
+            let moved = state.moved_along(Movement::Heave(wheels.map(|wheel| wheel.number)))?;
+            Some(0.5 * value(Sprung::along(height(moved, wheels[0]), moved)))
+        };
+        vec![without_derivatives(Kind::Stiffness, of_state)]
+    })
+}
+
+/// The same of each axle in roll, one centre rising as the other falls, along the angle of the line through them.
 pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
     let has_springs = !names.vehicle.springs.is_empty();
     let is_sprung = |axle: &Axle| axle.has_travel() && has_springs;
     of_each_axle(names, &is_sprung, &|wheels| {
         let of_state = move |state: &State| {
-            let [a, b] = [wheels[0].travel?, wheels[1].travel?];
-            let moved = state.moved_along(&[(a, 1.0), (b, -1.0)])?;
+            let moved = state.moved_along(Movement::Roll(wheels.map(|wheel| wheel.number)))?;
             let of = Reader::of(moved);
             let [left, right] = wheels.map(|rolling| of.wheel(rolling).centre);
             let roll = Signal::arc_tangent(left.z - right.z, left.y - right.y);

@@ -52,6 +52,12 @@ impl Rolling {
         !others.any(|(_, other)| other.points.carrier == carrier)
     }
 
+    /// All wheels that its drive of travel is that of, itself among them.
+    pub(super) fn moved_together(&self, names: &Names) -> Vec<Self> {
+        let wheels = Self::each(names).map(|(_, wheel)| wheel);
+        wheels.filter(|wheel| wheel.travel == self.travel).collect()
+    }
+
     /// The drive that moves it, where the file names one.
     pub(super) fn drive(&self, along: Along) -> Option<usize> {
         match along {
@@ -73,6 +79,12 @@ pub(super) struct Wheel<N> {
     /// Not finite where the file has no wheel radius.
     pub(super) contact: Vector3<N>,
     pub(super) heading: Heading<N>,
+}
+
+/// A wheel's share of what a drive moves several by, of which each bears as much as it rises: their rates per drive.
+pub(super) fn share(together: &[Rolling], rolling: Rolling, rise: impl Fn(Rolling) -> f64) -> f64 {
+    let squares: f64 = together.iter().map(|wheel| rise(*wheel).powi(2)).sum();
+    rise(rolling).powi(2) / squares
 }
 
 impl<N: Number> Wheel<N> {

@@ -107,8 +107,8 @@ catalogue! {
     ROLL_RATE: "roll rate of the axle" {
         name: "roll_rate",
         sign: "positive where the springs push back",
-        definition: "of springs and bars together, the drives of both wheels moving opposite ways: sum rate (ds/dp)^2 - F d2s/dp2 \
-                     with p the angle of the line through the wheel centres in the front view",
+        definition: "of springs and bars together, the left wheel centre rising as fast as the right one falls: sum rate \
+                     (ds/dp)^2 - F d2s/dp2 with p the angle of the line through the wheel centres in the front view",
         source: "virtual work; without the tyres",
         shown: Shown::InTables,
         read: |names| sprung::of_roll(names, |sprung| sprung.rate),

@@ -2,14 +2,14 @@
 
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::sprung::of_wheels;
+use crate::quantities::sprung::{of_heave, of_wheels};
 
 catalogue! {
     SPRING_LOAD: "load on the springs at the wheel" {
         name: "spring_load",
         sign: "positive where springs press the wheel down",
         definition: "what all springs of the file bear of a vertical force at the wheel centre in travel, the other drives held: \
-                     -sum F ds/dz of their measures s, F = load - rate (s - s_design)",
+                     -sum F ds/dz of their measures s, F = load - rate (s - s_design); wheels that one drive moves share it",
         source: "virtual work",
         shown: Shown::InTables,
         read: |names| of_wheels(names, Kind::Force, |sprung| sprung.force),
@@ -18,9 +18,18 @@ catalogue! {
         name: "wheel_rate",
         sign: "positive where the springs push back",
         definition: "the derivative of spring_load with respect to the height of the wheel centre, the other drives held: sum rate \
-                     (ds/dz)^2 - F d2s/dz2",
+                     (ds/dz)^2 - F d2s/dz2; an anti-roll bar has its part in it, as the other wheel is held: see heave_rate",
         source: "Milliken 1995, chapter 16, with the change of the motion ratio",
         shown: Shown::InTables,
         read: |names| of_wheels(names, Kind::Stiffness, |sprung| sprung.rate),
+    }
+    HEAVE_RATE: "wheel rate in heave" {
+        name: "heave_rate",
+        sign: "positive where the springs push back",
+        definition: "of an axle whose wheels have drives of their own, the wheel rate of each wheel where both centres rise alike, half of \
+                     that of the axle: what ride frequencies follow from, without the anti-roll bar",
+        source: "virtual work",
+        shown: Shown::InTables,
+        read: |names| of_heave(names, |sprung| sprung.rate),
     }
 }

@@ -1,0 +1,81 @@
+//! The states that springs need: wheels that move up and down alone, and both of an axle together.
+
+use nalgebra::{Matrix2, Vector2};
+use suspension_core::{Signal, Values};
+
+use crate::mechanism::around::Around;
+use crate::mechanism::names::Suspension;
+use crate::mechanism::state::{Moved, Movement};
+use crate::mechanism::vehicle::Pair;
+
+impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
+    /// See [`State::moved`](crate::mechanism::State::moved).
+    pub(super) fn along_travel(&self) -> Vec<Moved> {
+        let names = &self.mechanism.names;
+        if names.vehicle.springs.is_empty() {
+            return Vec::new();
+        }
+        let alone = names.vehicle.travel.iter().map(|drive| {
+            let movement = Movement::Travel(*drive);
+            Some((movement, self.along_drive(*drive)?))
+        });
+        let pairs = Pair::all(&names.wheels).into_iter();
+        let together = pairs.flat_map(|Pair { wheels, .. }| {
+            let both = [Movement::Heave(wheels), Movement::Roll(wheels)];
+            both.map(|movement| Some((movement, self.along_both(wheels, movement)?)))
+        });
+        let moved = alone.chain(together).flatten();
+        let state = |(movement, points)| Moved {
+            movement,
+            state: self.mechanism.state(0.0, &self.drives, &points),
+        };
+        moved.map(state).collect()
+    }
+
+    fn along_drive(&self, drive: usize) -> Option<Signal<L::Points>> {
+        let change = L::Drives::from_values([]).with(drive, 1.0);
+        self.directions?.points(change).ok()
+    }
+
+    /// As the drives of travel of two wheels move them so that their centres rise at rates of one, the right one's negative in
+    /// roll, and without acceleration.
+    fn along_both(&self, wheels: [usize; 2], movement: Movement) -> Option<Signal<L::Points>> {
+        let wheels = wheels.map(|wheel| &self.mechanism.names.wheels[wheel]);
+        let [Some(a), Some(b)] = wheels.map(|wheel| wheel.travel) else {
+            return None;
+        };
+        if a == b {
+            return None;
+        }
+        let centres = wheels.map(|wheel| wheel.points.axis[1]);
+        let axes = self.mechanism.axes;
+        let rises = |points: &L::Points| {
+            let [left, right] = points.at(centres).map(|centre| axes.turned(centre).z);
+            Vector2::new(left, right)
+        };
+        let [of_a, of_b] = [self.derivatives.along(a)?, self.derivatives.along(b)?];
+        let [of_a, of_b] = [&of_a.direction.points, &of_b.direction.points];
+        let drives_of = Matrix2::from_columns(&[rises(of_a), rises(of_b)]).try_inverse()?;
+        let right = if matches!(movement, Movement::Roll(_)) {
+            -1.0
+        } else {
+            1.0
+        };
+        let rates = drives_of * Vector2::new(1.0, right);
+        let change = L::Drives::from_values([]);
+        let change = change.with(a, rates.x).with(b, rates.y);
+        let points = self.directions?.points(change).ok()?;
+        let second_rates = -drives_of * rises(&points.second_rate);
+        let curved = points
+            .second_rate
+            .values()
+            .zip(of_a.values())
+            .zip(of_b.values());
+        let second_rate =
+            curved.map(|((point, a), b)| point + a * second_rates.x + b * second_rates.y);
+        Some(Signal {
+            second_rate: L::Points::from_values(second_rate),
+            ..points
+        })
+    }
+}
