@@ -7,6 +7,7 @@ mod site;
 use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Vector3};
+use suspension_core::listing::{Kind, Parts};
 use suspension_runtime::{Listing, Statement};
 
 use crate::kinematics::Kinematics;
@@ -65,6 +66,8 @@ pub struct Structure<'l> {
     /// They, in the order of their equations.
     pub statements: Vec<Statement<'l>>,
     groups: Vec<Vec<Range<usize>>>,
+    /// How many chassis points there are, the first of all points.
+    chassis: usize,
     /// Markers with three points of the body that carries each.
     carriers: Vec<(usize, [usize; 3])>,
 }
@@ -79,6 +82,7 @@ impl<'l> Structure<'l> {
         Self {
             groups: groups.collect(),
             carriers: listing.carriers(),
+            chassis: listing.count(Kind::ChassisPoint),
             statements,
         }
     }
@@ -146,10 +150,26 @@ impl<'l> Structure<'l> {
         for force in own {
             by[force.point] += force.force;
         }
+        if statement.kind == "hinge" {
+            let points = statement.points.iter().copied();
+            let axis: Vec<usize> = points.filter(|point| *point < self.chassis).collect();
+            if let [first, second] = *axis {
+                share_along(&mut by, [first, second], at);
+            }
+        }
         let joints = statement.points.iter();
         let joints = joints.map(|point| (number, *point, by[*point]));
         outcome.joints.extend(joints);
     }
+}
+
+/// What two bushes on the axis of a hinge bear along it is not determined by rigid parts: each has half of it.
+fn share_along(by: &mut [Vector3<f64>], ends: [usize; 2], at: &[Vector3<f64>]) {
+    let [first, second] = ends;
+    let axis = (at[second] - at[first]).normalize();
+    let apart = 0.5 * (by[second] - by[first]).dot(&axis);
+    by[first] += axis * apart;
+    by[second] -= axis * apart;
 }
 
 /// Work of a force per unit of a drive that is rounding alone, as a part of the force; the same of singular values.

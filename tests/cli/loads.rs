@@ -46,6 +46,31 @@ const GRID: [&str; 4] = [
     "steer=-0.02:0.02:3",
 ];
 
+/// What two bushes bear along their line is not determined: each has half, in whatever order the points are stated. An arm with
+/// its bushes 0.3 m before and behind its tip and a force of 1000 N forwards there, 0.45 m outboard.
+#[test]
+fn bushes_of_a_hinge_share_the_force_along_it() {
+    for order in ["tip, hub", "hub, tip"] {
+        let file = format!(
+            "unit = \"m\"\nstatements = \"\"\"\nfixed: front at [0.3, 0.3, 0.2], rear at [-0.3, 0.3, 0.2];\n\
+             free: tip at [0.0, 0.75, 0.2], hub at [0.2, 0.5, 0.25];\nhinge arm: front, rear -> {order};\n\
+             drive bump: tip.z;\n\"\"\"\ntime = {{ instants = [0.0] }}\ndrives = {{ bump = 0.2 }}\n\
+             [loads.a]\ntip = [1000.0, 0.0, 0.0]\n"
+        );
+        let row = &table(&file, &[])[0];
+        for (bush, expected) in [
+            ("front", [500.0, -750.0, 0.0]),
+            ("rear", [500.0, 750.0, 0.0]),
+        ] {
+            let found = force(row, &format!("a_arm_{bush}"));
+            assert!(
+                (found - Vector3::from(expected)).amax() < 1e-9,
+                "{order} {bush}: {found}"
+            );
+        }
+    }
+}
+
 /// The upright as a free body: what it exerts at its joints is what acts at the contact point, and it does not turn.
 #[test]
 fn a_body_passes_on_what_acts_at_its_contact_point() {
@@ -246,6 +271,10 @@ fn what_is_no_load_is_refused_with_its_place() {
         (
             "[loads.a]\nbump = \"dampr\"\n",
             "unknown measure `dampr`; known are damper, bar_arm; did you mean `damper`?",
+        ),
+        (
+            "[loads.\"../a\"]\ncontact = [0.0, 0.0, 1.0]\n",
+            "the name of a load case is part of names of files and columns; leave out `/`",
         ),
         (
             "[loads.a]\nbum = \"damper\"\n",

@@ -36,13 +36,12 @@ pub(super) fn rewritten(
             Some((place, Position::At(_))) => edits.push((place, coordinates(point))),
             // A marker goes with its point.
             Some((_, Position::Off(_))) => {}
-            None => added.push(format!("{name} = {}\n", coordinates(point))),
+            None => added.push(format!("{name} = {}", coordinates(point))),
         }
     }
     edits.extend(drives(source, file, mechanism, &tuned.drives));
-    let added = added.concat();
     if !added.is_empty() {
-        edits.push(addition(source, file, &added));
+        edits.push(addition(source.text(), file, &added));
     }
     edited(source.text(), edits)
 }
@@ -94,19 +93,42 @@ fn drives(
     edits.collect()
 }
 
-/// Lines behind the last point that the file states, or in a table of their own.
-fn addition(source: &Source, file: &MotionFile, lines: &str) -> (Range<usize>, String) {
-    let text = source.text();
-    let ends = file.points.get_ref().values().map(|point| point.span().end);
-    let Some(last) = ends.max() else {
-        let end = text.len();
-        let newline = if text.ends_with('\n') { "" } else { "\n" };
-        return (end..end, format!("{newline}\n[points]\n{lines}"));
+/// Points behind the last one that the file states, in the form of its table, or in a table of their own.
+fn addition(text: &str, file: &MotionFile, points: &[String]) -> (Range<usize>, String) {
+    let newline = if text.contains("\r\n") { "\r\n" } else { "\n" };
+    let lines = |before: &str| {
+        let lines = points
+            .iter()
+            .map(|point| format!("{before}{point}{newline}"));
+        lines.collect::<String>()
     };
-    let line_end = text[last..].find('\n').map(|end| last + end + 1);
-    let at = line_end.unwrap_or(text.len());
-    let newline = if line_end.is_none() { "\n" } else { "" };
-    (at..at, format!("{newline}{lines}"))
+    let table = file.points.span();
+    let stated = file.points.get_ref().values();
+    let last = stated.map(|point| point.span().end).max();
+    let written = &text[table.clone()];
+    let (at, new) = match (written.chars().next(), last) {
+        (None, _) => (
+            text.len(),
+            format!("{newline}[points]{newline}{}", lines("")),
+        ),
+        (Some('{'), Some(last)) => (last, format!(", {}", points.join(", "))),
+        (Some('{'), None) => (table.start + 1, format!(" {} ", points.join(", "))),
+        (Some('['), last) => (line_end(text, last.unwrap_or(table.end)), lines("")),
+        // Each point on its own: `points.ball = [...]`.
+        (_, last) => (
+            line_end(text, last.unwrap_or(table.end)),
+            lines(&format!("{written}.")),
+        ),
+    };
+    let is_behind_all = at == text.len() && !text.ends_with('\n');
+    let before = if is_behind_all { newline } else { "" };
+    (at..at, format!("{before}{new}"))
+}
+
+/// Where the next line begins.
+fn line_end(text: &str, place: usize) -> usize {
+    let end = text[place..].find('\n');
+    end.map_or(text.len(), |end| place + end + 1)
 }
 
 fn edited(text: &str, mut edits: Vec<(Range<usize>, String)>) -> String {

@@ -58,6 +58,11 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn case(&self, name: &Spanned<String>, loads: &Loads) -> Result<Case, Failure> {
+        let ends_names = |c: char| c.is_control() || ['/', '\\', ':'].contains(&c);
+        if name.get_ref().contains(ends_names) {
+            let message = "the name of a load case is part of names of files and columns; leave out `/`, `\\` and `:`";
+            return Err(self.source.refuse(&name.span(), message));
+        }
         let mut case = Case {
             name: name.get_ref().clone(),
             at: Vec::new(),

@@ -1,7 +1,7 @@
 //! The file that tuning writes, and what it must not write over.
 
 use super::super::program::{folder, run, text};
-use super::{DRIVES, FLAT, file, met, swept, target};
+use super::{DRIVES, FLAT, file, met, swept, target, tuned};
 
 /// Where a point of a drive is moved along it, the motion begins there.
 #[test]
@@ -81,6 +81,55 @@ by = [-0.05, 0.05]
 }
 
 /// Neither the listing that is read nor a file that was there is lost.
+#[test]
+fn points_are_added_in_the_form_that_the_file_has() {
+    for (stated, expected) in [
+        ("[points]\n# none yet\n", "[points]\ntie_ball = ["),
+        (
+            "[points] # of the catalogue",
+            "[points] # of the catalogue\ntie_ball = [",
+        ),
+        ("points = {}\n", "points = { tie_ball = ["),
+        (
+            "points = { rack = [0.11, 0.34, 0.2] }\n",
+            "points = { rack = [0.11, 0.34, 0.2], tie_ball = [",
+        ),
+        (
+            "points.rack = [0.11, 0.34, 0.2]\n",
+            "points.rack = [0.11, 0.34, 0.2]\npoints.tie_ball = [",
+        ),
+        ("", "within = 0.01\n\n[points]\ntie_ball = ["),
+    ] {
+        let heights =
+            "[tune.moves.ball]\npoints = [\"tie_ball\"]\nalong = \"z\"\nby = [-0.03, 0.03]\n";
+        let target =
+            "[tune.targets.toe]\nof = \"toe\"\nper = \"bump\"\nvalue = 1.0\nwithin = 0.01\n";
+        let tune = format!("{heights}{target}");
+        let whole = file("double_wishbone", "bump = 0.3\nsteer = 0.34", &tune);
+        let (head, rest) = whole.split_once("vehicle").expect("a vehicle");
+        let whole = match stated.starts_with('[') {
+            true => format!("{whole}{stated}"),
+            false => format!("{head}{stated}vehicle{rest}"),
+        };
+        for lines in ["\n", "\r\n"] {
+            let folder = folder();
+            let output = tuned(folder.path(), &whole.replace('\n', lines));
+            assert_eq!(output.status.code(), Some(0), "{stated}: {output:?}");
+            let written = std::fs::read_to_string(folder.path().join("a_tuned.toml"));
+            let written = written.expect("a file");
+            assert!(
+                written.contains(&expected.replace('\n', lines)),
+                "{written}"
+            );
+            assert_eq!(
+                written.matches('\n').count(),
+                written.matches(lines).count(),
+                "{written}"
+            );
+        }
+    }
+}
+
 #[test]
 fn what_is_there_is_not_replaced_unasked() {
     let folder = folder();
