@@ -168,11 +168,11 @@ fn messages_are_in_degrees() {
     let check = run(folder.path(), &["check", "a.toml"]);
     let report = text(&check.stdout);
     assert!(report.contains("theta = 90 deg"), "{report}");
-    assert!(report.contains(" deg above the design"), "{report}");
+    assert!(report.contains(" deg from the design"), "{report}");
     let locked = run(folder.path(), &["sweep", "a.toml", "--drive", "theta=80.0"]);
     assert_eq!(locked.status.code(), Some(3), "{locked:?}");
     assert!(
-        text(&locked.stderr).contains(" deg above the design (theta = 12"),
+        text(&locked.stderr).contains(" deg from the design (theta = 12"),
         "{locked:?}"
     );
     let beyond = run(folder.path(), &["assemblies", "a.toml", "--at", "200"]);

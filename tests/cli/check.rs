@@ -55,8 +55,8 @@ fn a_healthy_arm_is_told_as_it_is_by_hand() {
     assert!(told.contains(&expected), "{told}, {expected}");
     let ends = text(&output.stdout);
     for expected in [
-        "0.2 m below the design: turning point",
-        "0.8 m above the design: turning point",
+        "-0.2 m from the design: turning point",
+        "+0.8 m from the design: turning point",
     ] {
         assert!(ends.contains(expected), "{ends}");
     }
@@ -84,11 +84,11 @@ fn a_corner_has_its_locks_and_its_notes() {
     assert!(line(&output, "note").contains("wheel_radius is 300 m"));
     assert_eq!(text(&output.stderr), "", "notes are told once");
     let travel = line(&output, "bump");
-    assert!(travel.contains("0.1115 m below the design"), "{travel}");
+    assert!(travel.contains("-0.1115 m from the design"), "{travel}");
     assert!(travel.ends_with(": `pushrod` is too short"), "{travel}");
     let lines = text(&output.stdout).lines();
     let mut upper = lines.filter(|line| line.ends_with(": `pushrod` is too long"));
-    assert!(upper.any(|line| line.contains("0.1375 m above the design")));
+    assert!(upper.any(|line| line.contains("+0.1375 m from the design")));
     let steering = line(&output, "steer");
     assert!(steering.ends_with(": `tie_rod` is too short"), "{steering}");
 }

@@ -65,7 +65,7 @@ fn beyond_a_lock_the_curves_end_and_the_page_is_written() {
         "{message}"
     );
     assert!(
-        message.contains("the drive `bump` locks at 0.1375 m above the design"),
+        message.contains("the drive `bump` locks at +0.1375 m from the design"),
         "{message}"
     );
     assert!(

@@ -87,7 +87,11 @@ fn of_axle(linkage: &str, vehicle: &str) -> (std::collections::HashMap<String, f
 /// turns about its bushes, a live axle about the point where its links meet.
 #[test]
 fn wheels_that_move_each_other_bear_as_their_axle_does_in_heave() {
-    let (design, _) = of_axle("twist_beam", "wheel_radius = 0.29");
+    let (design, notes) = of_axle("twist_beam", "wheel_radius = 0.29");
+    assert!(
+        notes.contains("the chassis is taken to bear the torque of the drive, through shafts"),
+        "{notes}"
+    );
     // A bush is 0.46 m ahead of the contact point and 0.30 m above it.
     let lift = 100.0 * 0.30 / 0.46 * 0.4 * 2.5 / 0.5;
     let found = design["left_anti_lift_percent"];

@@ -83,7 +83,7 @@ fn places_beyond_a_lock_are_left_out_and_counted() {
         panic!("a lock either way: {message}");
     };
     assert!(
-        first.contains("above the design") && other.contains("below the design"),
+        first.contains(" at +") && other.contains(" at -"),
         "{message}"
     );
     let table = std::fs::read(folder.path().join("out/a_sweep.csv")).expect("a table");

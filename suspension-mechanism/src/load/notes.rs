@@ -9,7 +9,7 @@ use crate::load::outlier::Outlier;
 use crate::load::task::Task;
 use crate::load::unsatisfied::Unsatisfied;
 use crate::load::wrong_side::only_on_wrong_side;
-use crate::mechanism::{Instants, Length, Torque, Wheel};
+use crate::mechanism::{Instants, Length, Wheel};
 use crate::number::{number, rounded};
 
 /// No suspension is so large, in metres, nor so small.
@@ -48,7 +48,7 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     });
     let name = task.source.name();
     let notes = of_points.into_iter().chain(of_wheels).flatten();
-    let notes = notes.chain(lengths(task)).chain(drive_torque(task));
+    let notes = notes.chain(lengths(task));
     let of_outlier = outlier.map(|outlier| outlier.note(task.source));
     let notes = notes.map(|note| format!("{name}: {note}"));
     of_outlier.into_iter().chain(notes).collect()
@@ -210,18 +210,4 @@ fn length(task: &Task<'_>, name: &str, stated: f64, usual: Range<f64>) -> Option
         ),
     };
     Some(format!("{name} is {length} {symbol}: {doubt}"))
-}
-
-/// The drive's torque is taken to be borne by a body that carries several wheels.
-fn drive_torque(task: &Task<'_>) -> Option<String> {
-    let vehicle = task.file.vehicle.as_ref()?.get_ref();
-    let is_open = vehicle.drive_share.is_some() && vehicle.drive_torque.is_none();
-    let mut wheels = task.names.wheels.iter();
-    let is_of_axle =
-        |wheel: &Wheel| wheel.drive_share.is_some() && wheel.drive_torque == Torque::Carrier;
-    (is_open && wheels.any(is_of_axle)).then(|| {
-        "one body carries both driven wheels and is taken to have the differential in it and bear the torque of the drive; if that is \
-         so state drive_torque = \"carrier\" under [vehicle], of a de Dion axle \"chassis\""
-            .to_owned()
-    })
 }

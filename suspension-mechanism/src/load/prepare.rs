@@ -111,7 +111,8 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         None => Vec::new(),
     };
     let mut notes = notes(&task, &guess, &design.points, design.off, outlier.as_ref());
-    notes.extend(said_of_wheels::notes(&task, &design));
+    let sharing = sharing(&names, &design);
+    notes.extend(said_of_wheels::notes(&task, &design, &sharing));
     if to != Start::Design {
         notes.extend(short_of_stop(&task, instants));
     }
@@ -150,7 +151,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     };
     let drive_offsets = offsets.values().take(names.drives.len());
     let named = names.clone().with(springs, masses).designed(&points);
-    let named = named.sharing(&sharing(&names, &design));
+    let named = named.sharing(&sharing);
     columns::check(source, &named, file.unit())?;
     let description = Description {
         linkage: linkage.to_owned(),

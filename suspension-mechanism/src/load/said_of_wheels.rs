@@ -9,6 +9,7 @@ use crate::load::design::Design;
 use crate::load::task::Task;
 use crate::mechanism::{Axle, Suspension, Wheel};
 use crate::number::{number, rounded};
+use suspension_motion_file::Torque;
 
 /// How far the wheelbase may be off the distance of the axles, as a part of it.
 const OFF: f64 = 0.05;
@@ -19,13 +20,15 @@ const FAR: f64 = 10.0;
 /// The least turn of a wheel that is steered, times the suspension's size, against the fastest point.
 const STEERS: f64 = 1e-6;
 
-/// Notes on wheels, at the design.
+/// Notes on wheels, at the design; `sharing` says which of them move another one.
 pub(super) fn notes<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
+    sharing: &[bool],
 ) -> Vec<String> {
     let points: Vec<_> = design.points.values().collect();
-    let mut notes: Vec<String> = wheelbase(task, &points).into_iter().collect();
+    let of_car = wheelbase(task, &points).into_iter();
+    let mut notes: Vec<String> = of_car.chain(drive_torque(task, sharing)).collect();
     let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
     let names_travel = vehicle.is_some_and(|vehicle| vehicle.travel.is_some());
     let names_steer = vehicle.is_some_and(|vehicle| vehicle.steer.is_some());
@@ -108,4 +111,25 @@ fn unsteered(
         let wheel = wheel.title("wheel");
         format!("steer of the {wheel} is `{drive}`, which does not turn it: is it another drive?")
     })
+}
+
+/// What bears the torque of a driven axle whose wheels move each other, where the file leaves that open.
+fn drive_torque(task: &Task<'_>, sharing: &[bool]) -> Option<String> {
+    let vehicle = task.file.vehicle.as_ref()?.get_ref();
+    if vehicle.drive_share.is_none() || vehicle.drive_torque.is_some() {
+        return None;
+    }
+    let wheels = task.names.wheels.iter().zip(sharing);
+    let driven = |(wheel, shares): (&Wheel, &bool)| {
+        let is_on_one = wheel.drive_torque == Torque::Carrier;
+        (wheel.drive_share.is_some() && (is_on_one || *shares)).then_some(is_on_one)
+    };
+    let note = if wheels.filter_map(driven).next()? {
+        "one body carries both driven wheels and is taken to have the differential in it and bear the torque of the drive; if that is \
+         so state drive_torque = \"carrier\" under [vehicle], of a de Dion axle \"chassis\""
+    } else {
+        "the driven wheels move each other, and the chassis is taken to bear the torque of the drive, through shafts; if that is so state \
+         drive_torque = \"chassis\" under [vehicle], of a live axle with wheels on knuckles \"carrier\""
+    };
+    Some(note.to_owned())
 }

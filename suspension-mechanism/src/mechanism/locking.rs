@@ -80,12 +80,12 @@ impl Lock {
     }
 }
 
-/// A drive's change from the design position in words, as `at 0.0712 m above the design`.
+/// A drive's change from the design position in words, as `at +0.0712 m from the design`.
 pub fn from_design(change: f64, symbol: &str) -> String {
     const DIGITS: usize = 4;
-    let side = if change < 0.0 { "below" } else { "above" };
+    let sign = if change < 0.0 { "-" } else { "+" };
     format!(
-        "at {} {symbol} {side} the design",
+        "at {sign}{} {symbol} from the design",
         rounded(change.abs(), DIGITS)
     )
 }
