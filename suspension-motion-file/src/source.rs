@@ -16,6 +16,9 @@ const LARGEST: usize = 4 << 20;
 /// The longest part of a message that may quote the file, in characters.
 const LONGEST: usize = 400;
 
+/// The most mistakes of a file that are told at once.
+const MOST_MISTAKES: usize = 100;
+
 /// The characters at the end of a longer one that stay.
 const ENDING: usize = 100;
 
@@ -95,16 +98,22 @@ impl Source {
             .unwrap_or_else(|| format!("{}: {what}", self.place(span)))
     }
 
-    /// All failures at once: each with the line and the column of a place, counted from one, the number of its
+    /// All failures at once, the first of very many: each with the line and the column of a place, counted from one, the number of its
     /// characters, and what is wrong there.
     pub fn refuse_all<'a>(
         &self,
-        mistakes: impl Iterator<Item = (usize, usize, usize, &'a str)>,
+        mut mistakes: impl Iterator<Item = (usize, usize, usize, &'a str)>,
     ) -> Failure {
-        let each = mistakes.map(|(line, column, length, message)| {
+        let told = mistakes.by_ref().take(MOST_MISTAKES);
+        let told = told.map(|(line, column, length, message)| {
             self.message(&self.span(line, column, length), message)
         });
-        Failure::Input(each.collect::<Vec<_>>().join("\n"))
+        let mut told: Vec<String> = told.collect();
+        match mistakes.count() {
+            0 => {}
+            more => told.push(format!("{}: and {more} more mistakes", self.name)),
+        }
+        Failure::Input(told.join("\n"))
     }
 
     /// The place of characters of a line; the end of the text where there is no such line.
@@ -181,6 +190,15 @@ mod tests {
         assert!(message.starts_with("a.toml:1:1: \\u{1b}[31m\\né"));
         assert!(message.contains("é ... é") && message.chars().count() < 450);
         assert!(message.ends_with("é; did you mean `e`?"));
+    }
+
+    #[test]
+    fn of_very_many_mistakes_the_first_are_told() {
+        let source = Source::new("a.toml", "x = 1\n");
+        let mistakes = [(1, 1, 1, "wrong")].into_iter().cycle();
+        let told = source.refuse_all(mistakes.take(150)).to_string();
+        assert_eq!(told.lines().count(), 101);
+        assert!(told.ends_with("a.toml: and 50 more mistakes"), "{told}");
     }
 
     #[test]

@@ -16,9 +16,10 @@ pub enum Target {
 }
 
 impl From<PathBuf> for Target {
-    /// Standard output for `-`, else a file.
+    /// Standard output for `-` and its other names, else a file.
     fn from(path: PathBuf) -> Self {
-        if path.as_os_str() == "-" {
+        const STDOUT: [&str; 4] = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+        if STDOUT.iter().any(|name| path.as_os_str() == *name) {
             Self::Stdout
         } else {
             Self::File(path)

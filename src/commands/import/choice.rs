@@ -8,7 +8,7 @@ use suspension_listing::text;
 use suspension_runtime::{CatalogueAndFiles, Listing, Mistakes, catalogue};
 
 use super::hardpoints::{Hardpoint, Hardpoints};
-use super::names::Names;
+use super::names::{MOST_NAMES, Names, and_more};
 use super::stand_in::has_stand_in;
 
 /// A listing, with the points of the file that are its own.
@@ -101,13 +101,16 @@ impl<'a> Candidate<'a> {
         let is_found = |key: &str| self.found.iter().any(|(_, found)| found.key == key);
         let is_known = |key: &str| names.is_point(key) || is_found(key);
         let unknown = points.iter().filter(|point| !is_known(&point.key));
-        let each = unknown.map(|point| {
+        let mut unknown = unknown.peekable();
+        let told = unknown.by_ref().take(MOST_NAMES).map(|point| {
             let hint = nearest(&point.key, wanted.iter().copied());
             let hint = hint.map(|name| format!(", did you mean {name}?"));
             let line = stated.line(&point.place);
             format!("`{}` ({line}){}", point.name, hint.unwrap_or_default())
         });
-        match each.collect::<Vec<_>>().join("; ") {
+        let mut each: Vec<String> = told.collect();
+        each.extend(and_more(unknown.count()));
+        match each.join("; ") {
             none if none.is_empty() => none,
             each => format!("; not known: {each}"),
         }

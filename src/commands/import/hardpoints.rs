@@ -1,5 +1,6 @@
 //! What a hardpoint file says, whatever its format.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use clap::ValueEnum;
@@ -156,8 +157,9 @@ impl<'a> Hardpoints<'a> {
         let points = self.points.iter();
         let points = points.filter(|point| point.side.is_none_or(|other| other == side));
         let points: Vec<&Hardpoint> = points.collect();
-        for (index, point) in points.iter().enumerate() {
-            if let Some(first) = points[..index].iter().find(|first| first.key == point.key) {
+        let mut found = BTreeMap::new();
+        for point in &points {
+            if let Some(first) = found.insert(&point.key, point) {
                 let message = format!(
                     "point `{}` stands in {} already; leave one of them",
                     point.name,

@@ -82,6 +82,14 @@ fn spellings<'a>(
     [own].into_iter().chain(others)
 }
 
+/// The most points that are told by name.
+pub(super) const MOST_NAMES: usize = 40;
+
+/// How many others there are, where there are any.
+pub(super) fn and_more(others: usize) -> Option<String> {
+    (others > 0).then(|| format!("and {others} more"))
+}
+
 /// A name in small letters, `_` between words.
 pub(super) fn spelled(name: &str) -> String {
     let words = name.split(|c: char| !c.is_alphanumeric());

@@ -6,6 +6,7 @@ use suspension_listing::did_you_mean::nearest;
 use super::choice::Choice;
 use super::hardpoints::Hardpoint;
 use super::imported::Imported;
+use super::names::{MOST_NAMES, and_more};
 use super::orientation::Orientation;
 use crate::layouts::first_sentence;
 use crate::load::only_on_wrong_side;
@@ -69,9 +70,12 @@ impl Imported<'_> {
             found.any(|(_, used)| std::ptr::eq(*used, **point))
         };
         let unused = self.points.iter().filter(|point| !is_used(point));
-        let unused: Vec<String> = unused.map(|point| self.unused(point)).collect();
-        if !unused.is_empty() {
-            remarks.push(format!("not used: {}", unused.join(", ")));
+        let mut unused = unused.peekable();
+        if unused.peek().is_some() {
+            let told = unused.by_ref().take(MOST_NAMES);
+            let mut told: Vec<String> = told.map(|point| self.unused(point)).collect();
+            told.extend(and_more(unused.count()));
+            remarks.push(format!("not used: {}", told.join(", ")));
         }
         remarks
     }
