@@ -18,8 +18,8 @@ pub fn flag() -> &'static AtomicBool {
     &INTERRUPTED
 }
 
-/// From now on signals set the [`flag`], and a file that grows beyond its limit is an error of the write
-/// and no longer the end of the program.
+/// From now on signals set the [`flag`], but for a hang-up under `nohup`, and a file that grows beyond its limit is an error of the
+/// write and no longer the end of the program.
 ///
 /// # Errors
 ///
@@ -31,10 +31,22 @@ pub fn catch_signals() -> io::Result<()> {
     #[cfg(unix)]
     {
         use signal_hook::consts::{SIGHUP, SIGXFSZ};
-        register(SIGHUP, Arc::clone(&INTERRUPTED))?;
+        if !is_ignored(SIGHUP) {
+            register(SIGHUP, Arc::clone(&INTERRUPTED))?;
+        }
         register(SIGXFSZ, Arc::default())?;
     }
     Ok(())
+}
+
+/// Whether who started the program wants it to go on in spite of a signal; known on Linux.
+#[cfg(unix)]
+fn is_ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mut lines = status.lines();
+    let ignored = lines.find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    ignored.is_some_and(|mask| mask & (1 << (signal - 1)) != 0)
 }
 
 /// Does what waits until another program comes, as opening a FIFO does. The wait itself goes on where the

@@ -1,7 +1,7 @@
 //! A user who has enough.
 
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::time::Duration;
 
 use super::program::{CORNER, command, edited, example, folder, text};
@@ -75,13 +75,23 @@ fn interrupted_by(signal: &str, folder: &Path, arguments: &[&str]) -> Output {
         .stderr(Stdio::piped())
         .spawn()
         .expect("the program runs");
-    std::thread::sleep(Duration::from_millis(500));
-    let sent = Command::new("kill")
-        .args([signal, &child.id().to_string()])
-        .status();
-    assert!(sent.expect("a signal").success());
+    ended(child, &[signal])
+}
+
+/// The end of a program that is sent signals.
+#[cfg(unix)]
+fn ended(mut child: Child, signals: &[&str]) -> Output {
+    for signal in signals {
+        std::thread::sleep(Duration::from_millis(500));
+        let has_ended = child.try_wait().expect("a state").is_some();
+        assert!(!has_ended, "before {signal}");
+        let sent = Command::new("kill")
+            .args([signal, &*child.id().to_string()])
+            .status();
+        assert!(sent.expect("a signal").success());
+    }
     let output = child.wait_with_output().expect("the program ends");
-    assert_eq!(output.status.code(), Some(130), "{signal} {output:?}");
+    assert_eq!(output.status.code(), Some(130), "{signals:?} {output:?}");
     assert!(text(&output.stderr).contains("interrupted"));
     output
 }
@@ -89,7 +99,7 @@ fn interrupted_by(signal: &str, folder: &Path, arguments: &[&str]) -> Output {
 #[cfg(unix)]
 #[test]
 fn a_signal_to_end_keeps_whole_rows() {
-    for signal in ["-INT", "-TERM", "-HUP"] {
+    for signal in ["-INT", "-TERM"] {
         let folder = folder();
         let output = ended_by(signal, folder.path(), &["--csv", "long.csv"]);
         let table = std::fs::read(folder.path().join("long.csv")).expect("a table");
@@ -101,6 +111,31 @@ fn a_signal_to_end_keeps_whole_rows() {
         assert!(text(&output.stderr).contains(&kept), "{output:?}");
         let files = std::fs::read_dir(folder.path()).expect("a folder").count();
         assert_eq!(files, 2, "{signal}: nothing temporary is left");
+    }
+}
+
+/// A hang-up ends it, but not under `nohup`. (Who runs the tests may ignore hang-ups.)
+#[cfg(target_os = "linux")]
+#[test]
+fn a_hang_up_ends_it_unless_it_is_ignored() {
+    let folder = folder();
+    let long = "start = 0.0\nstop = 1.9\nstep = 5e-7";
+    std::fs::write(folder.path().join("long.toml"), edited("instants", long)).expect("written");
+    for (mode, signals) in [
+        ("--default-signal=HUP", &["-HUP"][..]),
+        ("--ignore-signal=HUP", &["-HUP", "-INT"]),
+    ] {
+        let child = Command::new("env")
+            .arg(mode)
+            .arg(command(folder.path()).get_program())
+            .args(["motion", "long.toml", "--csv", "-"])
+            .current_dir(folder.path())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program runs");
+        let output = ended(child, signals);
+        assert!(text(&output.stderr).contains("interrupted"), "{output:?}");
     }
 }
 
