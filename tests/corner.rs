@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::linkage::Designed;
 use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Lengths, Model, Points};
-use suspension_core::{Build, Signal, Values};
+use suspension_core::{Build, Signal, Values, linkage};
 use suspension_runtime::Listing;
 
 fn design() -> Corner {
@@ -218,4 +218,45 @@ fn a_failure_is_a_sentence_for_debuggers_too() {
         .step(1.0, Signal::still(far))
         .expect_err("out of reach");
     assert_eq!(format!("{failure:?}"), failure.to_string());
+}
+
+linkage! {
+    /// A point on two links, and a chassis point that is driven and only measured.
+    mod measured {
+        fixed: left at [-3.0, 0.0, 0.0], right at [3.0, 0.0, 0.0], gauge at [0.0, 0.0, 9.0];
+        free:  top at [0.0, 4.0, 0.0];
+        link one: left -> top;
+        link two: right -> top;
+        drive height: top.z;
+        drive slide: gauge.x;
+        measure span: length(top -> gauge);
+    }
+}
+
+/// No residual has it: its drive is refused by name, and the corner stays.
+#[test]
+fn a_drive_that_only_a_measure_reads_must_be_finite() {
+    let mut corner: measured::Corner = measured::Corner::design().expect("a design");
+    let start = corner.drives();
+    let span = corner.measures().value.span;
+    for slide in [f64::NAN, f64::INFINITY] {
+        let wrong = measured::Drives { slide, ..start };
+        let rate = measured::Drives { slide, height: 0.0 };
+        let by_value = Signal::still(wrong);
+        let by_rate = Signal {
+            rate,
+            ..Signal::still(start)
+        };
+        for drives in [by_value, by_rate] {
+            for answer in [
+                corner.step(0.1, drives),
+                corner.advance_to(0.1, drives),
+                corner.advance(0.1, |_| drives),
+            ] {
+                let said = answer.expect_err("not finite").to_string();
+                assert!(said.contains("drive `slide`"), "{said}");
+            }
+        }
+    }
+    assert_eq!((corner.measures().value.span, corner.time()), (span, 0.0));
 }

@@ -4,6 +4,7 @@ use crate::assemble::assemble;
 use crate::directions::Directions;
 use crate::error::{Failure, GeometryError, SolveError};
 use crate::linkage::{Build, Designed, Linkage};
+use crate::listing::Part;
 use crate::motion::Motion;
 use crate::newton::Newton;
 use crate::report::Report;
@@ -119,9 +120,30 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
     }
 }
 
+/// Refuses drives that are NaN or infinite: one that moves a point which measures alone read reaches no residual.
+fn check_finite<T: Real, D: Values<T>>(drives: &Signal<D>, reached: T) -> Result<(), Stopped<T>> {
+    let rates = drives.rate.values().zip(drives.second_rate.values());
+    let mut each = drives.value.values().zip(rates);
+    let is_finite = |(value, (rate, second_rate)): (T, (T, T))| {
+        value.is_finite() && rate.is_finite() && second_rate.is_finite()
+    };
+    match each.position(|drive| !is_finite(drive)) {
+        Some(drive) => {
+            let part = Part::Drive(drive);
+            Err(Stopped {
+                reached,
+                refused: Some((reached, SolveError::NotFinite { part })),
+            })
+        }
+        None => Ok(()),
+    }
+}
+
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
-    /// One step of length `dt`, not zero, to the values and rates of the drives at its end. Between both
-    /// ends they follow cubics; however far they lie from the last ones, no step crosses a lock. Velocities and
+    /// One step of length `dt`, not zero, to the values and rates of the drives at its end, however far they lie from
+    /// the last ones: to the assembly that a motion between both ends leads to, or to none where it locks. A step that is
+    /// too long is divided, and the drives follow cubics between its ends. What they do within a step that is not divided
+    /// is not looked at: drives that go beyond a lock and come back within one step are followed. Velocities and
     /// accelerations are those of the rates that are given: with [`Signal::still`] the wheel is at rest at the end,
     /// wherever it came from.
     ///
@@ -156,18 +178,19 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         drives: Signal<L::Drives>,
     ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
         let ends = [&Inputs::still(self.drives), &Inputs::still(drives)];
-        let stepped = self
-            .tracker
-            .step_between(&self.model, ends, dt, &mut self.motion);
+        let stepped = check_finite(&drives, T::zero()).and_then(|()| {
+            let motion = &mut self.motion;
+            self.tracker.step_between(&self.model, ends, dt, motion)
+        });
         let report = stepped.map_err(|stopped| stopped.named(self.model.listing()))?;
         self.drives = drives;
         self.time += dt;
         Ok(report)
     }
 
-    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed. That is a time as
-    /// [`Corner::time`] has it, no duration: where the corner stands there already it stays. The
-    /// functions continue from where the corner stands: a jump at the start may be refused, which
+    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed: what they do within
+    /// a step is not looked at. That is a time as [`Corner::time`] has it, no duration: where the corner stands
+    /// there already it stays. The functions continue from where the corner stands: a jump at the start may be refused, which
     /// [`Corner::step`] would follow.
     ///
     /// # Errors
@@ -183,9 +206,10 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         let (from, start) = (self.time, self.drives);
         let at = |time: T| if time == from { start } else { drives(time) };
         let inputs = |time| Inputs::still(at(time));
-        let advanced = self
-            .tracker
-            .advance(&self.model, inputs, from, to, &mut self.motion);
+        let advanced = check_finite(&at(to), from).and_then(|()| {
+            let motion = &mut self.motion;
+            self.tracker.advance(&self.model, inputs, from, to, motion)
+        });
         self.time = match &advanced {
             Ok(_) => to,
             Err(stopped) => stopped.reached,
@@ -207,10 +231,11 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         drives: Signal<L::Drives>,
     ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
         let (mut inputs, to) = (Inputs::still(self.drives), Inputs::still(drives));
-        let motion = &mut self.motion;
-        let advanced = self
-            .tracker
-            .advance_between(&self.model, &mut inputs, &to, dt, motion);
+        let advanced = check_finite(&drives, T::zero()).and_then(|()| {
+            let motion = &mut self.motion;
+            self.tracker
+                .advance_between(&self.model, &mut inputs, &to, dt, motion)
+        });
         self.drives = inputs.drives;
         self.time += match &advanced {
             Ok(_) => dt,
