@@ -69,7 +69,7 @@ impl<'a> Draft<'a> {
     /// Of both corners, the left one first.
     pub(super) fn of_axle(sides: [&'a Imported<'_>; 2], axle: &Axle, listing: &'a Listing) -> Self {
         let mut points: Vec<[String; 3]> = axle.housing(sides[0]).into_iter().collect();
-        let mut remarks = vec!["both corners are here, as an axle".to_owned()];
+        let mut remarks = vec!["the motion file has an axle, both corners".to_owned()];
         for (side, before) in sides.into_iter().zip(["left_", "right_"]) {
             let corner = corner(side, before);
             points.extend(corner.0);

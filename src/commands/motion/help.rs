@@ -99,7 +99,7 @@ const FILE: &str = r#"The file:
                                      # of several axles { front = 0.30, rear = 0.31 }
   travel = "bump"                    # the drive that moves the wheel up and down; of several wheels one each,
                                      # { left = "bump_left", right = "bump_right" }; if left out, the drive
-                                     # named bump_left for the wheel left, or the one named bump
+                                     # named bump_left or left_bump for the wheel left, or bump
   steer = "steer"                    # the drive that steers it, likewise; if left out, steer_left or steer
   wheelbase = 2.6                    # in the unit: Ackermann, turning circle
   axle = "front"                     # or "rear": with wheelbase and the next three anti-dive, anti-lift, anti-squat

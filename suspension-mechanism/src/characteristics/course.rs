@@ -49,7 +49,7 @@ impl Course {
             courses.push(Self {
                 title: of_axle("heave"),
                 kind: TRAVEL,
-                moved: format!("change of {first} and {second}"),
+                moved: format!("{first} and {second}, both upwards"),
                 drives: vec![(a, up_a), (b, up_b)],
             });
             courses.push(Self {

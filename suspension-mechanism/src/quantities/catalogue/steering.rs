@@ -51,7 +51,7 @@ catalogue! {
     VIRTUAL_PITCH: "pitch of the virtual steering axis" {
         name: "virtual_pitch",
         sign: "positive where the carrier moves up the axis as it turns left",
-        definition: "how far the carrier moves along the screw axis for a radian about it; zero where steering moves no \
+        definition: "how far the carrier moves along the screw axis for a unit of angle about it; zero where steering moves no \
                      ball joint of the kingpin",
         source: "omega . v / |omega|^2",
         shown: Shown::InTables,
