@@ -145,7 +145,8 @@ front points inboard, dive where the top moves forward, X forward; LAT is positi
 CarSim 2021; hold the signs of toe and dive against your version.
 
 CarMaker: a suspension of Kind = Linear2D, each row its value at the design position and its derivatives by compression and by the
-rack, positive where it turns the wheel to the left, in m and rad; tx, ty, tz are the movement of the wheel centre, rx, ry, rz rotations. Measures whose names have
+rack, positive where it turns the wheel to the left, in m and rad; tx, ty, tz are the movement of the wheel centre, rx,
+ry, rz rotations about z, then x, then y: rz is toe and rx camber, with the signs of rotations. Measures whose names have
 the word spring, damper, or bar are lSpring, lDamp, lStabi.
 
 Neither has compliance: bushings and forces are outside the model. Of a rigid axle both wheels would have to be inputs, which

@@ -2,8 +2,8 @@
  * Listings of a suspension from text, as `linkage!` and motion files have them, in double: read, given
  * hardpoints and moved. For hosted systems.
  *
- * Memory    `susp_listing_parse` and `susp_corner_new` make objects on the heap, which the functions
- *           `_destroy` free: each object once, which is not checked, as an object that was destroyed is
+ * Memory    `susp_listing_parse`, `susp_corner_new` and `susp_corner_copy` make objects on the heap, which
+ *           the functions `_destroy` free: each object once, which is not checked, as an object that was destroyed is
  *           no object any more. No other function allocates or frees anything.
  * Arrays    of double in the order of the listing's names, with how many numbers they have: any other
  *           count is answered by SUSP_ERROR_SIZE. Points are x, y, z of each. With rates an array
@@ -86,6 +86,12 @@ susp_status susp_corner_new(
         size_t count,
         susp_corner **corner,
         susp_f64_failure *failure);
+
+/** Makes a copy of a suspension, which stands as it does and goes on by itself: with it a state is saved, before a
+ * lock say. */
+susp_status susp_corner_copy(
+        const susp_corner *corner,
+        susp_corner **copy);
 
 /** Frees a suspension; NULL is none. */
 susp_status susp_corner_destroy(

@@ -23,7 +23,7 @@ pub type Listing = Object<parsed::Parsed, { tag("susp_listing") }>;
 pub type Corner = Object<placed::Placed, { tag("susp_corner") }>;
 
 pub use corner::{
-    corner_add_masses, corner_advance, corner_destroy, corner_drives, corner_new,
+    corner_add_masses, corner_advance, corner_copy, corner_destroy, corner_drives, corner_new,
     corner_read_derivatives, corner_read_kingpin, corner_read_kingpin_at, corner_read_loads,
     corner_read_measures, corner_read_points, corner_read_rotation, corner_read_rotation_at,
     corner_read_wheel, corner_read_wheel_at, corner_step, corner_time,
@@ -62,8 +62,8 @@ pub(crate) const INTERFACE: Interface = Interface {
         " Listings of a suspension from text, as `linkage!` and motion files have them, in double: read, given",
         " hardpoints and moved. For hosted systems.",
         "",
-        " Memory    `susp_listing_parse` and `susp_corner_new` make objects on the heap, which the functions",
-        "           `_destroy` free: each object once, which is not checked, as an object that was destroyed is",
+        " Memory    `susp_listing_parse`, `susp_corner_new` and `susp_corner_copy` make objects on the heap, which",
+        "           the functions `_destroy` free: each object once, which is not checked, as an object that was destroyed is",
         "           no object any more. No other function allocates or frees anything.",
         " Arrays    of double in the order of the listing's names, with how many numbers they have: any other",
         "           count is answered by SUSP_ERROR_SIZE. Points are x, y, z of each. With rates an array",

@@ -153,6 +153,40 @@ fn a_step_stays_and_an_advance_keeps_what_it_has_got_to() {
     assert!((0.05..0.45).contains(&goes.time()), "{}", goes.time());
 }
 
+/// A copy goes on with the same bits, also where the original has gone on or is gone.
+#[test]
+fn a_copy_goes_on_by_itself() {
+    let listing = pushrod();
+    let mut corner = listing.place(&listing.design()).expect("a corner");
+    let [bump, steer] = corner.drives();
+    corner
+        .step([bump + 0.02, steer], true)
+        .expect("within reach");
+    let mut copy = corner.copied();
+    let mut other = corner.copied();
+    drop(listing);
+    corner
+        .step([bump + 0.9, steer], false)
+        .expect_err("beyond a lock");
+    drop(corner);
+    for corner in [&mut copy, &mut other] {
+        assert_eq!(
+            (corner.time(), corner.drives()),
+            (0.5, [bump + 0.02, steer])
+        );
+        corner
+            .step([bump, steer + 0.01], true)
+            .expect("within reach");
+    }
+    let points = |corner: &text::Moving| {
+        let mut points = [0.0; 9 * 20];
+        let status = listing::corner_read_points(corner.get(), to(&mut points), 9 * 20);
+        assert_eq!(status, Status::Ok);
+        points
+    };
+    assert_eq!(points(&copy), points(&other));
+}
+
 #[test]
 fn kingpin_rotation_and_measures_are_those_of_the_corner() {
     let mut corner = placed();

@@ -91,34 +91,40 @@ fn tables_over_jounce_are_the_changes_that_a_sweep_has() {
 /// On both sides, against differences.
 #[test]
 fn a_linear_suspension_has_the_derivatives_of_differences() {
-    let axle = "linkage = \"steered_axle\"\nunit = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nbump_left = 0.3\nbump_right = 0.3\nsteer = 0.34\n";
     const STEP: f64 = 1e-4;
-    let around = |drive: &str| {
-        let table = swept(axle, &format!("{drive}=-{STEP}:{STEP}:3"));
-        move |name: &str| (table[2][name] - table[0][name]) / (2.0 * STEP)
-    };
-    let (heave, steer) = (around("bump_left,bump_right"), around("steer"));
-    for (wheel, side) in [("left", 1.0), ("right", -1.0)] {
-        let found = carmaker_rows(&tables(axle, &["carmaker", "--wheel", wheel]));
-        let point = |axis: &str| format!("{wheel}_wheel_centre_{axis}");
-        let angle = |name: &str| format!("{wheel}_{name}_rad");
-        for (row, name, sign) in [
-            ("tx", point("x"), 1.0),
-            ("ty", point("y"), 1.0),
-            ("tz", point("z"), 1.0),
-            ("rx", angle("camber"), -side),
-            ("rz", angle("toe"), -side),
-        ] {
-            let [_, per_compression, per_steer] = found[row];
-            let expected = [sign * heave(&name), sign * steer(&name)];
-            assert!(
-                (per_compression - expected[0]).abs() < 1e-5,
-                "{wheel} {row}: {found:?} {expected:?}"
-            );
-            assert!(
-                (per_steer - expected[1]).abs() < 1e-4,
-                "{wheel} {row}: {found:?} {expected:?}"
-            );
+    let upright = "linkage = \"steered_axle\"\nunit = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nbump_left = 0.3\nbump_right = 0.3\nsteer = 0.34\n";
+    // With camber and toe at the design position rotations are no angles.
+    let leaning = format!(
+        "{upright}[points]\nleft_axle = [0.002, 0.65, 0.293]\nright_axle = [0.002, -0.65, 0.293]\n"
+    );
+    for axle in [upright, &leaning] {
+        let around = |drive: &str| {
+            let table = swept(axle, &format!("{drive}=-{STEP}:{STEP}:3"));
+            move |name: &str| (table[2][name] - table[0][name]) / (2.0 * STEP)
+        };
+        let (heave, steer) = (around("bump_left,bump_right"), around("steer"));
+        for (wheel, side) in [("left", 1.0), ("right", -1.0)] {
+            let found = carmaker_rows(&tables(axle, &["carmaker", "--wheel", wheel]));
+            let point = |axis: &str| format!("{wheel}_wheel_centre_{axis}");
+            let angle = |name: &str| format!("{wheel}_{name}_rad");
+            for (row, name, sign) in [
+                ("tx", point("x"), 1.0),
+                ("ty", point("y"), 1.0),
+                ("tz", point("z"), 1.0),
+                ("rx", angle("camber"), -side),
+                ("rz", angle("toe"), -side),
+            ] {
+                let [_, per_compression, per_steer] = found[row];
+                let expected = [sign * heave(&name), sign * steer(&name)];
+                assert!(
+                    (per_compression - expected[0]).abs() < 1e-5,
+                    "{wheel} {row}: {found:?} {expected:?}"
+                );
+                assert!(
+                    (per_steer - expected[1]).abs() < 1e-4,
+                    "{wheel} {row}: {found:?} {expected:?}"
+                );
+            }
         }
     }
     let metres = carmaker_rows(&tables(CORNER, &["carmaker"]));

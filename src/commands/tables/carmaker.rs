@@ -48,7 +48,7 @@ pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String
         row(name, 0.0, &|rates| rates.velocity[index]);
     }
     for (index, name) in ["rx", "ry", "rz"].into_iter().enumerate() {
-        row(name, turned[index], &|rates| rates.omega[index]);
+        row(name, turned[index], &|rates| rates.angles[index]);
     }
     for (name, words) in LENGTHS {
         let measures = mechanism.names.measures.iter().enumerate();

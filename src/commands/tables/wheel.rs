@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::Vector3;
 use suspension_core::body::{angular_velocity, pose};
 use suspension_core::listing::DriveKind;
-use suspension_core::wheel::{camber, toe};
+use suspension_core::wheel::{camber, camber_rate, steer_rate, toe};
 
 use crate::characteristics::Along;
 use crate::kinematics::Kinematics;
@@ -45,8 +45,9 @@ pub(super) struct Change {
 pub(super) struct Rates {
     /// Of the wheel centre.
     pub(super) velocity: Vector3<f64>,
-    /// Of the carrier.
-    pub(super) omega: Vector3<f64>,
+    /// Of the carrier: about x, y and z, by turns about z, then x, then the spin axis. The first is that of camber, the last one
+    /// that of toe.
+    pub(super) angles: Vector3<f64>,
     /// Of the measures.
     pub(super) measures: Vec<f64>,
 }
@@ -56,7 +57,7 @@ impl Rates {
     fn times(&self, factor: f64) -> Self {
         Self {
             velocity: self.velocity * factor,
-            omega: self.omega * factor,
+            angles: self.angles * factor,
             measures: self.measures.iter().map(|rate| rate * factor).collect(),
         }
     }
@@ -65,7 +66,7 @@ impl Rates {
         let measures = self.measures.iter().zip(&other.measures);
         Self {
             velocity: self.velocity + other.velocity,
-            omega: self.omega + other.omega,
+            angles: self.angles + other.angles,
             measures: measures.map(|(a, b)| a + b).collect(),
         }
     }
@@ -123,7 +124,7 @@ impl Wheel {
         let (design, of_travel, of_steer) = visited.places.into_iter().flatten().next()??;
         let per_compression = of_travel.times(1.0 / of_travel.velocity.z);
         let at_height = |steer: Rates| steer.plus(&per_compression.times(-steer.velocity.z));
-        let to_the_left = |steer: Rates| steer.times(steer.omega.z.signum());
+        let to_the_left = |steer: Rates| steer.times(steer.angles.z.signum());
         let design = Points::of(wheel, &design, metre);
         let reached = travel.visited.places.iter().flatten();
         let changes =
@@ -165,15 +166,29 @@ fn rates(
     metre: f64,
 ) -> Option<Rates> {
     let velocities = &state.moved_by(drive)?.value;
-    let [_, centre] = wheel.points.axis;
     let turned = |vectors: &[Vector3<f64>], point: usize| state.axes.turned(vectors[point]);
+    let [inner, centre] = wheel.points.axis;
+    let at_axis = [inner, centre].map(|point| turned(&state.points.value, point));
     let carrier = wheel.points.carrier;
     let at = carrier.map(|point| turned(&state.points.value, point));
     let moving = carrier.map(|point| turned(velocities, point));
     let omega = angular_velocity(&at, &moving)?;
     Some(Rates {
         velocity: turned(velocities, centre) / metre,
-        omega,
+        angles: angle_rates(&omega, &(at_axis[1] - at_axis[0])),
         measures: per.measures.rate.iter().map(|rate| rate / metre).collect(),
     })
+}
+
+/// The rates of the angles of a carrier that turns with `omega`: see [`Rates::angles`].
+fn angle_rates(omega: &Vector3<f64>, spin_axis: &Vector3<f64>) -> Vector3<f64> {
+    let axis_rate = omega.cross(spin_axis);
+    let side = spin_axis.y.signum();
+    let about_x = -side * camber_rate(spin_axis, &axis_rate);
+    let about_z = steer_rate(spin_axis, &axis_rate);
+    // Along x as toe has turned it, and along the spin axis to the left.
+    let ahead = Vector3::new(spin_axis.y, -spin_axis.x, 0.0).normalize() * side;
+    let left = spin_axis.normalize() * side;
+    let about_y = (omega - Vector3::z() * about_z - ahead * about_x).dot(&left);
+    Vector3::new(about_x, about_y, about_z)
 }

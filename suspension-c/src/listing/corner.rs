@@ -82,6 +82,16 @@ crate::functions! { "susp":
         })
     }
 
+    /// Makes a copy of a suspension, which stands as it does and goes on by itself: with it a state is saved, before a
+    /// lock say.
+    fn corner_copy(corner: In<Corner>, copy: Create<Corner>) -> Status {
+        answer(|| {
+            let (corner, copy) = (corner.object()?, copy.get()?);
+            copy.write(Object::on_heap(corner.copied()));
+            Ok(())
+        })
+    }
+
     /// Frees a suspension; NULL is none.
     fn corner_destroy(corner: Destroy<Corner>) -> Status {
         answer(|| corner.end())

@@ -1,5 +1,7 @@
 //! A suspension that moves, whatever the size of its model, over rows of numbers.
 
+use std::boxed::Box;
+
 use suspension_core::error::{Explain, Facts};
 use suspension_core::listing::Parts;
 use suspension_core::nalgebra::Vector3;
@@ -16,6 +18,11 @@ use crate::status::Status;
 /// What C asks of a suspension. Rows have the counts of the listing; those of drives, points and measures
 /// with rates are values, rates and second rates, one after the other.
 pub(super) trait Moving: Send + Sync {
+    /// The same once more.
+    fn copied<'a>(&self) -> Box<dyn Moving + 'a>
+    where
+        Self: 'a;
+
     /// See [`Corner::step`].
     fn step(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts>;
 
@@ -89,6 +96,16 @@ impl<const N: usize> Moving for Counted<'_, N>
 where
     Room<N>: Size,
 {
+    fn copied<'a>(&self) -> Box<dyn Moving + 'a>
+    where
+        Self: 'a,
+    {
+        Box::new(Self {
+            corner: self.corner,
+            counts: self.counts,
+        })
+    }
+
     fn step(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts> {
         let drives = signal(drives, self.counts.drives);
         let stepped = self.corner.step(dt, drives);

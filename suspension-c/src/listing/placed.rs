@@ -28,12 +28,20 @@ impl Placed {
             points,
         })?;
         // SAFETY: the types differ by the lifetime of what is borrowed alone. That is the content of an
-        // `Arc`, which neither moves nor changes and is kept longer than this, to which nobody else has
-        // access; what the methods of `Moving` answer borrows nothing.
+        // `Arc`, which neither moves nor changes and is kept longer than this and its copies, to which nobody
+        // else has access; what the methods of `Moving` answer borrows nothing else.
         let moving = unsafe {
             core::mem::transmute::<Box<dyn Moving + '_>, Box<dyn Moving + 'static>>(borrowing)
         };
         Ok(Self { moving, parsed })
+    }
+
+    /// The same once more, with the listing that both borrow.
+    pub(super) fn copied(&self) -> Self {
+        Self {
+            moving: self.moving.copied(),
+            parsed: Arc::clone(&self.parsed),
+        }
     }
 
     /// What moves, and its listing.

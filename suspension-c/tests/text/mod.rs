@@ -123,6 +123,10 @@ impl Moving {
         unsafe { InOut::from_raw(self.0) }
     }
 
+    pub(crate) fn copied(&self) -> Self {
+        Self(made(|copy| listing::corner_copy(self.get(), copy)).expect("a corner"))
+    }
+
     pub(crate) fn time(&self) -> f64 {
         made(|time| listing::corner_time(self.get(), time)).expect("a corner")
     }

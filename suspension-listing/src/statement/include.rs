@@ -36,10 +36,10 @@ pub(crate) const INCLUDE: Word = Word {
 };
 
 /// Words that stand where names do.
-const WORDS: [&str; 6] = ["at", "on", "along", "about", "length", "angle"];
+pub(super) const WORDS: [&str; 6] = ["at", "on", "along", "about", "length", "angle"];
 
 /// Axes, which stand behind a point's full stop, or last in parentheses: `angle(a -> b, z)`.
-const AXES: [&str; 3] = ["x", "y", "z"];
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A name of the catalogue, or a file's path in quotes.
 fn source(input: ParseStream<'_>) -> syn::Result<Source> {

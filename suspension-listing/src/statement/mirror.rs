@@ -7,6 +7,7 @@
 use proc_macro2::{Delimiter, Group, Punct, Spacing, TokenStream, TokenTree};
 use syn::{Error, Ident, Token};
 
+use super::include::{AXES, WORDS};
 use super::operands::arrow;
 use super::points::{FIXED, FREE};
 use super::word::Word;
@@ -21,6 +22,15 @@ pub(crate) const MIRROR: Word = Word {
     read: |head, input, listing| {
         input.parse::<Token![:]>()?;
         let sides = arrow(input)?;
+        let is_word = |side: &&Ident| WORDS.iter().chain(&AXES).any(|word| side == word);
+        if let Some(side) = sides.iter().find(is_word) {
+            return Err(errors::at(
+                side,
+                format!(
+                    "`{side}` is a word of statements; name the sides by other words, left and right"
+                ),
+            ));
+        }
         if listing.mirror.is_some() {
             return Err(stated_twice(&head.word));
         }

@@ -174,6 +174,19 @@ fn mistakes_have_the_places_of_what_is_mirrored() {
 
 /// The image of `y = z` is `-y = z`; the exchange of names would make `y = z` of it.
 #[test]
+fn sides_are_no_words_of_statements() {
+    for word in ["x", "z", "at", "length"] {
+        let text = format!("mirror: left -> {word};\nfixed: left_a;\n");
+        let message = text::parse(&text, "axle", &NoIncludes)
+            .unwrap_err()
+            .to_string();
+        let expected =
+            format!("axle:1:17: `{word}` is a word of statements; name the sides by other words");
+        assert!(message.contains(&expected), "{message}");
+    }
+}
+
+#[test]
 fn a_sum_of_y_with_other_coordinates_has_no_image() {
     for statement in [
         "couple left_wedge: left.y = tie_left.z;",

@@ -104,6 +104,15 @@ catalogue! {
         shown: Shown::InTables,
         read: |names| of_roll(names, |per_roll| per_roll.steer),
     }
+    HEAVE_RATE: "wheel rate in heave" {
+        name: "heave_rate",
+        sign: "positive where the springs push back",
+        definition: "of an axle whose wheels have drives of their own, the wheel rate of each wheel where both centres rise alike, half of \
+                     that of the axle: what ride frequencies follow from, without the anti-roll bar",
+        source: "virtual work",
+        shown: Shown::InTables,
+        read: |names| sprung::of_heave(names, |sprung| sprung.rate),
+    }
     ROLL_RATE: "roll rate of the axle" {
         name: "roll_rate",
         sign: "positive where the springs push back",

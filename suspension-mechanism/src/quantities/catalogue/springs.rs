@@ -2,7 +2,7 @@
 
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::sprung::{of_heave, of_wheels};
+use crate::quantities::sprung::of_wheels;
 
 catalogue! {
     SPRING_LOAD: "load on the springs at the wheel" {
@@ -22,14 +22,5 @@ catalogue! {
         source: "Milliken 1995, chapter 16, with the change of the motion ratio",
         shown: Shown::InTables,
         read: |names| of_wheels(names, Kind::Stiffness, |sprung| sprung.rate),
-    }
-    HEAVE_RATE: "wheel rate in heave" {
-        name: "heave_rate",
-        sign: "positive where the springs push back",
-        definition: "of an axle whose wheels have drives of their own, the wheel rate of each wheel where both centres rise alike, half of \
-                     that of the axle: what ride frequencies follow from, without the anti-roll bar",
-        source: "virtual work",
-        shown: Shown::InTables,
-        read: |names| of_heave(names, |sprung| sprung.rate),
     }
 }
