@@ -121,7 +121,10 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
 }
 
 /// Refuses drives that are NaN or infinite: one that moves a point which measures alone read reaches no residual.
-fn check_finite<T: Real, D: Values<T>>(drives: &Signal<D>, reached: T) -> Result<(), Stopped<T>> {
+fn check_finite<T: Real, D: Values<T>>(
+    drives: &Signal<D>,
+    [from, to]: [T; 2],
+) -> Result<(), Stopped<T>> {
     let rates = drives.rate.values().zip(drives.second_rate.values());
     let mut each = drives.value.values().zip(rates);
     let is_finite = |(value, (rate, second_rate)): (T, (T, T))| {
@@ -131,8 +134,8 @@ fn check_finite<T: Real, D: Values<T>>(drives: &Signal<D>, reached: T) -> Result
         Some(drive) => {
             let part = Part::Drive(drive);
             Err(Stopped {
-                reached,
-                refused: Some((reached, SolveError::NotFinite { part })),
+                reached: from,
+                refused: Some((to - from, SolveError::NotFinite { part })),
             })
         }
         None => Ok(()),
@@ -178,7 +181,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         drives: Signal<L::Drives>,
     ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
         let ends = [&Inputs::still(self.drives), &Inputs::still(drives)];
-        let stepped = check_finite(&drives, T::zero()).and_then(|()| {
+        let stepped = check_finite(&drives, [T::zero(), dt]).and_then(|()| {
             let motion = &mut self.motion;
             self.tracker.step_between(&self.model, ends, dt, motion)
         });
@@ -206,7 +209,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         let (from, start) = (self.time, self.drives);
         let at = |time: T| if time == from { start } else { drives(time) };
         let inputs = |time| Inputs::still(at(time));
-        let advanced = check_finite(&at(to), from).and_then(|()| {
+        let advanced = check_finite(&at(to), [from, to]).and_then(|()| {
             let motion = &mut self.motion;
             self.tracker.advance(&self.model, inputs, from, to, motion)
         });
@@ -231,7 +234,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         drives: Signal<L::Drives>,
     ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
         let (mut inputs, to) = (Inputs::still(self.drives), Inputs::still(drives));
-        let advanced = check_finite(&drives, T::zero()).and_then(|()| {
+        let advanced = check_finite(&drives, [T::zero(), dt]).and_then(|()| {
             let motion = &mut self.motion;
             self.tracker
                 .advance_between(&self.model, &mut inputs, &to, dt, motion)

@@ -58,6 +58,16 @@ fn wheel_rate_and_load_are_derivatives_of_the_energy() {
             "{bump}: {found:?} {rate}"
         );
         assert!(load > 1000.0 && rate.abs() > 100.0, "{load} {rate}");
+        for (force, measure, rate, load) in [
+            ("spring_force_N", "damper_m", 28000.0, 3800.0),
+            ("bar_moment_Nm", "bar_arm_rad", 1500.0, 0.0),
+        ] {
+            let expected = load - rate * (rows[2][measure] - design[measure]);
+            assert!(
+                (rows[2][force] - expected).abs() < 1e-8,
+                "{force} {expected}"
+            );
+        }
     }
 }
 
@@ -68,7 +78,7 @@ fn a_bar_in_degrees_is_the_same() {
     let rate = 1500.0_f64.to_radians();
     let in_degrees = SPRINGS.replace("rate = 1500.0", &format!("rate = {rate:?}"));
     let found = &swept(&corner("angle = \"deg\"\n", &in_degrees), "bump=0.03")[0];
-    for name in ["spring_load_N", "wheel_rate_N_m"] {
+    for name in ["spring_load_N", "wheel_rate_N_m", "bar_moment_Nm"] {
         assert!(
             (found[name] - expected[name]).abs() < 1e-9 * expected[name].abs(),
             "{found:?}"

@@ -159,6 +159,12 @@ pub(super) fn choose<'a>(
     };
     if best.found.is_empty() {
         let first = points.first().map_or("", |point| point.name.as_str());
+        if points.iter().any(|point| names.is_point(&point.key)) {
+            return Err(format!(
+                "{} has none of the file's points, `{first}` for one; without --linkage they choose the layout",
+                best.linkage
+            ));
+        }
         return Err(format!(
             "no name of a point is known, `{first}` for one; suspension import --names lists those that are"
         ));

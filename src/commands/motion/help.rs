@@ -34,6 +34,7 @@ fn names_on(axle: Axle, linkage: &Listing) -> Names {
             wheelbase: Some(2.6),
             cg_height: Some(0.5),
             springs: [Spring {
+                name: "spring".to_owned(),
                 measure: 0,
                 kind: MeasureKind::Length,
                 rate: 0.0,
@@ -120,7 +121,7 @@ const FILE: &str = r#"The file:
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
                                      # leads through turning points of the drive: attia2003 and
                                      # five_link have height, that of the wheel centre
-  [springs.spring]                   # optional: springs and bars, for wheel rate and roll rate, by any name
+  [springs.spring]                   # optional: springs and bars, for forces, wheel rate and roll rate, by any name
   along = "damper"                   # a measure
   rate = 28000.0                     # N per unit of length, of an angle N m per unit of angle
   load = 3800.0                      # what it presses at the design position, positive where it makes the measure larger

@@ -3,13 +3,13 @@
 use nalgebra::Vector3;
 use suspension_core::Values;
 use suspension_core::directions::Directions;
+use suspension_motion_file::Torque;
 use toml::Spanned;
 
 use crate::load::design::Design;
 use crate::load::task::Task;
 use crate::mechanism::{Axle, Suspension, Wheel};
 use crate::number::{number, rounded};
-use suspension_motion_file::Torque;
 
 /// How far the wheelbase may be off the distance of the axles, as a part of it.
 const OFF: f64 = 0.05;

@@ -53,6 +53,7 @@ pub(super) fn springs<L: Suspension<N>, const N: usize>(
         }
         let kind = task.names.measures[measure].kind;
         Ok(Spring {
+            name: name.clone(),
             measure,
             kind,
             rate: rate * Kind::from(kind).in_file(unit),

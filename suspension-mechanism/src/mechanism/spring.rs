@@ -5,6 +5,8 @@ use suspension_core::listing::MeasureKind;
 /// A spring along a measured length, or a bar about a measured angle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
+    /// Its name in the file.
+    pub name: String,
     /// The number of its measure.
     pub measure: usize,
     /// What that is.

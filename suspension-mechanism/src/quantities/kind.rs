@@ -27,6 +27,8 @@ pub enum Kind {
     AnglePerAngle,
     /// A force.
     Force,
+    /// A moment.
+    Moment,
     /// A force for a length.
     Stiffness,
     /// A moment for an angle.
@@ -54,6 +56,7 @@ impl Kind {
             Self::LengthPerAngle => format!("{length}/{angle}"),
             Self::AnglePerAngle => format!("{angle}/{angle}"),
             Self::Force => "N".to_owned(),
+            Self::Moment => "Nm".to_owned(),
             Self::Mass => "kg".to_owned(),
             Self::Stiffness => format!("N/{length}"),
             Self::AngularStiffness => format!("Nm/{angle}"),
@@ -71,6 +74,7 @@ impl Kind {
                 | Self::LengthPerAngle
                 | Self::AnglePerAngle
                 | Self::Force
+                | Self::Moment
                 | Self::Mass
                 | Self::Stiffness
                 | Self::AngularStiffness
@@ -102,6 +106,7 @@ impl Kind {
             | Self::AngularAcceleration
             | Self::AnglePerAngle
             | Self::Force
+            | Self::Moment
             | Self::Mass
             | Self::AngularStiffness
             | Self::Percent
@@ -115,6 +120,7 @@ impl Kind {
             Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => unit.angle.radian(),
             Self::LengthPerAngle | Self::AngularStiffness => 1.0 / unit.angle.radian(),
             Self::Force
+            | Self::Moment
             | Self::Mass
             | Self::Stiffness
             | Self::Time
@@ -131,7 +137,7 @@ impl Kind {
     pub fn decimals(self, unit: Unit) -> usize {
         match self {
             Self::Count => 0,
-            Self::Force | Self::AngularStiffness => 1,
+            Self::Force | Self::Moment | Self::AngularStiffness => 1,
             Self::Stiffness => match unit.length {
                 Length::Millimetre => 3,
                 Length::Metre | Length::Inch => 1,

@@ -4,7 +4,7 @@ use suspension_core::Signal;
 use suspension_core::listing::MeasureKind;
 use suspension_core::signal::Number as _;
 
-use crate::mechanism::{Movement, Names, State};
+use crate::mechanism::{Movement, Names, Spring, State};
 use crate::quantities::formulas::Reading;
 use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
@@ -51,6 +51,26 @@ impl Sprung {
             }
         })
     }
+}
+
+/// What each spring presses.
+pub(super) fn of_springs<N: Number>(names: &Names) -> Vec<Reading<N>> {
+    let springs = names.vehicle.springs.iter().enumerate();
+    let of_one = |(number, spring): (usize, &Spring)| {
+        let (kind, what) = match spring.kind {
+            MeasureKind::Length => (Kind::Force, "force"),
+            MeasureKind::Angle => (Kind::Moment, "moment"),
+        };
+        let of_state = move |state: &State| {
+            let spring = state.springs.get(number)?;
+            Some(spring.presses(state.measures.value[spring.measure]))
+        };
+        Reading {
+            name: Some(format!("{}_{what}", spring.name)),
+            ..without_derivatives(kind, of_state)
+        }
+    };
+    springs.map(of_one).collect()
 }
 
 /// A number of the springs at each wheel, along the height of its centre.

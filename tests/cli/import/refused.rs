@@ -48,6 +48,13 @@ fn what_is_missing_is_named_at_once_with_the_names_that_would_do() {
 }
 
 #[test]
+fn a_layout_that_has_none_of_the_points_is_told() {
+    let said = refusal("a.csv", &table(&CORNER), &["--linkage", "twist_beam"]);
+    let expected = "a.csv: twist_beam has none of the file's points, `lca_front` for one; without --linkage they choose the layout";
+    assert_eq!(said, expected);
+}
+
+#[test]
 fn a_mistyped_name_is_told_with_its_line_and_the_one_that_was_meant() {
     let said = refusal(
         "a.csv",

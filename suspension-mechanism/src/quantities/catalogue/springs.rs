@@ -2,9 +2,18 @@
 
 use crate::quantities::kind::Kind;
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::sprung::of_wheels;
+use crate::quantities::sprung::{of_springs, of_wheels};
 
 catalogue! {
+    SPRING_FORCES: "what springs press" {
+        name: "",
+        sign: "positive where a spring makes its measure larger",
+        definition: "of each spring or bar of the file by its name, as spring_force_N, of an angle bar_moment_Nm: F = load - rate (s - s_design) of \
+                     its measure s",
+        source: "[springs] of the file",
+        shown: Shown::InTables,
+        read: of_springs,
+    }
     SPRING_LOAD: "load on the springs at the wheel" {
         name: "spring_load",
         sign: "positive where springs press the wheel down",
