@@ -3,7 +3,8 @@
 use nalgebra::{Complex, SVector};
 use suspension_core::{Inputs, Newton, Still};
 
-use crate::assemblies::family::{Enumerable, Member, Vector, complex};
+use crate::assemblies::factors::Vector;
+use crate::assemblies::family::{Enumerable, Member, complex};
 use crate::assemblies::generic::{Evidence, Generic, add_distinct};
 use crate::assemblies::path::End;
 

@@ -5,6 +5,9 @@ use std::ops::Range;
 
 use nalgebra::{Complex, ComplexField, SMatrix, SVector};
 
+/// Unknowns, right-hand sides and residuals.
+pub(crate) type Vector<const N: usize> = SVector<Complex<f64>, N>;
+
 type Matrix<const N: usize> = SMatrix<Complex<f64>, N, N>;
 
 /// The factors of a matrix: `L` below the diagonal, its own diagonal of ones left out, `U` on and above it. Most of their
@@ -75,10 +78,7 @@ impl<const N: usize> Factors<N> {
     }
 
     /// Solves `A x = right`; `None` where a pivot is zero.
-    pub(crate) fn solve(
-        &self,
-        right: &SVector<Complex<f64>, N>,
-    ) -> Option<SVector<Complex<f64>, N>> {
+    pub(crate) fn solve(&self, right: &Vector<N>) -> Option<Vector<N>> {
         let mut x = *right;
         for (k, swap) in self.swaps.iter().enumerate() {
             x.swap_rows(k, *swap);

@@ -1,14 +1,11 @@
 //! The equations of a linkage among their neighbours: `F(q; u) = c` over complex numbers.
 
-use nalgebra::{Complex, SVector};
+use nalgebra::Complex;
 use suspension_core::{Inputs, Linkage, Listing, Still, Values};
 
-use crate::assemblies::factors::Factors;
+use crate::assemblies::factors::{Factors, Vector};
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::Tilt;
-
-/// Unknowns, right-hand sides and residuals.
-pub(crate) type Vector<const N: usize> = SVector<Complex<f64>, N>;
 
 /// A model of a listing, whose equations can be taken over complex numbers.
 pub trait Enumerable<const N: usize>:

@@ -4,7 +4,8 @@ use nalgebra::{Complex, SVector};
 use suspension_core::Listing;
 
 use crate::assemblies::Watch;
-use crate::assemblies::family::{Drives, Family, Line, Member, Vector};
+use crate::assemblies::factors::Vector;
+use crate::assemblies::family::{Drives, Family, Line, Member};
 use crate::assemblies::parallel;
 use crate::assemblies::path::{End, follow};
 use crate::assemblies::random::Random;

@@ -3,8 +3,8 @@
 use nalgebra::{Complex, ComplexField};
 use suspension_core::Listing;
 
-use crate::assemblies::factors::Factors;
-use crate::assemblies::family::{Line, Vector};
+use crate::assemblies::factors::{Factors, Vector};
+use crate::assemblies::family::Line;
 
 /// Terms of the predicting series.
 const TERMS: usize = 10;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, SMatrix};
 
-use crate::assemblies::family::Vector;
+use crate::assemblies::factors::Vector;
 
 /// What is added to the equation of a drive: `f(q; u) + p d.q`, with general `d`.
 ///

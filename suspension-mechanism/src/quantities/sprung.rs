@@ -97,32 +97,35 @@ pub(super) fn of_wheels<N: Number>(
 
 /// A number of the springs at each wheel of an axle in heave, both centres rising alike: each wheel has half of it.
 pub(super) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
-    let has_springs = !names.vehicle.springs.is_empty();
-    let is_sprung = |axle: &Axle| axle.has_travel() && has_springs;
-    of_each_axle(names, &is_sprung, &|wheels| {
-        let of_state = move |state: &State| {
-            let moved = state.moved_along(Movement::Heave(wheels.map(|wheel| wheel.number)))?;
-            Some(0.5 * value(Sprung::along(height(moved, wheels[0]), moved)))
-        };
-        vec![without_derivatives(Kind::Stiffness, of_state)]
+    of_sprung_axles(names, Kind::Stiffness, move |wheels, state| {
+        let moved = state.moved_along(Movement::Heave(wheels.map(|wheel| wheel.number)))?;
+        Some(0.5 * value(Sprung::along(height(moved, wheels[0]), moved)))
     })
 }
 
 /// The same of each axle in roll, one centre rising as the other falls, along the angle of the line through them.
 pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
+    of_sprung_axles(names, Kind::AngularStiffness, move |wheels, state| {
+        let moved = state.moved_along(Movement::Roll(wheels.map(|wheel| wheel.number)))?;
+        let of = Reader::of(moved);
+        let [left, right] = wheels.map(|rolling| of.wheel(rolling).centre);
+        let roll = Signal::arc_tangent(left.z - right.z, left.y - right.y);
+        let sprung = Sprung::along(roll, moved);
+        // Along an angle a force is newtons times the unit of length.
+        Some(value(sprung) / state.metre)
+    })
+}
+
+/// A number of each axle whose wheels have drives of travel of their own, where there are springs.
+fn of_sprung_axles<N: Number>(
+    names: &Names,
+    kind: Kind,
+    value: impl Fn([Rolling; 2], &State) -> Option<f64> + Copy + 'static,
+) -> Vec<Reading<N>> {
     let has_springs = !names.vehicle.springs.is_empty();
     let is_sprung = |axle: &Axle| axle.has_travel() && has_springs;
     of_each_axle(names, &is_sprung, &|wheels| {
-        let of_state = move |state: &State| {
-            let moved = state.moved_along(Movement::Roll(wheels.map(|wheel| wheel.number)))?;
-            let of = Reader::of(moved);
-            let [left, right] = wheels.map(|rolling| of.wheel(rolling).centre);
-            let roll = Signal::arc_tangent(left.z - right.z, left.y - right.y);
-            let sprung = Sprung::along(roll, moved);
-            // Along an angle a force is newtons times the unit of length.
-            Some(value(sprung) / state.metre)
-        };
-        vec![without_derivatives(Kind::AngularStiffness, of_state)]
+        vec![without_derivatives(kind, move |state| value(wheels, state))]
     })
 }
 
