@@ -61,7 +61,7 @@ impl Names {
         self.all_of_points().any(|other| other == name)
     }
 
-    /// The name of a number that may have been meant by one that is none.
+    /// The known name of a number that a mistyped one may stand for.
     pub(super) fn number_meant(&self, name: &str) -> Option<&str> {
         let numbers = self.numbers.keys();
         nearest(name, numbers.flat_map(|number| self.of_number(number)))

@@ -90,7 +90,7 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
     let is_swapped = |why: String| {
         Err(format!(
             "the columns seem to be swapped: the second one is y, across the vehicle, and {why}; put them in the order \
-             x (along), y (across), z (up or down)"
+             x (along), y (across), z (up or down), or correct that point"
         ))
     };
     let chassis = choice.listing.count(Kind::ChassisPoint);

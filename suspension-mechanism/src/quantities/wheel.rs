@@ -52,7 +52,7 @@ impl Rolling {
         !others.any(|(_, other)| other.points.carrier == carrier)
     }
 
-    /// All wheels that its drive of travel is that of, itself among them.
+    /// All wheels with the same drive of travel, this one among them.
     pub(super) fn moved_together(&self, names: &Names) -> Vec<Self> {
         let wheels = Self::each(names).map(|(_, wheel)| wheel);
         wheels.filter(|wheel| wheel.travel == self.travel).collect()
@@ -81,7 +81,8 @@ pub(super) struct Wheel<N> {
     pub(super) heading: Heading<N>,
 }
 
-/// A wheel's share of what a drive moves several by, of which each bears as much as it rises: their rates per drive.
+/// A wheel's share of a force along its height, where one drive moves several wheels: each bears in proportion to its rise per
+/// unit of the drive, `rise`, so that the forces do the drive's work together.
 pub(super) fn share(together: &[Rolling], rolling: Rolling, rise: impl Fn(Rolling) -> f64) -> f64 {
     let squares: f64 = together.iter().map(|wheel| rise(*wheel).powi(2)).sum();
     rise(rolling).powi(2) / squares
