@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::{Factors as _, Listing as _};
@@ -10,13 +11,13 @@ use suspension_core::{Linkage, Signal, Values};
 use suspension_double_double::DoubleDouble;
 use suspension_runtime::{Fitted, Model, Room, Size};
 
+use super::wheel::Vector;
+
 /// What drives differ by from place to place, m or rad.
 const STEP: f64 = 2e-5;
 
 /// A correction that leaves 30 digits.
 const LAST_CORRECTION: f64 = 1e-24;
-
-type Points<'m, const N: usize> = <Model<'m, DoubleDouble, N> as Linkage<N>>::Points;
 
 /// Steps of each drive from the place of a row.
 pub(super) type Steps = Vec<i32>;
@@ -31,7 +32,8 @@ where
     /// At the start, by which all places near it are corrected.
     factors: <Model<'m, f64, N> as Linkage<N>>::Factors,
     start: SVector<f64, N>,
-    solved: RefCell<HashMap<Steps, Points<'m, N>>>,
+    solved: RefCell<HashMap<Steps, Rc<[Vector]>>>,
+    moved: RefCell<HashMap<(Steps, usize), Rc<[Vector]>>>,
 }
 
 impl<'m, const N: usize> Lattice<'m, N>
@@ -80,6 +82,7 @@ where
             factors: rounded.factor(&start, &anchors),
             start,
             solved: RefCell::default(),
+            moved: RefCell::default(),
         }
     }
 
@@ -98,35 +101,40 @@ where
     }
 
     /// All points at a place.
-    pub(super) fn points(&self, steps: &Steps) -> Points<'m, N> {
-        let known = self.solved.borrow().get(steps).copied();
+    pub(super) fn points(&self, at: &Steps) -> Rc<[Vector]> {
+        let known = self.solved.borrow().get(at).cloned();
         known.unwrap_or_else(|| {
-            let points = self.solve(steps);
-            self.solved.borrow_mut().insert(steps.clone(), points);
+            let points = self.solve(at);
+            self.solved.borrow_mut().insert(at.clone(), points.clone());
             points
         })
     }
 
     /// The velocities of all points with respect to a drive.
-    pub(super) fn velocities(&self, at: &Steps, drive: usize) -> Points<'m, N> {
-        let beside: Vec<_> = (-3..=3)
-            .map(|steps| {
-                let mut at = at.clone();
-                at[drive] += steps;
-                self.points(&at).values().collect::<Vec<_>>()
-            })
-            .collect();
-        let velocity = |point: usize| {
-            Vector3::from_fn(|axis, _| {
-                first_difference(
-                    &[0, 1, 2, 3, 4, 5, 6].map(|steps: usize| beside[steps][point][axis]),
-                )
-            })
-        };
-        Values::from_values((0..beside[0].len()).map(velocity))
+    pub(super) fn velocities(&self, at: &Steps, drive: usize) -> Rc<[Vector]> {
+        let place = (at.clone(), drive);
+        let known = self.moved.borrow().get(&place).cloned();
+        known.unwrap_or_else(|| {
+            let velocities = self.differences_of_points(at, drive);
+            self.moved.borrow_mut().insert(place, velocities.clone());
+            velocities
+        })
     }
 
-    fn solve(&self, steps: &Steps) -> Points<'m, N> {
+    fn differences_of_points(&self, at: &Steps, drive: usize) -> Rc<[Vector]> {
+        let beside = [-3, -2, -1, 0, 1, 2, 3].map(|steps| {
+            let mut at = at.clone();
+            at[drive] += steps;
+            self.points(&at)
+        });
+        let coordinate = |point: usize, axis: usize| {
+            first_difference(&beside.each_ref().map(|points| points[point][axis]))
+        };
+        let velocity = |point| Vector3::from_fn(|axis, _| coordinate(point, axis));
+        (0..beside[0].len()).map(velocity).collect()
+    }
+
+    fn solve(&self, steps: &Steps) -> Rc<[Vector]> {
         let Self { exact, factors, .. } = self;
         let drives = self.coordinates(steps);
         let anchors = exact.drive_anchors(*exact.fixed(), &drives);
@@ -136,7 +144,7 @@ where
             let correction = factors.solve(&residual.map(DoubleDouble::nearest));
             root -= correction.map(DoubleDouble::from);
             if correction.amax() < LAST_CORRECTION {
-                return exact.points(&root, &anchors);
+                return exact.points(&root, &anchors).values().collect();
             }
         }
         panic!("no root at {steps:?} of {:?}", self.drives);

@@ -1,7 +1,8 @@
 //! Quantities of points and velocities in 32 digits, under their names in tables.
 
+use std::rc::Rc;
+
 use nalgebra::Vector3;
-use suspension_core::Values;
 use suspension_core::listing::{Kind, Part, Parts, WheelPlaces};
 use suspension_core::signal::Number as _;
 use suspension_core::wheel::{Carrier, Turn, contact, steer_angle, toe};
@@ -72,9 +73,8 @@ impl Reference<'_> {
         Room<N>: Size,
     {
         let model = &lattice.exact;
-        let points = lattice.points(at);
+        let each = lattice.points(at);
         let (travel, steer) = travel_and_steering(&lattice.drive_names());
-        let each: Vec<Vector> = points.values().collect();
         let point = |name: &Name| {
             let mut places = 0..each.len();
             let place = places.find(|place| model.name(Part::Point(*place)) == name.to_string());
@@ -100,7 +100,7 @@ impl Reference<'_> {
             self.changes_from_design(&mut of_one, ends, at_design);
             let carrier = wheel.carrier.map(|place| each[place]);
             let moved_by = |drive| {
-                let rates: Vec<Vector> = lattice.velocities(at, drive).values().collect();
+                let rates = lattice.velocities(at, drive);
                 moving_carrier(carrier, wheel.carrier.map(|place| rates[place]), ends[1])
             };
             let kingpin = wheel.kingpin.map(|ends| ends.map(|place| each[place]));
@@ -112,7 +112,7 @@ impl Reference<'_> {
             let position = |name: &str| drives.iter().position(|drive| *drive == name);
             let own = position(&own).unwrap_or(travel);
             self.of_travel(&mut of_one, &moved_by(own), ends);
-            let rates: Vec<Vector> = lattice.velocities(at, own).values().collect();
+            let rates = lattice.velocities(at, own);
             let moves = |place: usize| rates[place].iter().any(|rate| rate.nearest().abs() > 1e-9);
             let others = (0..).map_while(|other| model.wheel(other));
             let mut others = others.filter(|other| other.name != wheel.name);
@@ -121,7 +121,7 @@ impl Reference<'_> {
             if let Some(other) = &moved {
                 let of_other = format!("bump_{}", other.name);
                 let drives = [own, position(&of_other).expect("a drive")];
-                let rates = drives.map(|drive| lattice.velocities(at, drive).values().collect());
+                let rates = drives.map(|drive| lattice.velocities(at, drive));
                 in_side_view = in_heave(&each, &rates, [&wheel, other]);
             }
             let is_axle = moved.is_some_and(|other| other.carrier == wheel.carrier);
@@ -269,7 +269,7 @@ impl Reference<'_> {
 /// The first wheel's carrier as two drives move it at rates at which both wheel centres rise alike.
 fn in_heave(
     points: &[Vector],
-    rates: &[Vec<Vector>; 2],
+    rates: &[Rc<[Vector]>; 2],
     wheels: [&WheelPlaces<'_>; 2],
 ) -> Carrier<Number> {
     let [[a, b], [c, d]] = wheels.map(|wheel| rates.each_ref().map(|by| by[wheel.axis[1]].z));
