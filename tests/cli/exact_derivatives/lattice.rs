@@ -22,6 +22,9 @@ const LAST_CORRECTION: f64 = 1e-24;
 /// Steps of each drive from the place of a row.
 pub(super) type Steps = Vec<i32>;
 
+/// Vectors of all points that were computed once.
+type Known<K> = RefCell<HashMap<K, Rc<[Vector]>>>;
+
 /// A mechanism about the place of a row.
 pub(super) struct Lattice<'m, const N: usize>
 where
@@ -32,8 +35,8 @@ where
     /// At the start, by which all places near it are corrected.
     factors: <Model<'m, f64, N> as Linkage<N>>::Factors,
     start: SVector<f64, N>,
-    solved: RefCell<HashMap<Steps, Rc<[Vector]>>>,
-    moved: RefCell<HashMap<(Steps, usize), Rc<[Vector]>>>,
+    solved: Known<Steps>,
+    moved: Known<(Steps, usize)>,
 }
 
 impl<'m, const N: usize> Lattice<'m, N>
