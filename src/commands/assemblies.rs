@@ -105,14 +105,14 @@ lengths but cannot be built. A `body` is never mirrored.
 
 The list is ordered by distance; one row each in the CSV file, with every free point and marker.
 
-How: over complex numbers all assemblies of a mechanism of general lengths hang together. They are
-found from random starts and by going round loops of such mechanisms, and followed from there to
-the file's. The trace test confirms that none is missing: a general plane takes the place of the drive's coordinate, and the
-sum of all assemblies is linear in where it stands. Of those with a plane some go to infinity as it becomes the coordinate's. A
-complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
+How: the mechanism is put together part by part, as far as one part does not need the other: the rack, either corner, the rocker
+of a pushrod. Over complex numbers all assemblies of a part of general lengths hang together. They are
+found from random starts and by going round loops of such parts, and followed from there to
+the file's. The trace test confirms that none is missing: a general plane takes the place of a coordinate that a drive or another
+part gives, and the sum of all assemblies is linear in where it stands. Of those with a plane some go to infinity as it becomes the
+coordinate's. A complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
 
-A corner takes seconds. The two sides of an axle multiply: it has thousands of assemblies, and takes
-hours; what is found of them is counted on a terminal, and an interrupt ends the search.
+A corner takes a second, an axle whose wheels stand on one body up to a minute.
 
 Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 there is no
 assembly at a value, or the file's first instant is out of reach, 130 interrupted: what was found is kept.

@@ -1,5 +1,7 @@
 //! The list of assemblies.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::program::{example, folder, rows, run, text};
 
 #[test]
@@ -41,10 +43,8 @@ fn a_table_of_assemblies_and_how_sure_it_is() {
     assert!(rows[0]["distance_mm"] < 1e-9 && rows[1]["distance_mm"] > 100.0);
     for row in &rows {
         assert_eq!(row["mirrored"], 0.0);
-        let edge = ["x", "y", "z"].map(|axis| {
-            row[&format!("upper_front_outer_{axis}")] - row[&format!("lower_front_outer_{axis}")]
-        });
-        let length = edge.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let edge = ["lower_front_outer", "upper_front_outer"].map(str::to_owned);
+        let length = length(row, &edge);
         assert!((length - 214.453).abs() < 1e-9, "{length}");
     }
 }
@@ -68,7 +68,7 @@ fn the_list_of_a_layout_is_complete() {
     for (file, tally) in [
         (
             include_str!("../../examples/double_wishbone.toml"),
-            "24 real and 72 complex assemblies, 48 at infinity, 0 not",
+            "\n24 real assemblies, put together part by part, in 3 parts:\n",
         ),
         (
             include_str!("../../examples/macpherson.toml"),
@@ -84,6 +84,62 @@ fn the_list_of_a_layout_is_complete() {
         );
         assert!(listed.contains(tally), "{listed}");
     }
+}
+
+/// One side of an axle after the other, as far as they follow from the rack: 8 assemblies of the left one, which leads the rack,
+/// times 2 places of its other end, times 4 of the right side on average.
+#[test]
+fn the_list_of_a_steered_axle_is_complete() {
+    let folder = folder();
+    let axle = include_str!("../../examples/steered_axle.toml");
+    std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
+    let output = run(
+        folder.path(),
+        &["assemblies", "axle.toml", "--csv", "all.csv"],
+    );
+    let listed = text(&output.stdout);
+    let expected = "The list is complete by all that was tried:\n64 real assemblies, put together part by part, in 3 parts:\n";
+    assert!(listed.contains(expected), "{listed}");
+    let rows = rows(&std::fs::read(folder.path().join("all.csv")).expect("a table"));
+    assert_eq!(rows.len(), 64);
+    let links = ["left", "right"].into_iter().flat_map(|side| {
+        let of_side = |point: &str| format!("{side}_{point}");
+        let balls = ["lower_ball", "upper_ball", "tie_ball", "wheel_centre"].map(of_side);
+        let [lower, upper, tie, centre] = balls;
+        let rack = format!("rack_{side}");
+        [
+            [lower.clone(), upper.clone()],
+            [lower.clone(), tie.clone()],
+            [upper, tie.clone()],
+            [lower, centre],
+            [rack, tie],
+        ]
+    });
+    let rack = ["rack_left", "rack_right"].map(str::to_owned);
+    for link in links.chain([rack]) {
+        let [first, ..] = rows.as_slice() else {
+            panic!("no rows")
+        };
+        for row in &rows {
+            assert!((length(row, &link) - length(first, &link)).abs() < 1e-12);
+        }
+    }
+    // Each is another one: by micrometres of all free points.
+    let placed = rows.iter().map(|row| {
+        let coordinates = row.iter().filter(|(name, _)| name.contains("_ball_"));
+        let rounded = coordinates.map(|(_, x)| (x * 1e6).round() as i64);
+        rounded
+            .chain([(row["rack_right_y"] * 1e6).round() as i64])
+            .collect::<Vec<_>>()
+    });
+    assert_eq!(placed.collect::<BTreeSet<_>>().len(), 64);
+}
+
+/// How far two points are apart.
+fn length(row: &BTreeMap<String, f64>, [from, to]: &[String; 2]) -> f64 {
+    let along =
+        ["x", "y", "z"].map(|axis| row[&format!("{to}_{axis}")] - row[&format!("{from}_{axis}")]);
+    along.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 #[test]

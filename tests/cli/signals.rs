@@ -214,12 +214,12 @@ fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
     }
 }
 
-/// An axle has so many assemblies that nobody waits for them.
+/// A live axle on a Watt linkage is one part, whose search takes a minute.
 #[cfg(unix)]
 #[test]
 fn a_search_for_assemblies_is_given_up() {
     let folder = folder();
-    let axle = include_str!("../../examples/steered_axle.toml");
+    let axle = include_str!("../../examples/live_axle_watt.toml");
     std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
     let output = interrupted_by(
         "-INT",

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::assemblies::PartTally;
 use crate::commands::assemblies::listed::Listed;
 use crate::kinematics::Assembly;
 use crate::mechanism::{Names, Unit};
@@ -114,32 +115,67 @@ fn certainty(listed: &Listed) -> String {
         [] => "The list is complete by all that was tried".to_owned(),
         doubts => format!("The list may not be complete ({})", doubts.join("; ")),
     };
-    let unconfirmed = match tally.unconfirmed {
-        0 => String::new(),
-        count => format!(" ({count} beside a fold, real or complex is not to be told)"),
-    };
     let turned = match tally.turned {
         0 => String::new(),
         count => format!(" ({count} more at another angle of a drive)"),
     };
-    let evidence = &tally.evidence;
+    let real = format!("{} real{turned}", tally.real);
+    match tally.parts.as_slice() {
+        [] => format!("{verdict}:\n{real}; all equations are linear.\n"),
+        [part] => format!("{verdict}:\n{real} and {}", of_part(part, "a mechanism")),
+        parts => {
+            let count = parts.len();
+            let lines: String = parts.iter().map(one_of_several).collect();
+            format!(
+                "{verdict}:\n{real} assemblies, put together part by part, in {count} parts:\n{lines}"
+            )
+        }
+    }
+}
+
+fn one_of_several(part: &PartTally) -> String {
+    let times = match part.times {
+        1 => String::new(),
+        times => format!(", with each of {times} assemblies of the parts that it needs"),
+    };
+    let names = part.unknowns.join(", ");
+    let rest = of_part(part, "a part").replace('\n', "\n  ");
+    format!(
+        "- {names}{times}:\n  {} real and {}\n",
+        part.real,
+        rest.trim_end()
+    )
+}
+
+/// What became of the assemblies of a part that are not real, and how sure it is.
+fn of_part(part: &PartTally, whole: &str) -> String {
+    let unconfirmed = match part.unconfirmed {
+        0 => String::new(),
+        count => format!(" ({count} beside a fold, real or complex is not to be told)"),
+    };
+    let evidence = &part.evidence;
     let trace = match evidence.trace {
         Some(bend) => format!("the trace test leaves {} of a straight line", rounded(bend)),
-        None => "the trace test does not apply, as no drive moves a free point".to_owned(),
+        None => {
+            "the trace test does not apply, as nothing gives a free point's coordinate".to_owned()
+        }
     };
     let loops = match evidence.loops {
         1 => "one loop".to_owned(),
         loops => format!("{loops} loops, the last {}", evidence.quiet),
     };
+    let times = match part.times {
+        0 | 1 => String::new(),
+        times => format!("{times} times "),
+    };
     format!(
-        "{verdict}:\n{} real{turned} and {} complex assemblies, {} at infinity, \
-         {} not accounted for{unconfirmed},\nof the {} that such a mechanism has with general \
+        "{} complex assemblies, {} at infinity, \
+         {} not accounted for{unconfirmed},\nof {times}the {} that such {whole} has with general \
          lengths ({} random starts, {loops} without a\nnew one; {trace}).\n",
-        tally.real,
-        tally.complex,
-        tally.infinite,
-        tally.unaccounted(),
-        tally.generic,
+        part.complex,
+        part.infinite,
+        part.unaccounted(),
+        part.generic,
         evidence.starts,
     )
 }

@@ -1,10 +1,10 @@
-//! The roots of the mechanism itself.
+//! The roots of a part of the mechanism itself.
 
-use nalgebra::{Complex, SVector};
-use suspension_core::{Inputs, Newton, Still};
+use nalgebra::Complex;
+use suspension_core::Listing;
 
 use crate::assemblies::factors::Vector;
-use crate::assemblies::family::{Enumerable, Member, complex};
+use crate::assemblies::family::{Drives, Line, Member};
 use crate::assemblies::generic::{Evidence, Generic, add_distinct};
 use crate::assemblies::path::End;
 
@@ -16,29 +16,38 @@ const WAYS: usize = 8;
 /// confirms it, as a multiple of the linkage's size.
 const REAL: f64 = 1e-6;
 
-/// All assemblies of a mechanism at given values of its drives.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Census<const N: usize> {
-    /// The real ones, residuals tested.
-    pub real: Vec<SVector<f64, N>>,
-    /// What became of all.
-    pub tally: Tally,
-}
+/// What rounding may leave of a residual.
+const ROUNDINGS: f64 = 64.0;
 
 /// What became of the assemblies of a general mechanism, by number.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
     /// How many are real.
     pub real: usize,
     /// How many more are real, with another angle where a drive is one about an axis: the equations have the sine of its
     /// quarter, which other angles have too.
     pub turned: usize,
+    /// How many were put together, and are not confirmed as a whole.
+    pub unconfirmed: usize,
+    /// Of each part, in the order in which they are put together.
+    pub parts: Vec<PartTally>,
+}
+
+/// What became of the assemblies of a part of a general mechanism, with each assembly of the parts that it needs.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PartTally {
+    /// Its points and other unknowns.
+    pub unknowns: Vec<String>,
+    /// In how many ways the parts that it needs are put together.
+    pub times: usize,
+    /// How many assemblies are real.
+    pub real: usize,
     /// How many are complex.
     pub complex: usize,
     /// How many have imaginary parts that may be rounding, and no iteration confirms a real one:
     /// beside a fold two real ones or two complex ones, which are not told apart.
     pub unconfirmed: usize,
-    /// How many a mechanism with general lengths has.
+    /// How many such a part with general lengths has, each time.
     pub generic: usize,
     /// How many of those go to infinity as the lengths become the mechanism's.
     pub infinite: usize,
@@ -46,22 +55,15 @@ pub struct Tally {
     pub evidence: Evidence,
 }
 
-impl Tally {
-    /// How many assemblies of a general mechanism were followed neither to one of this mechanism
+impl PartTally {
+    /// How many assemblies of a general part were followed neither to one of this mechanism
     /// nor to infinity: several that coincide, paths lost near a singularity, or the unconfirmed ones.
     pub fn unaccounted(&self) -> usize {
-        let accounted = self.real + self.turned + self.complex + self.infinite;
-        self.generic.saturating_sub(accounted)
+        let accounted = self.real + self.complex + self.infinite;
+        (self.times * self.generic).saturating_sub(accounted)
     }
 
-    /// Whether there is good reason to believe that the list is complete.
-    pub fn is_complete(&self) -> bool {
-        self.doubts().is_empty()
-    }
-
-    /// Why the list may not be complete: unless all assemblies of a general mechanism are known, and where each of
-    /// them leads.
-    pub fn doubts(&self) -> Vec<String> {
+    fn doubts(&self) -> impl Iterator<Item = String> {
         let general =
             || "not all assemblies of such a mechanism with general lengths were found".to_owned();
         let lost = |count| match count {
@@ -75,29 +77,57 @@ impl Tally {
             )
         };
         let unaccounted = self.unaccounted();
-        [
+        let doubts = [
             (!self.evidence.is_convincing()).then(general),
             (unaccounted > 0).then(|| lost(unaccounted)),
             (!self.complex.is_multiple_of(2)).then(unpaired),
-        ]
-        .into_iter()
-        .flatten()
-        .collect()
+        ];
+        doubts.into_iter().flatten()
+    }
+
+    /// Adds what became of the part with another assembly of those that it needs.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.times += other.times;
+        self.real += other.real;
+        self.complex += other.complex;
+        self.unconfirmed += other.unconfirmed;
+        self.infinite += other.infinite;
     }
 }
 
-/// Follows the generic roots to the mechanism; `None` where the search is given up.
-pub(crate) fn census<L: Enumerable<N>, const N: usize>(
-    generic: &mut Generic<'_, L::Listing, N>,
-    model: &L,
-    inputs: &Inputs<Still, L::Drives>,
-) -> Option<Census<N>> {
-    let size = model.size();
-    let target = Member {
-        drives: complex::<L, N>(model, inputs),
-        right: Vector::zeros(),
-        tilted: 0.0,
-    };
+impl Tally {
+    /// Whether there is good reason to believe that the list is complete.
+    pub fn is_complete(&self) -> bool {
+        self.doubts().is_empty()
+    }
+
+    /// Why the list may not be complete: unless all assemblies of a general mechanism are known, and where each of
+    /// them leads.
+    pub fn doubts(&self) -> Vec<String> {
+        let several = self.parts.len() > 1;
+        let of_part = |part: &PartTally| {
+            let name = several.then(|| format!("{}: ", part.unknowns.join(", ")));
+            let name = name.unwrap_or_default();
+            part.doubts()
+                .map(|doubt| format!("{name}{doubt}"))
+                .collect::<Vec<_>>()
+        };
+        let unconfirmed = (self.unconfirmed > 0).then(|| {
+            let count = self.unconfirmed;
+            format!("{count} that were put together are not confirmed as a whole")
+        });
+        let of_parts = self.parts.iter().flat_map(of_part);
+        of_parts.chain(unconfirmed).collect()
+    }
+}
+
+/// Follows the generic roots to a member with real numbers; the real ones, and what became of all. `None` where the search is
+/// given up.
+pub(crate) fn census<G: Listing<N>, const N: usize>(
+    generic: &mut Generic<'_, G, N>,
+    target: Member<Drives<G, N>, N>,
+) -> Option<(Vec<Vector<N>>, PartTally)> {
+    let size = generic.family.size;
     let mut roots = Vec::new();
     let mut infinite = 0;
     for way in 0..WAYS {
@@ -120,31 +150,47 @@ pub(crate) fn census<L: Enumerable<N>, const N: usize>(
     let (nearly_real, complex): (Vec<_>, Vec<_>) = roots
         .iter()
         .partition(|root| root.iter().all(|entry| entry.im.abs() <= bound));
-    let real: Vec<_> = nearly_real
-        .iter()
-        .filter_map(|root| confirmed::<L, N>(model, inputs, root, bound))
-        .collect();
-    let tally = Tally {
+    let at = generic.family.line(target, target);
+    let confirmed = |root: &&Vector<N>| confirmed(&at, root, bound);
+    let real: Vec<_> = nearly_real.iter().filter_map(confirmed).collect();
+    let tally = PartTally {
+        unknowns: Vec::new(),
+        times: 1,
         real: real.len(),
-        turned: 0,
         complex: complex.len(),
         unconfirmed: nearly_real.len() - real.len(),
         generic: generic.roots.len(),
         infinite: infinite.min(generic.roots.len().saturating_sub(roots.len())),
         evidence: generic.evidence,
     };
-    Some(Census { real, tally })
+    Some((real, tally))
 }
 
-/// The real root within `bound` of a nearly real one.
-fn confirmed<L: Enumerable<N>, const N: usize>(
-    model: &L,
-    inputs: &Inputs<Still, L::Drives>,
+/// The real root within `bound` of a nearly real one, by its residual.
+fn confirmed<G: Listing<N>, const N: usize>(
+    at: &Line<'_, G, N>,
     root: &Vector<N>,
     bound: f64,
-) -> Option<SVector<f64, N>> {
-    let found = root.map(|entry: Complex<f64>| entry.re);
+) -> Option<Vector<N>> {
+    /// What a correction may be of the one before, and how many there are.
+    const CONTRACTION: f64 = 0.5;
+    const CORRECTIONS: usize = 10;
+    let found = root.map(|entry| Complex::from(entry.re));
     let mut q = found;
-    Newton::near_by().solve(model, inputs, &mut q).ok()?;
-    ((q - found).amax() <= bound).then_some(q)
+    let mut last = f64::INFINITY;
+    for _ in 0..CORRECTIONS {
+        let residual = at.residual(&q, 1.0);
+        let rounding = f64::EPSILON * at.size().max(q.camax());
+        if residual.norm() <= ROUNDINGS * rounding {
+            return ((q - found).camax() <= bound).then_some(q);
+        }
+        let correction = at.factors(&q, 1.0).solve(&residual)?;
+        let size = correction.camax();
+        if size > CONTRACTION * last {
+            return None;
+        }
+        q -= correction;
+        last = size;
+    }
+    None
 }

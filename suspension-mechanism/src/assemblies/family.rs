@@ -1,9 +1,10 @@
 //! The equations of a linkage among their neighbours: `F(q; u) = c` over complex numbers.
 
-use nalgebra::Complex;
+use nalgebra::{Complex, SMatrix};
 use suspension_core::{Inputs, Linkage, Listing, Still, Values};
 
 use crate::assemblies::factors::{Factors, Vector};
+use crate::assemblies::parts::{Part, in_order};
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::Tilt;
 
@@ -22,7 +23,8 @@ impl<L, const N: usize> Enumerable<N> for L where
 pub(crate) type Drives<G, const N: usize> = <G as Listing<N>>::Drives<Complex<f64>>;
 type Fixed<G, const N: usize> = <G as Listing<N>>::Fixed<Complex<f64>>;
 
-/// All systems `F(q; u) = c` of one geometry, the equation of a drive tilted or not.
+/// All systems `F(q; u) = c` of one part of a geometry, one equation tilted or not. In the place of the equations of other parts
+/// their unknowns are given: `q = c`.
 ///
 /// Each `q` is a root of exactly one `c` for given `u`, so that all pairs `(q, c)` form a copy of
 /// the space of `q`: one piece. Loops of `c` therefore lead from any root of a generic `c` to any
@@ -31,7 +33,8 @@ pub(crate) struct Family<G: Listing<N>, const N: usize> {
     model: G::Model<Complex<f64>>,
     /// The longest length of the linkage.
     pub(crate) size: f64,
-    /// Of the first drive of a free point: alone among drives they have an equation.
+    pub(crate) part: Part,
+    /// Of an unknown that the part needs, or of its first drive: of what the part's assemblies are a curve over.
     tilt: Option<Tilt<N>>,
 }
 
@@ -47,13 +50,16 @@ pub(crate) struct Member<D, const N: usize> {
 }
 
 impl<G: Listing<N>, const N: usize> Family<G, N> {
-    pub(crate) fn new(model: &G::Model<f64>, random: &mut Random) -> Self {
+    pub(crate) fn new(model: &G::Model<f64>, part: Part, random: &mut Random) -> Self {
         let model_of_complex = G::converted(model, Complex::from);
-        let tilt = driven_row::<G, N>(&model_of_complex);
+        let of_given = part.needed.first().map(|[row, _]| *row);
+        let tilted = of_given.or_else(|| driven_row::<G, N>(&model_of_complex, &part));
+        let tilt = tilted.map(|row| Tilt::new(row, random.vector(1.0)));
         Self {
             model: model_of_complex,
             size: model.size(),
-            tilt: tilt.map(|row| Tilt::new(row, random.vector(1.0))),
+            part,
+            tilt,
         }
     }
 
@@ -75,6 +81,9 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
     /// `F(q; u)`.
     fn residual(&self, q: &Vector<N>, drives: &Drives<G, N>, tilted: f64) -> Vector<N> {
         let mut rows = self.model.residual(q, &self.fixed(drives), drives);
+        for &[row, column] in &self.part.others {
+            rows[row] = q[column];
+        }
         if let Some(tilt) = &self.tilt {
             tilt.add(tilted, q, &mut rows);
         }
@@ -112,17 +121,56 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
     fn fixed(&self, drives: &Drives<G, N>) -> Fixed<G, N> {
         self.model.drive_anchors(*self.model.fixed(), drives)
     }
+
+    /// The derivatives where unknowns are given.
+    fn give(&self, jacobian: &mut SMatrix<Complex<f64>, N, N>) {
+        for &[row, column] in &self.part.others {
+            jacobian.row_mut(row).fill(Complex::ZERO);
+            jacobian[(row, column)] = Complex::ONE;
+        }
+    }
+
+    /// Rows of the part alone.
+    fn own(&self, mut rows: Vector<N>) -> Vector<N> {
+        for &[row, _] in &self.part.others {
+            rows[row] = Complex::ZERO;
+        }
+        rows
+    }
 }
 
-/// The equation of the first drive of a free point.
-fn driven_row<G: Listing<N>, const N: usize>(model: &G::Model<Complex<f64>>) -> Option<usize> {
+/// The parts of a model that can be put together one after another.
+pub(crate) fn parts<G: Listing<N>, const N: usize>(
+    model: &G::Model<f64>,
+    drives: &Drives<G, N>,
+    random: &mut Random,
+) -> Vec<Part> {
+    let model: G::Model<Complex<f64>> = G::converted(model, Complex::from);
+    let fixed = model.drive_anchors(*model.fixed(), drives);
+    let anywhere = random.vector::<N>(1.0);
+    let is_linear = |part: &Part| {
+        let mut change = Vector::zeros();
+        part.columns()
+            .for_each(|column| change[column] = anywhere[column]);
+        let still = Fixed::<G, N>::default();
+        let curvature = model.curvature(&change, &still, &change, &still);
+        part.rows().all(|row| curvature[row] == Complex::ZERO)
+    };
+    in_order(&model.jacobian(&anywhere, &fixed), is_linear)
+}
+
+/// The equation of a part's first drive.
+fn driven_row<G: Listing<N>, const N: usize>(
+    model: &G::Model<Complex<f64>>,
+    part: &Part,
+) -> Option<usize> {
     let nowhere = Vector::zeros();
     let still = Fixed::<G, N>::default();
     let at_rest = Drives::<G, N>::default();
     let mut rows = (0..at_rest.values().count()).filter_map(|drive| {
         let rate = at_rest.with(drive, Complex::from(1.0));
         let rate = model.drive_rate(&nowhere, &still, &still, &rate);
-        rate.iter().position(|rate| *rate != Complex::ZERO)
+        part.rows().find(|row| rate[*row] != Complex::ZERO)
     });
     rows.next()
 }
@@ -169,6 +217,7 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
     pub(crate) fn factors(&self, q: &Vector<N>, s: f64) -> Factors<N> {
         let fixed = self.family.fixed(&self.drives(s));
         let mut jacobian = self.family.model.jacobian(q, &fixed);
+        self.family.give(&mut jacobian);
         if let Some(tilt) = &self.family.tilt {
             tilt.add_gradient(self.tilted(s), &mut jacobian);
         }
@@ -186,6 +235,7 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         let Family { model, .. } = self.family;
         let fixed = self.family.fixed(&self.drives(s));
         let of_drives = model.drive_rate(q, &fixed, &self.fixed_rate, &self.change.drives);
+        let of_drives = self.family.own(of_drives);
         let mut terms = [Vector::zeros(); K];
         for order in 0..K {
             let (mut right, last) = match order {
@@ -215,8 +265,9 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
             curvature * Complex::from(orders)
         };
         let pairs = 0..terms.len().div_ceil(2);
-        pairs
+        let sum = pairs
             .map(of_pair)
-            .fold(Vector::zeros(), |sum, one| sum + one)
+            .fold(Vector::zeros(), |sum, one| sum + one);
+        self.family.own(sum)
     }
 }

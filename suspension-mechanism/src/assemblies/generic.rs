@@ -14,7 +14,7 @@ use crate::assemblies::random::Random;
 const STARTS: usize = 200;
 
 /// Loops without a new root after which the search may end. One is not enough: of a double wishbone with skew
-/// axes 24 of 32 roots were closed under a loop, and their sum bent by as little as 5e-7.
+/// axes 24 of 32 roots were closed under a loop.
 const QUIET: usize = 4;
 
 /// Loops that are made at most.
@@ -24,8 +24,12 @@ const MOST_LOOPS: usize = 80;
 /// were.
 const LOOP: f64 = 4.0;
 
-/// How far, relative to their sum's change, the sum of all roots may be from linear.
-const LINEAR: f64 = 1e-6;
+/// How far, relative to their sum's change, the sum of all roots may be from linear. Of double wishbones with skew axes rounding
+/// leaves up to 1e-8, and the least that missing roots left was 5e-7.
+const LINEAR: f64 = 5e-8;
+
+/// How far the plane of the trace test moves, as a multiple of the linkage's size: what missing roots leave grows with it.
+const SHIFT: f64 = 10.0;
 
 /// Why the roots are believed to be all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,8 +41,8 @@ pub struct Evidence {
     /// How many of them, the last ones, brought no new root.
     pub quiet: usize,
     /// The trace test (Sommese, Verschelde and Wampler 2002): how far the sum of the roots is from
-    /// linear as the plane in the place of a drive moves, relative to its change. Where one is missing it is not linear.
-    /// `None` where no drive moves a free point.
+    /// linear as a plane in the place of a coordinate moves, relative to its change. Where one is missing it is not linear.
+    /// `None` where neither a drive nor another part gives a coordinate of a free point.
     pub trace: Option<f64>,
 }
 
@@ -51,7 +55,7 @@ impl Evidence {
 
 /// A member of a family with its roots.
 pub(crate) struct Generic<'a, G: Listing<N>, const N: usize> {
-    family: Family<G, N>,
+    pub(crate) family: Family<G, N>,
     member: Member<Drives<G, N>, N>,
     pub(crate) roots: Vec<Vector<N>>,
     pub(crate) evidence: Evidence,
@@ -165,12 +169,12 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             .collect()
     }
 
-    /// The trace test across the plane in the place of a drive, where there is one; `None` where the search is given up.
+    /// The trace test across the plane in the place of a coordinate, where there is one; `None` where the search is given up.
     fn bend(&mut self) -> Option<Option<f64>> {
         let Some(row) = self.family.tilted_row() else {
             return Some(None);
         };
-        let shift = self.random.vector::<1>(self.family.size).x;
+        let shift = self.random.vector::<1>(SHIFT * self.family.size).x;
         let sum = |steps: f64| {
             let mut member = self.member;
             member.right[row] += shift * steps;

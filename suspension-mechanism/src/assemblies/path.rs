@@ -69,10 +69,19 @@ fn follow_line<G: Listing<N>, const N: usize>(line: &Line<'_, G, N>, mut q: Vect
         };
         (q, s, factors) = step;
         if s >= 1.0 {
-            return End::Root(q);
+            return polished(line, q).map_or(End::Lost, End::Root);
         }
     }
     End::Lost
+}
+
+/// The root at the end of a line, corrected once more with factors of its own place: what is left is rounding.
+fn polished<G: Listing<N>, const N: usize>(
+    line: &Line<'_, G, N>,
+    q: Vector<N>,
+) -> Option<Vector<N>> {
+    let correction = line.factors(&q, 1.0).solve(&line.residual(&q, 1.0))?;
+    Some(q - correction)
 }
 
 /// The longest step of the series that Newton's method confirms: root, place and factors there.

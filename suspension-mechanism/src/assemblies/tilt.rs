@@ -1,14 +1,14 @@
-//! A general plane in the place of a driven coordinate's.
+//! A general plane in the place of a given coordinate's.
 
 use nalgebra::{Complex, SMatrix};
 
 use crate::assemblies::factors::Vector;
 
-/// What is added to the equation of a drive: `f(q; u) + p d.q`, with general `d`.
+/// What is added to the equation of a drive, or of an unknown that is given: `f(q; u) + p d.q`, with general `d`.
 ///
-/// Without the drive's equation the roots form a curve, which a value of the drive cuts in a plane. Planes of one coordinate
+/// Without that equation the roots form a curve, which a value of the coordinate cuts in a plane. Planes of one coordinate
 /// are special: a curve may run off to infinity along them. Then they cut it in fewer points than its degree, and the sum of
-/// these is not linear in the drive although none is missing. A general plane cuts it in as many points as its degree,
+/// these is not linear in its place although none is missing. A general plane cuts it in as many points as its degree,
 /// and their sum is linear (Sommese, Verschelde and Wampler 2002).
 pub(crate) struct Tilt<const N: usize> {
     /// The row of the equation.

@@ -50,14 +50,13 @@ fn two_links_meet_in_two_points_or_none() {
     for height in [0.0, 1.0, 3.999, 4.001, 7.0] {
         let census = search.at(&at(height)).expect("a census");
         assert!(census.tally.is_complete(), "{height}: {census:?}");
-        assert_eq!(census.tally.generic, 2);
+        let [part] = census.tally.parts.as_slice() else {
+            panic!("{height}: {census:?}")
+        };
+        assert_eq!(part.generic, 2);
         let square: f64 = 16.0 - height * height;
         if square < 0.0 {
-            assert_eq!(
-                (census.real.len(), census.tally.complex),
-                (0, 2),
-                "{height}"
-            );
+            assert_eq!((census.real.len(), part.complex), (0, 2), "{height}");
             continue;
         }
         let mut along: Vec<f64> = census.real.iter().map(|q| q.y).collect();
@@ -83,8 +82,11 @@ fn roots_beside_a_fold_are_not_counted_as_complex() {
         .at(&at(4.0 + 4.7e-6 * 4.7e-6 / 8.0))
         .expect("a census");
     println!("{census:?}");
-    assert_eq!((census.real.len(), census.tally.complex), (0, 0));
-    assert!(census.tally.unconfirmed > 0 && census.tally.unaccounted() == 2);
+    let [part] = census.tally.parts.as_slice() else {
+        panic!("one part")
+    };
+    assert_eq!((census.real.len(), part.complex), (0, 0));
+    assert!(part.unconfirmed > 0 && part.unaccounted() == 2);
     assert!(!census.tally.is_complete());
 }
 
@@ -110,7 +112,7 @@ fn a_tripod_has_two_assemblies_wherever_its_foot_is() {
     for foot in [0.0, 1.0, 2.0] {
         let census = search.at(&at(foot)).expect("a census");
         assert!(census.tally.is_complete(), "{foot}: {census:?}");
-        assert_eq!(census.tally.evidence.trace, None);
+        assert_eq!(census.tally.parts[0].evidence.trace, None);
         // The feet lie in the plane z = 0, in which the two are mirror images.
         let [a, b] = census.real[..] else {
             panic!("{foot}: {census:?}")

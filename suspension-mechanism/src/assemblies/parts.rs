@@ -1,0 +1,249 @@
+//! The parts of a mechanism that can be put together one after another: its block triangular form.
+//!
+//! Duff, Erisman and Reid, Direct Methods for Sparse Matrices, chapter 6. Both corners of an axle follow from the rack, and a
+//! rocker from the corner whose pushrod it holds: their assemblies multiply, but are found one part at a time.
+
+use std::array;
+
+use nalgebra::{Complex, SMatrix};
+
+use crate::assemblies::factors::Vector;
+
+/// Some of the equations, with as many unknowns that only these find.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Part {
+    /// Each with one of the unknowns, such that no two have the same.
+    pub(crate) own: Vec<[usize; 2]>,
+    /// All other equations and unknowns likewise.
+    pub(crate) others: Vec<[usize; 2]>,
+    /// Those of the others whose unknowns are in the part's equations.
+    pub(crate) needed: Vec<[usize; 2]>,
+    /// Whether its equations are linear in its unknowns.
+    pub(crate) is_linear: bool,
+}
+
+/// Which unknowns are in which equations, by row.
+type Pattern<const N: usize> = [[bool; N]; N];
+
+/// The parts in an order in which each needs only those before it. What is linear and needs nothing else comes first; later it
+/// belongs to the part that it follows from: without it a part may have too few coordinates to be cut by a general plane.
+pub(crate) fn in_order<const N: usize>(
+    jacobian: &SMatrix<Complex<f64>, N, N>,
+    is_linear: impl Fn(&Part) -> bool,
+) -> Vec<Part> {
+    let pattern: Pattern<N> =
+        array::from_fn(|row| array::from_fn(|column| jacobian[(row, column)] != Complex::ZERO));
+    let Some(matched) = matching(&pattern) else {
+        // Singular whatever the position: nothing comes before anything else.
+        let all = array::from_fn(|row| [row, row]);
+        return vec![Part::of(&pattern, &all, |_| true)];
+    };
+    let part = |rows: Vec<usize>| Part::of(&pattern, &matched, |row| rows.contains(&row));
+    let mut left = Left::new(&pattern, &matched, is_linear);
+    let mut ordered = Vec::new();
+    while let Some(rows) = left.take_linear() {
+        ordered.push(Part {
+            is_linear: true,
+            ..part(rows)
+        });
+    }
+    while let Some(mut rows) = left.take_first() {
+        rows.extend(std::iter::from_fn(|| left.take_linear()).flatten());
+        ordered.push(part(rows));
+    }
+    ordered
+}
+
+/// Parts that are not yet in order.
+struct Left<F, const N: usize> {
+    parts: Vec<Part>,
+    /// The equations of those that are.
+    found: [bool; N],
+    is_linear: F,
+}
+
+impl<F: Fn(&Part) -> bool, const N: usize> Left<F, N> {
+    /// All, each as small as can be.
+    fn new(pattern: &Pattern<N>, matched: &[[usize; 2]; N], is_linear: F) -> Self {
+        let needs = reachable(pattern, matched);
+        let together = |a: usize, b: usize| a == b || needs[a][b] && needs[b][a];
+        let firsts = (0..N).filter(|row| (0..*row).all(|before| !together(*row, before)));
+        let part = |first| Part::of(pattern, matched, |row| together(first, row));
+        Self {
+            parts: firsts.map(part).collect(),
+            found: [false; N],
+            is_linear,
+        }
+    }
+
+    /// The equations of the first part that needs only what is found.
+    fn take_first(&mut self) -> Option<Vec<usize>> {
+        let is_first = |part: &Part| part.follows_from(&self.found);
+        let first = self.parts.iter().position(is_first)?;
+        Some(self.take(vec![self.parts[first].clone()]))
+    }
+
+    /// Those of all linear ones that do.
+    fn take_linear(&mut self) -> Option<Vec<usize>> {
+        let ready = |part: &&Part| part.follows_from(&self.found) && (self.is_linear)(part);
+        let ready: Vec<Part> = self.parts.iter().filter(ready).cloned().collect();
+        (!ready.is_empty()).then(|| self.take(ready))
+    }
+
+    fn take(&mut self, parts: Vec<Part>) -> Vec<usize> {
+        self.parts.retain(|part| !parts.contains(part));
+        let rows: Vec<usize> = parts.iter().flat_map(Part::rows).collect();
+        rows.iter().for_each(|row| self.found[*row] = true);
+        rows
+    }
+}
+
+impl Part {
+    /// The part of the rows that belong to it.
+    fn of<const N: usize>(
+        pattern: &Pattern<N>,
+        matched: &[[usize; 2]; N],
+        is_own: impl Fn(usize) -> bool,
+    ) -> Self {
+        let (own, others): (Vec<_>, Vec<_>) = matched.iter().partition(|[row, _]| is_own(*row));
+        let is_needed = |[_, column]: &[usize; 2]| {
+            let mut rows = own.iter();
+            rows.any(|[row, _]: &[usize; 2]| pattern[*row][*column])
+        };
+        let needed = others.iter().copied().filter(is_needed).collect();
+        Self {
+            own,
+            others,
+            needed,
+            is_linear: false,
+        }
+    }
+
+    /// The right-hand sides that give all other unknowns the values of an assembly.
+    pub(crate) fn given<const N: usize>(&self, assembly: &Vector<N>) -> Vector<N> {
+        let mut right = Vector::zeros();
+        for &[row, column] in &self.others {
+            right[row] = assembly[column];
+        }
+        right
+    }
+
+    /// An assembly with the part's unknowns of another.
+    pub(crate) fn put<const N: usize>(&self, of: &Vector<N>, mut assembly: Vector<N>) -> Vector<N> {
+        for column in self.columns() {
+            assembly[column] = of[column];
+        }
+        assembly
+    }
+
+    /// Whether all that it needs is found.
+    fn follows_from<const N: usize>(&self, found: &[bool; N]) -> bool {
+        self.needed.iter().all(|[row, _]| found[*row])
+    }
+
+    /// Its equations.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = usize> {
+        self.own.iter().map(|[row, _]| *row)
+    }
+
+    /// Its unknowns.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = usize> {
+        self.own.iter().map(|[_, column]| *column)
+    }
+}
+
+/// An unknown of each equation, no two the same: augmenting paths. `None` where there are none such.
+fn matching<const N: usize>(pattern: &Pattern<N>) -> Option<[[usize; 2]; N]> {
+    let mut row_of = [None; N];
+    for row in 0..N {
+        if !find(pattern, row, &mut [false; N], &mut row_of) {
+            return None;
+        }
+    }
+    let mut matched = [[0; 2]; N];
+    for (column, row) in row_of.into_iter().enumerate() {
+        matched[row?] = [row?, column];
+    }
+    Some(matched)
+}
+
+/// Finds an unknown for an equation, where another may take a different one instead.
+fn find<const N: usize>(
+    pattern: &Pattern<N>,
+    row: usize,
+    tried: &mut [bool; N],
+    row_of: &mut [Option<usize>; N],
+) -> bool {
+    for column in 0..N {
+        if !pattern[row][column] || tried[column] {
+            continue;
+        }
+        tried[column] = true;
+        if row_of[column].is_none_or(|other| find(pattern, other, tried, row_of)) {
+            row_of[column] = Some(row);
+            return true;
+        }
+    }
+    false
+}
+
+/// Which equations must be solved before each one: those of its unknowns, and theirs in turn (Warshall 1962).
+fn reachable<const N: usize>(pattern: &Pattern<N>, matched: &[[usize; 2]; N]) -> Pattern<N> {
+    let mut needs: Pattern<N> =
+        array::from_fn(|row| array::from_fn(|other| pattern[row][matched[other][1]]));
+    for through in 0..N {
+        let beyond = needs[through];
+        for row in &mut needs {
+            if row[through] {
+                for (needed, beyond) in row.iter_mut().zip(beyond) {
+                    *needed |= beyond;
+                }
+            }
+        }
+    }
+    needs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The unknowns of each part.
+    fn parts(rows: [[u8; 5]; 5], is_linear: impl Fn(&Part) -> bool) -> Vec<Vec<usize>> {
+        let entry = |row: usize, column: usize| Complex::from(f64::from(rows[row][column]));
+        let parts = in_order::<5>(&SMatrix::from_fn(entry), is_linear);
+        let columns = parts.iter().map(|part| {
+            let mut columns: Vec<usize> = part.columns().collect();
+            columns.sort_unstable();
+            columns
+        });
+        columns.collect()
+    }
+
+    /// Unknowns 0 and 1 need 4, which stands alone; 2 needs 1, and 3 needs both.
+    const ROWS: [[u8; 5]; 5] = [
+        [1, 1, 0, 0, 0],
+        [0, 1, 1, 1, 0],
+        [1, 1, 0, 0, 1],
+        [0, 0, 0, 0, 1],
+        [0, 1, 1, 0, 0],
+    ];
+
+    #[test]
+    fn each_part_needs_those_before_it() {
+        let expected: [&[usize]; 4] = [&[4], &[0, 1], &[2], &[3]];
+        assert_eq!(parts(ROWS, |_| false), expected);
+    }
+
+    #[test]
+    fn linear_parts_belong_to_what_they_follow_from() {
+        let expected: [&[usize]; 2] = [&[4], &[0, 1, 2, 3]];
+        assert_eq!(parts(ROWS, |part| part.own.len() == 1), expected);
+    }
+
+    #[test]
+    fn what_has_no_order_is_one_part() {
+        let singular = [[1, 0, 0, 0, 0]; 5];
+        assert_eq!(parts(singular, |_| false), [[0, 1, 2, 3, 4]]);
+    }
+}
