@@ -17,7 +17,9 @@ mod series;
 #[path = "../support/mod.rs"]
 mod support;
 
+use nalgebra::{SMatrix, SVector};
 use proptest::test_runner::Config;
+use suspension_core::lu::Lu;
 
 /// Of so many random cases, of which a failing one is printed, not written to a file.
 fn config(cases: u32) -> Config {
@@ -26,4 +28,17 @@ fn config(cases: u32) -> Config {
         failure_persistence: None,
         ..Config::default()
     }
+}
+
+/// The norm of a matrix' inverse, infinite where there is none.
+fn inverse_norm(matrix: &SMatrix<f64, 15, 15>) -> f64 {
+    let Ok(factored) = Lu::factor(matrix) else {
+        return f64::INFINITY;
+    };
+    let column = |place| factored.solve(&SVector::from_fn(|row, _| f64::from(row == place)));
+    (0..15)
+        .map(column)
+        .map(|column| column.norm_squared())
+        .sum::<f64>()
+        .sqrt()
 }

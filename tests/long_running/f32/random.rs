@@ -6,6 +6,7 @@ use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::{Build, Inputs, Linkage, Motion, Real, Signal, Still, Values};
 
 use super::case::{Built, Tested, WAYS, Way, single};
+use crate::inverse_norm;
 
 const SEED: u64 = 20_261_121;
 const GEOMETRIES: usize = 40;
@@ -60,9 +61,7 @@ fn compare<G: Tested>(
             return;
         }
         let jacobian = model.jacobian(&exact.position, model.fixed());
-        let inverse = jacobian
-            .try_inverse()
-            .map_or(f64::INFINITY, |inverse| inverse.norm());
+        let inverse = inverse_norm(&jacobian);
         let stepped = way.step(&single.model, &turning(theta, rate), dt, &mut motion);
         if stepped.is_err() {
             assert_eq!(motion, before);
