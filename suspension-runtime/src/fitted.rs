@@ -4,7 +4,7 @@ use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelP
 
 use crate::listing::Listing;
 use crate::plan::Plan;
-use crate::size::{Room, Size};
+use crate::size::{LARGEST, Room, Size};
 
 /// A listing that fits into models of `N` unknowns: the family of its models over any number.
 #[derive(Clone, Copy, Debug)]
@@ -84,7 +84,7 @@ impl Listing {
             work.on(listing)
         } else {
             // Larger ones are refused when they are read.
-            work.on(Fitted::<60>(self))
+            work.on(Fitted::<LARGEST>(self))
         }
     }
 }

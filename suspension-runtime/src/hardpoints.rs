@@ -8,7 +8,7 @@ use suspension_core::{Build, Corner, GeometryError, Values};
 
 use crate::listing::Listing;
 use crate::model::Model;
-use crate::size::{Points, Room, Size};
+use crate::size::{LARGEST, Points, Room, Size};
 
 /// Why there is no model of a listing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ impl Listing {
 
     /// Whether the order of elimination suits hardpoints, as far as those are a geometry.
     fn suits(&self, hardpoints: &[Vector3<f64>]) -> bool {
-        let model = self.built::<60>(hardpoints);
+        let model = self.built::<LARGEST>(hardpoints);
         let small = |error| {
             matches!(
                 error,

@@ -11,6 +11,7 @@ use suspension_listing::text::{self, Mistake, Mistakes};
 use crate::catalogue_and_files::CatalogueAndFiles;
 use crate::names::Names;
 use crate::plan::{Plan, Wheel};
+use crate::size::LARGEST;
 
 /// A listing: parsed, checked, and ready to be made into models.
 #[derive(Clone, Debug)]
@@ -70,7 +71,7 @@ impl Listing {
             plan: Plan::new(&system, &order),
             system,
         };
-        let Some(exceeded) = listing.plan.exceeded::<60>() else {
+        let Some(exceeded) = listing.plan.exceeded::<LARGEST>() else {
             return Ok(listing);
         };
         let (count, most, what) = (exceeded.count, exceeded.most, exceeded.what);
@@ -82,7 +83,7 @@ impl Listing {
     /// The listing with another order of elimination; unchanged where that is too large.
     pub(crate) fn with_order(self, order: &Order) -> Self {
         let plan = Plan::new(&self.system, order);
-        match plan.exceeded::<60>() {
+        match plan.exceeded::<LARGEST>() {
             Some(_) => self,
             None => Self { plan, ..self },
         }

@@ -7,6 +7,9 @@ use crate::table::{Masked, Table, Value};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Room<const N: usize>;
 
+/// The unknowns of the largest size.
+pub(crate) const LARGEST: usize = 60;
+
 /// What a model of a size has room for. There are three: `Room<15>`, `Room<30>`, `Room<60>`.
 ///
 /// | unknowns | chassis points, drives, measures, markers, bodies, carried points, each | lengths | numbers of the factored Jacobian |

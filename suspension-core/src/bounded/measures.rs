@@ -11,7 +11,7 @@ pub struct Measures<T> {
     pub residual_squared: T,
     /// The error of the predicted position, square of a length.
     pub error_squared: T,
-    /// The acceleration, to which every rate contributes: not finite where one of them is not.
+    /// The acceleration: not finite where a rate is not that an equation with curvature reads.
     pub rates_squared: T,
     /// The health of the pivots: see [`Factors::growth_squared`](crate::linkage::Factors).
     pub growth_squared: T,

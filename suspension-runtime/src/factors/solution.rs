@@ -82,15 +82,13 @@ where
     #[inline(always)]
     fn rows_in_place(&self, right: &SVector<T, N>) -> Places<T, N> {
         let [right] = &right.data.0;
-        let mut x = places::<T, N>(right);
+        let mut x = Places::<T, N>::default();
         for (place, &row) in x
             .as_mut_slice()
             .iter_mut()
             .zip(&self.plan.elimination.row_of)
         {
-            if let Some(value) = right.get(usize::from(row)) {
-                *place = *value;
-            }
+            *place = right.get(usize::from(row)).copied().unwrap_or_default();
         }
         x
     }

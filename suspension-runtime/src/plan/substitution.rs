@@ -6,6 +6,7 @@ use suspension_listing::system::{Substituted, System};
 
 use super::ZERO;
 use super::places::position;
+use crate::size::LARGEST;
 use crate::table::{SPARE, index};
 
 /// Rows of a triangular factor and their terms, one row after the other.
@@ -140,12 +141,14 @@ fn column_of(order: &Order, row: usize) -> usize {
         .map_or(usize::MAX, |step| step.column)
 }
 
-/// For each unknown, the row of the step that finds it.
+/// For each unknown, the row of the step that finds it; beyond those of the listing, its own.
 pub(super) fn row_of(order: &Order) -> Vec<u16> {
     let steps = order.steps.iter();
     let mut rows: Vec<[usize; 2]> = steps.map(|step| [step.column, step.row]).collect();
     rows.sort_unstable();
-    rows.into_iter().map(|[_, row]| index(row)).collect()
+    let beyond = rows.len()..LARGEST;
+    let rows = rows.into_iter().map(|[_, row]| row);
+    rows.chain(beyond).map(index).collect()
 }
 
 /// The points that elimination takes out first, by body.
