@@ -252,5 +252,5 @@ mechanism does not go through the range, or not within the tolerance, 130 interr
 
 Example:
   suspension bake examples/five_link.toml --from 0.75 --to 2.0 --tolerance 1e-5 --as c
-  suspension bake examples/double_wishbone.toml --along damper=0.32:0.38 --drive bump --as c
+  suspension bake examples/double_wishbone.toml --along damper=0.33:0.37 --drive bump --as c
   suspension bake examples/double_wishbone.toml --drive bump=0.24:0.36 --drive steer=0.32:0.36 --tolerance 1e-5"#;

@@ -32,6 +32,9 @@ use searched::Searched;
 /// assemblies that are known of a part of general lengths; `false` gives the search up.
 pub type Watch<'a> = dyn Fn(usize) -> bool + Sync + 'a;
 
+/// How many real assemblies are listed. Those of its parts multiply.
+const MOST: usize = 10_000;
+
 /// All assemblies of a mechanism at given values of its drives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Census<const N: usize> {
@@ -47,6 +50,7 @@ pub struct Assemblies<'a, L: Enumerable<N>, const N: usize> {
     model: &'a L,
     near: Vector<N>,
     parts: Vec<Searched<'a, L::Listing, N>>,
+    watch: &'a Watch<'a>,
 }
 
 impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
@@ -60,12 +64,13 @@ impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
         const SEED: u64 = 1;
         let mut random = Random::new(SEED);
         let drives = complex(model, inputs);
-        let parts = parts::<L::Listing, N>(model, &drives, &mut random).into_iter();
+        let parts = parts::<L::Listing, N>(model, &mut random).into_iter();
         let search = |part| Searched::new(model, part, near, drives, random.clone(), watch);
         Some(Self {
             model,
             near: near.map(Into::into),
             parts: parts.map(search).collect::<Option<_>>()?,
+            watch,
         })
     }
 
@@ -74,21 +79,28 @@ impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
         let drives = complex(self.model, inputs);
         let mut assemblies = vec![self.near];
         let mut tallies = Vec::new();
+        let mut is_cut = false;
         for part in &mut self.parts {
             let (longer, tally) = part.after(&assemblies, drives)?;
+            is_cut |= longer.len() > MOST;
             assemblies = longer;
+            assemblies.truncate(MOST);
             tallies.extend(tally);
         }
-        let confirmed = |q: &Vector<N>| {
-            let mut q = q.map(|entry| entry.re);
+        let mut real = Vec::new();
+        for assembly in &assemblies {
+            if !(self.watch)(real.len()) {
+                return None;
+            }
+            let mut q = assembly.map(|entry| entry.re);
             let confirmed = Newton::near_by().solve(self.model, inputs, &mut q);
-            confirmed.is_ok().then_some(q)
-        };
-        let real: Vec<_> = assemblies.iter().filter_map(confirmed).collect();
+            real.extend(confirmed.is_ok().then_some(q));
+        }
         let tally = Tally {
             real: real.len(),
             turned: 0,
             unconfirmed: assemblies.len() - real.len(),
+            is_cut,
             parts: tallies,
         };
         Some(Census { real, tally })

@@ -117,7 +117,7 @@ fn certainty(listed: &Listed) -> String {
     };
     let turned = match tally.turned {
         0 => String::new(),
-        count => format!(" ({count} more at another angle of a drive)"),
+        count => format!(" ({count} more at other quarters of a driven angle)"),
     };
     let real = format!("{} real{turned}", tally.real);
     match tally.parts.as_slice() {

@@ -3,10 +3,11 @@
 use nalgebra::Complex;
 use suspension_core::Listing;
 
+use crate::assemblies::MOST;
 use crate::assemblies::factors::Vector;
 use crate::assemblies::family::{Drives, Line, Member};
 use crate::assemblies::generic::{Evidence, Generic, add_distinct};
-use crate::assemblies::path::End;
+use crate::assemblies::path::{End, FAR};
 
 /// Ways on which the roots are followed at most: a straight one, and detours where paths of that
 /// are lost.
@@ -24,11 +25,13 @@ const ROUNDINGS: f64 = 64.0;
 pub struct Tally {
     /// How many are real.
     pub real: usize,
-    /// How many more are real, with another angle where a drive is one about an axis: the equations have the sine of its
-    /// quarter, which other angles have too.
+    /// How many more are real, with another quarter of an angle about an axis that is driven: the equations have its sine, which
+    /// other angles have too, or the same angle after a turn.
     pub turned: usize,
     /// How many were put together, and are not confirmed as a whole.
     pub unconfirmed: usize,
+    /// Whether there are more than are listed.
+    pub is_cut: bool,
     /// Of each part, in the order in which they are put together.
     pub parts: Vec<PartTally>,
 }
@@ -116,8 +119,11 @@ impl Tally {
             let count = self.unconfirmed;
             format!("{count} that were put together are not confirmed as a whole")
         });
+        let cut = self
+            .is_cut
+            .then(|| format!("only the first {MOST} are listed"));
         let of_parts = self.parts.iter().flat_map(of_part);
-        of_parts.chain(unconfirmed).collect()
+        of_parts.chain(unconfirmed).chain(cut).collect()
     }
 }
 
@@ -135,13 +141,17 @@ pub(crate) fn census<G: Listing<N>, const N: usize>(
         let lines = generic.lines(detour.into_iter().chain([target]));
         let ends = generic.follow_all(&lines)?;
         // Another way loses other paths: as many go to infinity on each.
-        let far = ends.iter().filter(|end| **end == End::Infinite).count();
-        infinite = far.max(infinite);
+        let mut far = 0;
         for end in ends {
-            if let End::Root(root) = end {
-                add_distinct(&mut roots, root, size);
+            match end {
+                End::Root(root) if root.camax() < 0.1 * FAR * size => {
+                    add_distinct(&mut roots, root, size);
+                }
+                End::Root(_) | End::Infinite => far += 1,
+                End::Lost => {}
             }
         }
+        infinite = far.max(infinite);
         if roots.len() + infinite >= generic.roots.len() {
             break;
         }

@@ -6,7 +6,7 @@ use suspension_core::{Inputs, Linkage, Listing, Still, Values};
 use crate::assemblies::factors::{Factors, Vector};
 use crate::assemblies::parts::{Part, in_order};
 use crate::assemblies::random::Random;
-use crate::assemblies::tilt::Tilt;
+use crate::assemblies::tilt::{Plane, Tilt};
 
 /// A model of a listing, whose equations can be taken over complex numbers.
 pub trait Enumerable<const N: usize>:
@@ -35,7 +35,7 @@ pub(crate) struct Family<G: Listing<N>, const N: usize> {
     pub(crate) size: f64,
     pub(crate) part: Part,
     /// Of an unknown that the part needs, or of its first drive: of what the part's assemblies are a curve over.
-    tilt: Option<Tilt<N>>,
+    pub(crate) tilt: Option<Tilt<N>>,
 }
 
 /// One system of a family.
@@ -45,8 +45,7 @@ pub(crate) struct Member<D, const N: usize> {
     pub(crate) drives: D,
     /// `c`.
     pub(crate) right: Vector<N>,
-    /// How much of the tilt it has.
-    pub(crate) tilted: f64,
+    pub(crate) plane: Plane,
 }
 
 impl<G: Listing<N>, const N: usize> Family<G, N> {
@@ -54,7 +53,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         let model_of_complex = G::converted(model, Complex::from);
         let of_given = part.needed.first().map(|[row, _]| *row);
         let tilted = of_given.or_else(|| driven_row::<G, N>(&model_of_complex, &part));
-        let tilt = tilted.map(|row| Tilt::new(row, random.vector(1.0)));
+        let tilt = tilted.map(|row| Tilt::new(row, model.size(), random));
         Self {
             model: model_of_complex,
             size: model.size(),
@@ -68,24 +67,24 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         &self,
         q: &Vector<N>,
         drives: Drives<G, N>,
-        tilted: f64,
+        plane: Plane,
     ) -> Member<Drives<G, N>, N> {
-        let right = self.residual(q, &drives, tilted);
+        let right = self.residual(q, &drives, plane);
         Member {
             drives,
             right,
-            tilted,
+            plane,
         }
     }
 
     /// `F(q; u)`.
-    fn residual(&self, q: &Vector<N>, drives: &Drives<G, N>, tilted: f64) -> Vector<N> {
+    fn residual(&self, q: &Vector<N>, drives: &Drives<G, N>, plane: Plane) -> Vector<N> {
         let mut rows = self.model.residual(q, &self.fixed(drives), drives);
         for &[row, column] in &self.part.others {
             rows[row] = q[column];
         }
         if let Some(tilt) = &self.tilt {
-            tilt.add(tilted, q, &mut rows);
+            tilt.add(plane, q, &mut rows);
         }
         rows
     }
@@ -100,7 +99,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         let change = Member {
             drives: Values::from_values(ends.map(|(from, to)| to - from)),
             right: to.right - from.right,
-            tilted: to.tilted - from.tilted,
+            plane: to.plane.plus(from.plane, -1.0),
         };
         let fixed_rate = self
             .model
@@ -111,11 +110,6 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
             change,
             fixed_rate,
         }
-    }
-
-    /// The equation that is tilted.
-    pub(crate) fn tilted_row(&self) -> Option<usize> {
-        self.tilt.as_ref().map(|tilt| tilt.row)
     }
 
     fn fixed(&self, drives: &Drives<G, N>) -> Fixed<G, N> {
@@ -139,14 +133,15 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
     }
 }
 
-/// The parts of a model that can be put together one after another.
+/// The parts of a model that can be put together one after another, wherever drives move the chassis' points.
 pub(crate) fn parts<G: Listing<N>, const N: usize>(
     model: &G::Model<f64>,
-    drives: &Drives<G, N>,
     random: &mut Random,
 ) -> Vec<Part> {
     let model: G::Model<Complex<f64>> = G::converted(model, Complex::from);
-    let fixed = model.drive_anchors(*model.fixed(), drives);
+    let anywhere = std::iter::repeat_with(|| random.vector::<1>(1.0).x);
+    let drives = Values::from_values(anywhere.take(N));
+    let fixed = model.drive_anchors(*model.fixed(), &drives);
     let anywhere = random.vector::<N>(1.0);
     let is_linear = |part: &Part| {
         let mut change = Vector::zeros();
@@ -198,19 +193,24 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         self.family.size
     }
 
+    /// Whether it ends at the mechanism itself, of which some of the roots may be at infinity.
+    pub(crate) fn is_to_the_mechanism(&self) -> bool {
+        self.plane(1.0) == Plane::default()
+    }
+
     fn drives(&self, s: f64) -> Drives<G, N> {
         let ends = self.from.drives.values().zip(self.change.drives.values());
         Values::from_values(ends.map(|(from, change)| from + change * s))
     }
 
-    fn tilted(&self, s: f64) -> f64 {
-        self.from.tilted + self.change.tilted * s
+    fn plane(&self, s: f64) -> Plane {
+        self.from.plane.plus(self.change.plane, s)
     }
 
     /// `F(q; u(s)) - c(s)`.
     pub(crate) fn residual(&self, q: &Vector<N>, s: f64) -> Vector<N> {
         let right = self.from.right + self.change.right * Complex::from(s);
-        self.family.residual(q, &self.drives(s), self.tilted(s)) - right
+        self.family.residual(q, &self.drives(s), self.plane(s)) - right
     }
 
     /// The factors of `dF/dq`.
@@ -219,7 +219,7 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         let mut jacobian = self.family.model.jacobian(q, &fixed);
         self.family.give(&mut jacobian);
         if let Some(tilt) = &self.family.tilt {
-            tilt.add_gradient(self.tilted(s), &mut jacobian);
+            tilt.add_gradient(self.plane(s), &mut jacobian);
         }
         Factors::of(jacobian)
     }
@@ -246,7 +246,8 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
                 }
             };
             if let Some(tilt) = &self.family.tilt {
-                tilt.add(-self.change.tilted, last, &mut right);
+                let less = Plane::default().plus(self.change.plane, -1.0);
+                tilt.add(less, last, &mut right);
             }
             terms[order] = factors.solve(&right)?;
         }

@@ -9,6 +9,7 @@ use crate::assemblies::family::{Drives, Family, Line, Member};
 use crate::assemblies::parallel;
 use crate::assemblies::path::{End, follow};
 use crate::assemblies::random::Random;
+use crate::assemblies::tilt::Plane;
 
 /// Random starts before the first loop.
 const STARTS: usize = 200;
@@ -20,16 +21,13 @@ const QUIET: usize = 4;
 /// Loops that are made at most.
 const MOST_LOOPS: usize = 80;
 
-/// How large loops are, as a multiple of the linkage's size: small ones leave the roots where they
-/// were.
-const LOOP: f64 = 4.0;
+/// How large loops are, as a multiple of the linkage's size: small ones leave the roots where they were, those far away
+/// above all. Of double wishbones with skew axes 32 roots were found by 7 to 10 loops of this size, and by 8 to 16, or not by 80, of 4.
+const LOOP: f64 = 100.0;
 
-/// How far, relative to their sum's change, the sum of all roots may be from linear. Of double wishbones with skew axes rounding
-/// leaves up to 1e-8, and the least that missing roots left was 5e-7.
-const LINEAR: f64 = 5e-8;
-
-/// How far the plane of the trace test moves, as a multiple of the linkage's size: what missing roots leave grows with it.
-const SHIFT: f64 = 10.0;
+/// How far, relative to its change, the sum over all roots may be from linear. Of double wishbones with skew axes rounding leaves
+/// up to 1e-10, and missing roots left 2e-4 and more.
+const LINEAR: f64 = 1e-8;
 
 /// Why the roots are believed to be all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -41,7 +39,7 @@ pub struct Evidence {
     /// How many of them, the last ones, brought no new root.
     pub quiet: usize,
     /// The trace test (Sommese, Verschelde and Wampler 2002): how far the sum of the roots is from
-    /// linear as a plane in the place of a coordinate moves, relative to its change. Where one is missing it is not linear.
+    /// linear as a plane in the place of a coordinate turns, relative to its change. Where one is missing it is not linear.
     /// `None` where neither a drive nor another part gives a coordinate of a free point.
     pub trace: Option<f64>,
 }
@@ -75,9 +73,13 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
         mut random: Random,
         watch: &'a Watch<'a>,
     ) -> Option<Self> {
+        let tilted = Plane {
+            tilted: 1.0,
+            turned: Complex::ZERO,
+        };
         let root = q.map(Complex::from) + random.vector::<N>(family.size);
         let mut generic = Self {
-            member: family.of_root(&root, drives, 1.0),
+            member: family.of_root(&root, drives, tilted),
             family,
             roots: vec![root],
             evidence: Evidence::default(),
@@ -102,7 +104,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
         let ends = self.each(&starts, |start| {
             let from = self
                 .family
-                .of_root(start, self.member.drives, self.member.tilted);
+                .of_root(start, self.member.drives, self.member.plane);
             follow(&[self.family.line(from, self.member)], start)
         })?;
         self.add(ends);
@@ -169,24 +171,25 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             .collect()
     }
 
-    /// The trace test across the plane in the place of a coordinate, where there is one; `None` where the search is given up.
+    /// The trace test, where there is a plane to turn; `None` where the search is given up.
     fn bend(&mut self) -> Option<Option<f64>> {
-        let Some(row) = self.family.tilted_row() else {
+        let turned = self.random.vector::<1>(1.0).x;
+        let Some(tilt) = &self.family.tilt else {
             return Some(None);
         };
-        let shift = self.random.vector::<1>(SHIFT * self.family.size).x;
-        let sum = |steps: f64| {
+        let sum = |times: f64| {
             let mut member = self.member;
-            member.right[row] += shift * steps;
-            Some(sum_of(self.follow_all(&self.lines([member]))?))
+            member.plane.turned = turned * times;
+            member.right[tilt.row] += tilt.away * turned * Complex::from(times);
+            let ends = self.follow_all(&self.lines([member]))?;
+            Some(sum_of(ends, |root| tilt.seen(root)))
         };
         let (Some(one), Some(two)) = (sum(1.0)?, sum(2.0)?) else {
             return Some(Some(f64::INFINITY));
         };
-        let none: Vector<N> = self.roots.iter().sum();
+        let none: Vector<N> = self.roots.iter().map(|root| tilt.seen(root)).sum();
         let bend = (two - one * Complex::from(2.0) + none).camax();
-        let change = (two - none).camax();
-        Some(Some(bend / change.max(self.family.size)))
+        Some(Some(bend / (two - none).camax()))
     }
 
     fn add(&mut self, ends: Vec<End<N>>) {
@@ -198,11 +201,14 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
     }
 }
 
-/// The sum of the roots, where all ends are roots.
-fn sum_of<const N: usize>(ends: Vec<End<N>>) -> Option<Vector<N>> {
+/// A sum over the roots, where all ends are roots.
+fn sum_of<const N: usize>(
+    ends: Vec<End<N>>,
+    of: impl Fn(&Vector<N>) -> Vector<N>,
+) -> Option<Vector<N>> {
     ends.into_iter()
         .try_fold(Vector::zeros(), |sum, end| match end {
-            End::Root(root) => Some(sum + root),
+            End::Root(root) => Some(sum + of(&root)),
             End::Infinite | End::Lost => None,
         })
 }

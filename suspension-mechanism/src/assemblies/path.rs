@@ -12,6 +12,9 @@ const TERMS: usize = 10;
 /// What the prediction may be off by, as a multiple of the size of the root.
 const PREDICTION: f64 = 1e-6;
 
+/// How large the correction of a prediction may be, likewise.
+const CORRECTION: f64 = 1e-4;
+
 /// What rounding may leave of a correction: far from the real configurations the closure of a body
 /// is badly conditioned.
 const ROUNDING: f64 = 1e-7;
@@ -20,11 +23,11 @@ const ROUNDING: f64 = 1e-7;
 const MOST_STEPS: usize = 400;
 
 /// The shortest step, as a part of the line.
-const SHORTEST: f64 = 1e-12;
+const SHORTEST: f64 = 1e-14;
 
-/// How large a root is that may be on its way to infinity, as a multiple of the linkage's size. Rounding ends paths at a few
-/// times that.
-const FAR: f64 = 1e4;
+/// How large a root is that may be on its way to infinity, as a multiple of the linkage's size: larger than any real one.
+/// Rounding ends paths at a few times that.
+pub(crate) const FAR: f64 = 1e4;
 
 /// How near to the end of a line, as a part of what is left of it, its series must have the pole.
 const POLE: f64 = 0.3;
@@ -34,7 +37,7 @@ const POLE: f64 = 0.3;
 pub(crate) enum End<const N: usize> {
     /// To a root of the member at the end of the line.
     Root(Vector<N>),
-    /// To infinity at the end of the line.
+    /// To infinity at the end of the line, or so far that it is no matter.
     Infinite,
     /// To where the root is not isolated, or too far away for its rounding, or no steps are left.
     Lost,
@@ -61,7 +64,8 @@ fn follow_line<G: Listing<N>, const N: usize>(line: &Line<'_, G, N>, mut q: Vect
         let Some(terms) = line.series(&q, s, &factors) else {
             return End::Lost;
         };
-        if scale > FAR * line.size() && has_pole_at(1.0 - s, &terms) {
+        let is_far = line.is_to_the_mechanism() && scale > FAR * line.size();
+        if is_far && has_pole_at(1.0 - s, &terms) {
             return End::Infinite;
         }
         let Some(step) = step(line, &q, s, &terms, scale) else {
@@ -75,13 +79,14 @@ fn follow_line<G: Listing<N>, const N: usize>(line: &Line<'_, G, N>, mut q: Vect
     End::Lost
 }
 
-/// The root at the end of a line, corrected once more with factors of its own place: what is left is rounding.
+/// The root at the end of a line, corrected once more with factors of its own place.
 fn polished<G: Listing<N>, const N: usize>(
     line: &Line<'_, G, N>,
     q: Vector<N>,
 ) -> Option<Vector<N>> {
     let correction = line.factors(&q, 1.0).solve(&line.residual(&q, 1.0))?;
-    Some(q - correction)
+    let is_small = correction.camax() < CORRECTION * (line.size() + q.camax());
+    is_small.then(|| q - correction)
 }
 
 /// The longest step of the series that Newton's method confirms: root, place and factors there.
@@ -100,7 +105,9 @@ fn step<G: Listing<N>, const N: usize>(
         let first = factors.solve(&line.residual(&predicted, there))?;
         let once = predicted - first;
         let second = factors.solve(&line.residual(&once, there))?;
-        if first.camax() < 1e2 * PREDICTION * scale
+        // A root that comes from far away is held to the size that it has now.
+        let scale = scale.min(line.size() + once.camax());
+        if first.camax() < CORRECTION * scale
             && second.camax() < (1e-2 * first.camax()).max(ROUNDING * scale)
         {
             return Some((once - second, there, factors));

@@ -4,13 +4,14 @@ use nalgebra::SVector;
 use suspension_core::Listing;
 use suspension_core::listing::{Kind, Part as Place, Parts};
 
-use crate::assemblies::Watch;
 use crate::assemblies::census::{PartTally, census};
 use crate::assemblies::factors::Vector;
 use crate::assemblies::family::{Drives, Enumerable, Family, Member};
 use crate::assemblies::generic::Generic;
 use crate::assemblies::parts::Part;
 use crate::assemblies::random::Random;
+use crate::assemblies::tilt::Plane;
+use crate::assemblies::{MOST, Watch};
 
 /// A part, and what is known of it with general lengths.
 pub(crate) enum Searched<'a, G: Listing<N>, const N: usize> {
@@ -64,6 +65,9 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
         let mut found: Vec<(&Vector<N>, Vec<Vector<N>>)> = Vec::new();
         let mut longer = Vec::new();
         for assembly in before {
+            if longer.len() > MOST {
+                break;
+            }
             let needed = &self.family().part.needed;
             let is_same = |other: &Vector<N>| {
                 let mut needed = needed.iter();
@@ -94,7 +98,7 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
         let target = Member {
             drives,
             right: self.family().part.given(before),
-            tilted: 0.0,
+            plane: Plane::default(),
         };
         match self {
             Self::Linear(family) => {

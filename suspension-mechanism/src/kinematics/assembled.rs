@@ -1,7 +1,7 @@
 //! The ways to put a mechanism together.
 
 use nalgebra::SVector;
-use suspension_core::listing::DriveKind;
+use suspension_core::listing::{DriveKind, Kind, Parts};
 use suspension_core::lu::Lu;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
@@ -47,6 +47,19 @@ impl<'a, L: Suspension<N>, const N: usize> Enumerated<'a, L, N> {
         let search = Assemblies::new(model, &start.position, &inputs, watch)?;
         Some(Self { mechanism, search })
     }
+
+    /// Whether all points stand at the same places: at an angle about an axis of zero or half a turn its quarter has two values.
+    fn is_same(&self, a: &SVector<f64, N>, b: &SVector<f64, N>) -> bool {
+        const APART: f64 = 1e-6;
+        let names = &self.mechanism.names;
+        let has_turns = names
+            .drives
+            .iter()
+            .any(|drive| drive.kind == DriveKind::Turn);
+        let [a, b] = [a, b].map(|q| coordinates(&self.mechanism.model, q));
+        let mut pairs = a.iter().zip(b);
+        has_turns && pairs.all(|(a, b)| (a - b).abs() < APART * self.mechanism.model.size())
+    }
 }
 
 impl<L: Suspension<N>, const N: usize> Assembled for Enumerated<'_, L, N> {
@@ -55,7 +68,15 @@ impl<L: Suspension<N>, const N: usize> Assembled for Enumerated<'_, L, N> {
         let census = self.search.at(&inputs)?;
         let each = census.real.iter();
         let at_drives = each.filter(|q| is_at_angles(self.mechanism, &inputs, q));
-        let assemblies = at_drives.map(|q| assembly(self.mechanism, &inputs, q));
+        let mut distinct: Vec<&SVector<f64, N>> = Vec::new();
+        for q in at_drives {
+            if !distinct.iter().any(|other| self.is_same(q, other)) {
+                distinct.push(q);
+            }
+        }
+        let assemblies = distinct
+            .iter()
+            .map(|q| assembly(self.mechanism, &inputs, q));
         let mut assemblies: Vec<_> = assemblies.collect();
         assemblies.sort_by(|a, b| a.distance.total_cmp(&b.distance));
         for (number, assembly) in (1..).zip(&mut assemblies) {
@@ -93,6 +114,12 @@ fn is_at_angles<L: Suspension<N>, const N: usize>(
     })
 }
 
+/// The coordinates of the free points: the first of the unknowns.
+fn coordinates<'q, const N: usize>(parts: &impl Parts, q: &'q SVector<f64, N>) -> &'q [f64] {
+    let free = 3 * parts.count(Kind::FreePoint);
+    &q.as_slice()[..free]
+}
+
 fn assembly<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     inputs: &Inputs<Still, L::Drives>,
@@ -100,10 +127,9 @@ fn assembly<L: Suspension<N>, const N: usize>(
 ) -> Assembly {
     let Mechanism { model, start, .. } = mechanism;
     let moved = q - start.position;
-    let shifts = moved.as_slice().chunks(3);
-    let farthest = shifts
-        .map(|shift| shift.iter().map(|x| x * x).sum::<f64>().sqrt())
-        .fold(0.0, f64::max);
+    let moved = coordinates(model, &moved);
+    let length = |along: &[f64]| along.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let farthest = moved.chunks(3).map(length).fold(0.0, f64::max);
     let points = Motion::at_rest(*q).points(model, inputs).value;
     let fixed = model.drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
     let factored = Lu::factor(&model.jacobian(q, &fixed));
@@ -111,7 +137,7 @@ fn assembly<L: Suspension<N>, const N: usize>(
     let mirrored = sides.filter(|(_, mirrored)| *mirrored > 0.5);
     let [first, _] = mechanism.instants.ends();
     Assembly {
-        distance: moved.norm(),
+        distance: length(moved),
         farthest,
         number: 0,
         smallest_pivot: factored.map_or(0.0, |lu| lu.smallest_pivot().1),
