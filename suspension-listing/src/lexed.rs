@@ -102,8 +102,13 @@ fn unreadable(text: &str, error: &LexError) -> Mistake {
         start.map_or("", |(byte, _)| &line[byte..])
     });
     let message = match rest.chars().next() {
+        Some('/') if rest.starts_with("/*") => "`/*` is not closed; close it by `*/`".to_owned(),
+        Some('"') => "`\"` is not closed; close it".to_owned(),
         Some(bracket @ ('(' | '[' | '{')) => format!("`{bracket}` is not closed; close it"),
         Some(bracket @ (')' | ']' | '}')) => format!("`{bracket}` closes nothing; remove it"),
+        Some(control) if control.is_control() => {
+            format!("the character {control:?} cannot be read; remove it")
+        }
         Some(other) => format!("what begins with `{other}` cannot be read; remove it"),
         None => "the text ends too early".to_owned(),
     };

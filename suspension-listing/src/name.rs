@@ -45,7 +45,9 @@ impl Name {
 impl From<&Ident> for Name {
     fn from(ident: &Ident) -> Self {
         let text = ident.unraw().to_string();
-        let raw = *ident != text;
+        // These four are not raw identifiers, which the compiler tells where they stand in its source.
+        let never_raw = ["self", "Self", "super", "crate"].contains(&text.as_str());
+        let raw = *ident != text && !never_raw;
         Self { text, raw }
     }
 }

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token};
+use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, token};
 
 use crate::errors;
 
@@ -27,6 +27,13 @@ pub(crate) fn in_brackets<T>(
 
 /// The lines of the doc comments that come next.
 pub(crate) fn docs(input: ParseStream<'_>) -> syn::Result<Vec<String>> {
+    if input.peek(Token![#]) && !input.peek2(token::Bracket) {
+        return Err(input.error(if input.peek2(Token![!]) {
+            "`//!` may stand above the first statement alone; begin the line with `//`"
+        } else {
+            "a comment begins with `//`"
+        }));
+    }
     lines(&input.call(Attribute::parse_outer)?)
 }
 

@@ -89,9 +89,16 @@ fn what_is_no_token_is_told() {
             "fixed: a; \u{a7}",
             "what begins with `\u{a7}` cannot be read; remove it",
         ),
+        ("/* fixed: a;", "`/*` is not closed; close it by `*/`"),
+        ("include b: \"b.linkage;", "`\"` is not closed; close it"),
         (
-            "/* fixed: a;",
-            "what begins with `/` cannot be read; remove it",
+            "fixed: \0a;",
+            "the character '\\0' cannot be read; remove it",
+        ),
+        ("fixed: a;\n# a rack", "a comment begins with `//`"),
+        (
+            "fixed: a;\n//! a rack",
+            "`//!` may stand above the first statement alone; begin the line with `//`",
         ),
     ] {
         assert_eq!(only_message(text), message);

@@ -96,12 +96,16 @@ static const struct {{ {number} at; uint{width}_t bits[18]; }} rows[] = {{
 {rows}}};
 int main(void)
 {{
-    {number} found[18];
+    {number} found[18], alone[12];
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {{
         if (wheel_by_theta(rows[i].at, 1.5, -0.7, found, found + 6, found + 12) != 0)
             return 1;
         if (memcmp(found, rows[i].bits, sizeof found) != 0)
             return 2;
+        if (wheel_by_theta(rows[i].at, 1.5, -0.7, alone, NULL, alone + 6) != 0)
+            return 4;
+        if (memcmp(alone + 6, found + 12, sizeof alone / 2) != 0)
+            return 5;
     }}
     if (wheel_by_theta(2.1, 1.5, -0.7, found, found + 6, NULL) != 1)
         return 3;

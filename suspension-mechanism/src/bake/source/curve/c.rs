@@ -45,8 +45,8 @@ static const {name}_number {name}_segments[{count}][{TERMS}][{width}] = {{
 
 /*
  * Position, velocity and acceleration where the {kind} has the value `{kind}` and moves at `rate`
- * per second and `second_rate` per second squared. Where `acceleration`, or `velocity` as well, is
- * NULL it is not computed. Returns 0; or 1 where the {kind} is outside the range, and then writes
+ * per second and `second_rate` per second squared. Where `velocity` or `acceleration` is NULL
+ * it is not computed. Returns 0; or 1 where the {kind} is outside the range, and then writes
  * nothing.
  */
 static inline int {name}({name}_number {kind}, {name}_number rate, {name}_number second_rate,
@@ -74,7 +74,7 @@ static inline int {name}({name}_number {kind}, {name}_number rate, {name}_number
         position[i] = value;
         if (velocity != NULL)
             velocity[i] = first * rate;
-        if (velocity != NULL && acceleration != NULL)
+        if (acceleration != NULL)
             acceleration[i] = first * second_rate + half_second * ((rate + rate) * rate);
     }}
     return 0;

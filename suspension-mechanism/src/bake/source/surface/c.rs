@@ -64,7 +64,7 @@ static inline void {name}_polynomial(const {name}_number terms[{TERMS}], {name}_
 
 /*
  * Position, velocity and acceleration where the drives have the values `drives` and move at `rates` per second and
- * `second_rates` per second squared. Where `acceleration`, or `velocity` as well, is NULL it is not written. Returns 0;
+ * `second_rates` per second squared. Where `velocity` or `acceleration` is NULL it is not written. Returns 0;
  * or 1 where a drive is outside its range, and then writes nothing.
  */
 static inline int {name}(const {name}_number drives[2], const {name}_number rates[2],
@@ -101,7 +101,7 @@ static inline int {name}(const {name}_number drives[2], const {name}_number rate
         position[i] = by[0][0];
         if (velocity != NULL)
             velocity[i] = first * rate[0] + second * rate[1];
-        if (velocity != NULL && acceleration != NULL) {{
+        if (acceleration != NULL) {{
             {name}_number sum = by[0][2] * ((rate[0] + rate[0]) * rate[0]);
             sum += by[1][1] * ((rate[0] + rate[0]) * rate[1]);
             sum += by[2][0] * ((rate[1] + rate[1]) * rate[1]);
