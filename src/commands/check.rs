@@ -26,7 +26,7 @@ use report::Report;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// Count the assemblies at the design position too: a second for a corner, up to a minute for an axle.
+    /// Count the assemblies at the design position too, which takes seconds.
     #[arg(long)]
     assemblies: bool,
 }
