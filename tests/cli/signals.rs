@@ -214,7 +214,7 @@ fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
     }
 }
 
-/// A live axle on a Watt linkage is one part, whose search takes a minute.
+/// A live axle on a Watt linkage is one part, whose search takes seconds.
 #[cfg(unix)]
 #[test]
 fn a_search_for_assemblies_is_given_up() {

@@ -70,7 +70,7 @@ fn compare<L: Build<15, Scalar = f64, Listing: Default>>(
             (Ok(settled), Ok(_)) => {
                 prop_assert!(settled.residual() <= settled.tolerance());
                 let jacobian = model.jacobian(&motion.position, model.fixed());
-                let inverse = inverse_norm(&jacobian);
+                let inverse = inverse_norm(&jacobian).expect("regular");
                 let found = differences(&bounded, &motion);
                 for (found, bound) in found.into_iter().zip(bounds(inverse, &motion)) {
                     prop_assert!(

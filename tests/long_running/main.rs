@@ -30,15 +30,10 @@ fn config(cases: u32) -> Config {
     }
 }
 
-/// The norm of a matrix' inverse, infinite where there is none.
-fn inverse_norm(matrix: &SMatrix<f64, 15, 15>) -> f64 {
-    let Ok(factored) = Lu::factor(matrix) else {
-        return f64::INFINITY;
-    };
+/// The norm of a matrix' inverse; `None` where it has none.
+fn inverse_norm(matrix: &SMatrix<f64, 15, 15>) -> Option<f64> {
+    let factored = Lu::factor(matrix).ok()?;
     let column = |place| factored.solve(&SVector::from_fn(|row, _| f64::from(row == place)));
-    (0..15)
-        .map(column)
-        .map(|column| column.norm_squared())
-        .sum::<f64>()
-        .sqrt()
+    let squares = (0..15).map(|place| column(place).norm_squared());
+    Some(squares.sum::<f64>().sqrt())
 }

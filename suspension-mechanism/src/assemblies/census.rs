@@ -25,8 +25,8 @@ const ROUNDINGS: f64 = 64.0;
 pub struct Tally {
     /// How many are real.
     pub real: usize,
-    /// How many more are real, with another quarter of an angle about an axis that is driven: the equations have its sine, which
-    /// other angles have too, or the same angle after a turn.
+    /// How many more are real, with another quarter of a driven angle about an axis: the equations have sine and cosine of the
+    /// quarter, which other angles have too, and an angle of zero or half a turn has in two ways.
     pub turned: usize,
     /// How many were put together, and are not confirmed as a whole.
     pub unconfirmed: usize,

@@ -25,8 +25,8 @@ const MOST_LOOPS: usize = 80;
 /// above all. Of double wishbones with skew axes 32 roots were found by 7 to 10 loops of this size, and by 8 to 16, or not by 80, of 4.
 const LOOP: f64 = 100.0;
 
-/// How far, relative to its change, the sum over all roots may be from linear. Of double wishbones with skew axes rounding leaves
-/// up to 1e-10, and missing roots left 2e-4 and more.
+/// How far, relative to its change, the sum over all roots may be from linear. Rounding leaves up to 4e-10. Missing roots left 2e-4
+/// and more of double wishbones with skew axes, and 4e-7 of an H-arm with a camber link.
 const LINEAR: f64 = 1e-8;
 
 /// Why the roots are believed to be all.

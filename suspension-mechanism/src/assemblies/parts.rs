@@ -10,7 +10,7 @@ use nalgebra::{Complex, SMatrix};
 use crate::assemblies::factors::Vector;
 
 /// Some of the equations, with as many unknowns that only these find.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Part {
     /// Each with one of the unknowns, such that no two have the same.
     pub(crate) own: Vec<[usize; 2]>,
@@ -39,30 +39,30 @@ pub(crate) fn in_order<const N: usize>(
         return vec![Part::of(&pattern, &all, |_| true)];
     };
     let part = |rows: Vec<usize>| Part::of(&pattern, &matched, |row| rows.contains(&row));
-    let mut left = Left::new(&pattern, &matched, is_linear);
+    let mut pending = Pending::new(&pattern, &matched, is_linear);
     let mut ordered = Vec::new();
-    while let Some(rows) = left.take_linear() {
+    while let Some(rows) = pending.take_linear() {
         ordered.push(Part {
             is_linear: true,
             ..part(rows)
         });
     }
-    while let Some(mut rows) = left.take_first() {
-        rows.extend(std::iter::from_fn(|| left.take_linear()).flatten());
+    while let Some(mut rows) = pending.take_first() {
+        rows.extend(std::iter::from_fn(|| pending.take_linear()).flatten());
         ordered.push(part(rows));
     }
     ordered
 }
 
 /// Parts that are not yet in order.
-struct Left<F, const N: usize> {
+struct Pending<F, const N: usize> {
     parts: Vec<Part>,
     /// The equations of those that are.
     found: [bool; N],
     is_linear: F,
 }
 
-impl<F: Fn(&Part) -> bool, const N: usize> Left<F, N> {
+impl<F: Fn(&Part) -> bool, const N: usize> Pending<F, N> {
     /// All, each as small as can be.
     fn new(pattern: &Pattern<N>, matched: &[[usize; 2]; N], is_linear: F) -> Self {
         let needs = reachable(pattern, matched);
@@ -83,7 +83,7 @@ impl<F: Fn(&Part) -> bool, const N: usize> Left<F, N> {
         Some(self.take(vec![self.parts[first].clone()]))
     }
 
-    /// Those of all linear ones that do.
+    /// The equations of all linear parts that do.
     fn take_linear(&mut self) -> Option<Vec<usize>> {
         let ready = |part: &&Part| part.follows_from(&self.found) && (self.is_linear)(part);
         let ready: Vec<Part> = self.parts.iter().filter(ready).cloned().collect();

@@ -51,14 +51,10 @@ impl<'a, L: Suspension<N>, const N: usize> Enumerated<'a, L, N> {
     /// Whether all points stand at the same places: at an angle about an axis of zero or half a turn its quarter has two values.
     fn is_same(&self, a: &SVector<f64, N>, b: &SVector<f64, N>) -> bool {
         const APART: f64 = 1e-6;
-        let names = &self.mechanism.names;
-        let has_turns = names
-            .drives
-            .iter()
-            .any(|drive| drive.kind == DriveKind::Turn);
-        let [a, b] = [a, b].map(|q| coordinates(&self.mechanism.model, q));
+        let model = &self.mechanism.model;
+        let [a, b] = [a, b].map(|q| coordinates(model, q));
         let mut pairs = a.iter().zip(b);
-        has_turns && pairs.all(|(a, b)| (a - b).abs() < APART * self.mechanism.model.size())
+        pairs.all(|(a, b)| (a - b).abs() < APART * model.size())
     }
 }
 
@@ -68,9 +64,11 @@ impl<L: Suspension<N>, const N: usize> Assembled for Enumerated<'_, L, N> {
         let census = self.search.at(&inputs)?;
         let each = census.real.iter();
         let at_drives = each.filter(|q| is_at_angles(self.mechanism, &inputs, q));
+        let mut drives = self.mechanism.names.drives.iter();
+        let has_turns = drives.any(|drive| drive.kind == DriveKind::Turn);
         let mut distinct: Vec<&SVector<f64, N>> = Vec::new();
         for q in at_drives {
-            if !distinct.iter().any(|other| self.is_same(q, other)) {
+            if !(has_turns && distinct.iter().any(|other| self.is_same(q, other))) {
                 distinct.push(q);
             }
         }

@@ -1,12 +1,22 @@
 //! Assemblies of mechanisms that are put together part by part: points alone tell them apart.
 
-use crate::program::{folder, rows, run, text};
+use crate::program::{Rows, folder, rows, run, text};
 
 /// A motion file of statements at one instant.
 fn file(statements: &str, drives: &str) -> String {
     format!(
         "unit = \"m\"\ntime = {{ instants = [0.0] }}\ndrives = {{ {drives} }}\nstatements = \"\"\"{statements}\"\"\"\n"
     )
+}
+
+/// The rows of the assemblies of statements, with further arguments.
+fn listed(statements: &str, drives: &str, arguments: &[&str]) -> Rows {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file(statements, drives)).expect("written");
+    let arguments = [&["assemblies", "a.toml", "--csv", "-"], arguments].concat();
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    rows(&output.stdout)
 }
 
 /// A four-bar linkage whose crank is driven by its angle about its own axis: the rocker stands on either side. The equations
@@ -41,8 +51,7 @@ fn a_driven_angle_about_an_axis_is_the_one_that_is_asked_for() {
 /// Of an angle of zero or half a turn the quarter has two values: with both all points stand at the same places.
 #[test]
 fn an_assembly_at_an_angle_of_zero_is_listed_once() {
-    let folder = folder();
-    let bar = file(
+    let rows = listed(
         "
         fixed: left_end at [0.0, 0.3, 0.3], right_end at [0.0, -0.3, 0.3];
         free:  left at [-0.2, 0.4, 0.3], right at [-0.2, -0.4, 0.3];
@@ -51,23 +60,15 @@ fn an_assembly_at_an_angle_of_zero_is_listed_once() {
         drive lift:  left.z;
         drive twist: angle(left_end -> left, right_end -> right about right_end -> left_end);",
         "lift = 0.3, twist = 0.0",
+        &[
+            "--drive",
+            "twist",
+            "--at",
+            "0.0",
+            "0.3",
+            "3.141592653589793",
+        ],
     );
-    std::fs::write(folder.path().join("bar.toml"), bar).expect("written");
-    let arguments = [
-        "assemblies",
-        "bar.toml",
-        "--csv",
-        "-",
-        "--drive",
-        "twist",
-        "--at",
-        "0.0",
-        "0.3",
-        "3.141592653589793",
-    ];
-    let output = run(folder.path(), &arguments);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let rows = rows(&output.stdout);
     let counts: Vec<f64> = rows.iter().map(|row| row["assembly"]).collect();
     assert_eq!(counts, [1.0, 2.0, 1.0, 2.0, 1.0, 2.0]);
     let chord = 2.0 * 0.2 * 0.15_f64.sin();
@@ -81,8 +82,7 @@ fn an_assembly_at_an_angle_of_zero_is_listed_once() {
 /// Where on its line a point slides is an unknown too, but no coordinate.
 #[test]
 fn distances_are_those_of_points() {
-    let folder = folder();
-    let pillar = file(
+    let rows = listed(
         "
         fixed: top at [-0.03, 0.60, 0.48], bot at [0.0, 0.63, 0.18], rack at [0.13, 0.22, 0.24];
         free:  hi at [-0.02, 0.61, 0.38], lo at [-0.01, 0.62, 0.28], tie at [0.12, 0.57, 0.25],
@@ -93,11 +93,8 @@ fn distances_are_those_of_points() {
         link rod: rack -> tie;
         drive bump: centre.z;",
         "bump = 0.30",
+        &[],
     );
-    std::fs::write(folder.path().join("pillar.toml"), pillar).expect("written");
-    let output = run(folder.path(), &["assemblies", "pillar.toml", "--csv", "-"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let rows = rows(&output.stdout);
     assert_eq!(rows.len(), 4);
     for row in &rows {
         let moved = ["hi", "lo", "tie", "centre"].map(|point| {
@@ -117,8 +114,7 @@ fn distances_are_those_of_points() {
 /// At the file's own value the plane of a slide is an axis', and a coordinate of its point stands alone.
 #[test]
 fn parts_are_those_of_any_value_of_the_drives() {
-    let folder = folder();
-    let plane = file(
+    let rows = listed(
         "
         fixed: foot at [0.0, 0.0, 0.0], front at [1.0, 0.0, 0.0], head at [0.0, 0.0, 1.0],
                c at [0.5, 0.5, 0.3], d at [-0.2, -0.6, 0.5];
@@ -128,20 +124,9 @@ fn parts_are_those_of_any_value_of_the_drives() {
         link second: d -> p;
         drive tilt: front.y;",
         "tilt = 0.0",
+        &["--at", "0.0", "1.0"],
     );
-    std::fs::write(folder.path().join("plane.toml"), plane).expect("written");
-    let arguments = [
-        "assemblies",
-        "plane.toml",
-        "--csv",
-        "-",
-        "--at",
-        "0.0",
-        "1.0",
-    ];
-    let output = run(folder.path(), &arguments);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert_eq!(rows(&output.stdout).len(), 4);
+    assert_eq!(rows.len(), 4);
 }
 
 /// Points on three links each can all be mirrored: their assemblies multiply.
