@@ -13,17 +13,19 @@ impl<T: Scalar, const N: usize> Model<'_, T, N>
 where
     Room<N>: Size,
 {
-    pub(crate) fn residual_at(
+    /// In place, as every vector of unknowns here: what a call returns is copied.
+    #[inline(never)]
+    pub(crate) fn residual_to(
         &self,
+        rows: &mut [T; N],
         q: &SVector<T, N>,
         fixed: &Few<Vector3<T>, N>,
         drives: &Few<T, N>,
-    ) -> SVector<T, N> {
+    ) {
         let plan = self.plan();
         let sites = Sites::new(q, fixed);
         // Rows beyond those of the listing hold their unknown at zero.
-        let mut result = *q;
-        let [rows] = &mut result.data.0;
+        *rows = q.data.0[0];
         for (distance, constant) in plan.distances.iter().zip(&self.distances) {
             if let Some(vector) = distance.span.vector(&sites) {
                 put(rows, distance.span.row, constant.residual(vector));
@@ -78,7 +80,6 @@ where
             let constant = self.scales.get(bilinear.constant);
             put(rows, bilinear.row, bilinear.residual(&constant, &sites));
         }
-        result
     }
 
     pub(crate) fn jacobian_at(
@@ -130,17 +131,18 @@ where
         matrix
     }
 
-    pub(crate) fn curvature_of(
+    /// In rows that are [`zeros`].
+    #[inline(never)]
+    pub(crate) fn curvature_to(
         &self,
+        rows: &mut [T; N],
         v: &SVector<T, N>,
         v_fixed: &Few<Vector3<T>, N>,
         w: &SVector<T, N>,
         w_fixed: &Few<Vector3<T>, N>,
-    ) -> SVector<T, N> {
+    ) {
         let plan = self.plan();
         let (v, w) = (Sites::new(v, v_fixed), Sites::new(w, w_fixed));
-        let mut result = zeros();
-        let [rows] = &mut result.data.0;
         for (distance, constant) in plan.distances.iter().zip(&self.distances) {
             if let (Some(v), Some(w)) = (distance.span.vector(&v), distance.span.vector(&w)) {
                 put(rows, distance.span.row, constant.curvature(v, w));
@@ -184,7 +186,6 @@ where
             let constant = self.scales.get(bilinear.constant);
             put(rows, bilinear.row, bilinear.curvature(&constant, &v, &w));
         }
-        result
     }
 }
 
@@ -192,6 +193,13 @@ where
 #[inline(always)]
 pub(crate) fn zeros<T: Scalar, const N: usize>() -> SVector<T, N> {
     SVector::from_array_storage(ArrayStorage([[-T::zero(); N]]))
+}
+
+/// The entries of a vector of unknowns or rows.
+#[inline(always)]
+pub(crate) fn rows<T, const N: usize>(vector: &mut SVector<T, N>) -> &mut [T; N] {
+    let [rows] = &mut vector.data.0;
+    rows
 }
 
 #[inline(always)]

@@ -138,3 +138,11 @@ where
         }
     }
 }
+
+/// The next few of a list.
+#[inline(always)]
+fn take<'a, V>(list: &mut &'a [V], count: u16) -> &'a [V] {
+    let (taken, left) = list.split_at_checked(count.into()).unwrap_or_default();
+    *list = left;
+    taken
+}

@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector, Vector3};
 use suspension_core::constraint::Frame;
 use suspension_core::{Build, GeometryError, Linkage, Real, Scalar, Signal};
 
+use crate::equations::{rows, zeros};
 use crate::factors::Factors;
 use crate::fitted::Fitted;
 use crate::model::Model;
@@ -62,21 +63,27 @@ where
         self.size
     }
 
+    #[inline(always)]
     fn coordinates(&self, drives: &Signal<Self::Drives>) -> Signal<Self::Drives> {
-        self.coordinates_of(drives)
+        let mut coordinates = *drives;
+        self.put_angles(&mut coordinates);
+        coordinates
     }
 
     fn put_drives(&self, fixed: &mut Self::Fixed, drives: &Self::Drives) {
         self.put_coordinates(fixed, drives);
     }
 
+    #[inline(always)]
     fn residual(
         &self,
         q: &SVector<T, N>,
         fixed: &Self::Fixed,
         drives: &Self::Drives,
     ) -> SVector<T, N> {
-        self.residual_at(q, fixed, drives)
+        let mut residual = zeros();
+        self.residual_to(rows(&mut residual), q, fixed, drives);
+        residual
     }
 
     fn jacobian(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> SMatrix<T, N, N> {
@@ -92,6 +99,7 @@ where
         self.factored(q, fixed)
     }
 
+    #[inline(always)]
     fn curvature(
         &self,
         v: &SVector<T, N>,
@@ -99,9 +107,12 @@ where
         w: &SVector<T, N>,
         w_fixed: &Self::Fixed,
     ) -> SVector<T, N> {
-        self.curvature_of(v, v_fixed, w, w_fixed)
+        let mut curvature = zeros();
+        self.curvature_to(rows(&mut curvature), v, v_fixed, w, w_fixed);
+        curvature
     }
 
+    #[inline(always)]
     fn drive_rate(
         &self,
         q: &SVector<T, N>,
@@ -109,18 +120,23 @@ where
         fixed_rate: &Self::Fixed,
         drive_rate: &Self::Drives,
     ) -> SVector<T, N> {
-        let inputs = &self.plan().driven;
-        self.input_rates(inputs, q, fixed, fixed_rate, |drive| drive_rate.get(drive))
+        let mut rates = zeros();
+        let (inputs, of_drive) = (&self.plan().driven, |drive| drive_rate.get(drive));
+        self.input_rates_to(rows(&mut rates), inputs, q, fixed, fixed_rate, of_drive);
+        rates
     }
 
+    #[inline(always)]
     fn chassis_rate(
         &self,
         q: &SVector<T, N>,
         fixed: &Self::Fixed,
         fixed_rate: &Self::Fixed,
     ) -> SVector<T, N> {
-        let inputs = &self.plan().undriven;
-        self.input_rates(inputs, q, fixed, fixed_rate, |_| T::zero())
+        let mut rates = zeros();
+        let (inputs, none) = (&self.plan().undriven, |_| T::zero());
+        self.input_rates_to(rows(&mut rates), inputs, q, fixed, fixed_rate, none);
+        rates
     }
 
     fn points(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> Self::Points {

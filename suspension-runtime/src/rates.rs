@@ -4,7 +4,7 @@ use nalgebra::{SVector, Vector3};
 use suspension_core::Scalar;
 use suspension_core::generated::dot;
 
-use crate::equations::{put, put_three, zeros};
+use crate::equations::{put, put_three};
 use crate::form::InputRates;
 use crate::model::Model;
 use crate::site::Sites;
@@ -15,20 +15,19 @@ impl<T: Scalar, const N: usize> Model<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// Of some inputs: `drive_rate` is that of a drive, for inputs that have drives.
-    #[inline(always)]
-    pub(crate) fn input_rates(
+    /// Of some inputs, in rows that are zeros: `drive_rate` is that of a drive, for inputs that have drives.
+    #[inline(never)]
+    pub(crate) fn input_rates_to(
         &self,
+        rows: &mut [T; N],
         inputs: &InputRates,
         q: &SVector<T, N>,
         fixed: &Few<Vector3<T>, N>,
         fixed_rate: &Few<Vector3<T>, N>,
         drive_rate: impl Fn(u16) -> T,
-    ) -> SVector<T, N> {
+    ) {
         let plan = self.plan();
         let (sites, rates) = (Sites::new(q, fixed), Sites::new(q, fixed_rate));
-        let mut result = zeros();
-        let [rows] = &mut result.data.0;
         for &index in &inputs.distances {
             let index = usize::from(index);
             let form = plan.distances.get(index).zip(self.distances.get(index));
@@ -120,6 +119,5 @@ where
                 put(rows, linear.row, sum);
             }
         }
-        result
     }
 }

@@ -114,16 +114,15 @@ where
         }
     }
 
-    #[inline(always)]
-    pub(crate) fn coordinates_of(&self, drives: &Signal<Few<T, N>>) -> Signal<Few<T, N>> {
-        let mut coordinates = *drives;
+    /// Puts in the coordinate that each driving angle prescribes.
+    #[inline(never)]
+    pub(crate) fn put_angles(&self, drives: &mut Signal<Few<T, N>>) {
         for (place, drive) in (0..).zip(&self.plan().drives) {
             let angle = drives.map(|each| each.get(place));
             if let Some(coordinate) = self.coordinate_of(drive, angle) {
-                coordinates.set(coordinate, |drives| drives.place(place));
+                drives.set(coordinate, |drives| drives.place(place));
             }
         }
-        coordinates
     }
 
     /// The coordinate that a driving angle prescribes.

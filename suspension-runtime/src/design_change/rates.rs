@@ -2,7 +2,7 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::constraint::{Carried, Frame};
-use suspension_core::{Real, Values};
+use suspension_core::{Linkage, Real, Values};
 
 use super::{DesignChange, Start, Unknowns};
 use crate::form::{Bilinear, Prescribed};
@@ -190,7 +190,7 @@ fn curvature<T: Real, const N: usize>(
 where
     Room<N>: Size,
 {
-    model.curvature_of(&v.free, &v.chassis, &w.free, &w.chassis)
+    model.curvature(&v.free, &v.chassis, &w.free, &w.chassis)
 }
 
 fn add<T: Real, const N: usize>(terms: &mut SVector<T, N>, row: u16, by: T) {

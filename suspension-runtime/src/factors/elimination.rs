@@ -2,7 +2,7 @@
 
 use suspension_core::Scalar;
 
-use super::Factors;
+use super::{Factors, take};
 use crate::plan::Step;
 use crate::size::{Room, Size};
 use crate::table::Table;
@@ -136,12 +136,4 @@ impl Ahead<'_> {
             *numbers.place(upper) = scaled;
         }
     }
-}
-
-/// The next few of a list.
-#[inline(always)]
-fn take<'a>(list: &mut &'a [u16], count: u16) -> &'a [u16] {
-    let (taken, left) = list.split_at_checked(count.into()).unwrap_or_default();
-    *list = left;
-    taken
 }

@@ -1,10 +1,11 @@
 //! Solutions with the factors, made in place.
 
-use nalgebra::{ArrayStorage, SVector, Vector3};
+use nalgebra::{SVector, Vector3};
 use suspension_core::constraint::Frame;
 use suspension_core::{Scalar, linkage};
 
-use super::Factors;
+use super::{Factors, take};
+use crate::equations::{put, rows};
 use crate::plan::{Carrier, Term};
 use crate::site::three;
 use crate::size::{Room, Size};
@@ -17,31 +18,11 @@ impl<T: Scalar, const N: usize> linkage::Factors<T, N> for Factors<'_, T, N>
 where
     Room<N>: Size,
 {
+    #[inline(always)]
     fn solve(&self, right: &SVector<T, N>) -> SVector<T, N> {
-        let elimination = &self.plan.elimination;
-        let mut x = self.rows_in_place(right);
-        let mut numbers = self.numbers.as_slice().iter();
-        let mut terms = elimination.forward.terms.iter();
-        for &[place, count] in &elimination.forward.rows {
-            let mut sum = x.get(place);
-            for (&from, number) in terms.by_ref().zip(&mut numbers).take(count.into()) {
-                sum = sum.minus_product(*number, x.get(from));
-            }
-            *x.place(place) = sum;
-        }
-        let mut terms = elimination.backward.terms.iter();
-        for &[place, count] in &elimination.backward.rows {
-            let Some(inverse) = numbers.next() else {
-                break;
-            };
-            let mut sum = x.get(place) * *inverse;
-            for (&from, number) in terms.by_ref().zip(&mut numbers).take(count.into()) {
-                sum = sum.minus_product(*number, x.get(from));
-            }
-            *x.place(place) = sum;
-        }
-        self.carried_unknowns(&mut x);
-        vector(&x)
+        let mut solution = *right;
+        self.solve_to(rows(&mut solution), right);
+        solution
     }
 
     fn solve_transposed(&self, right: &SVector<T, N>) -> SVector<T, N> {
@@ -78,19 +59,30 @@ impl<T: Scalar, const N: usize> Factors<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// The rows of a right-hand side. Those beyond the listing's are the unknowns there.
-    #[inline(always)]
-    fn rows_in_place(&self, right: &SVector<T, N>) -> Places<T, N> {
-        let [right] = &right.data.0;
+    /// The unknowns of the listing, in place.
+    #[inline(never)]
+    fn solve_to(&self, solution: &mut [T; N], right: &SVector<T, N>) {
+        let elimination = &self.plan.elimination;
         let mut x = Places::<T, N>::default();
-        for (place, &row) in x
-            .as_mut_slice()
-            .iter_mut()
-            .zip(&self.plan.elimination.row_of)
-        {
-            *place = right.get(usize::from(row)).copied().unwrap_or_default();
+        let mut numbers = self.numbers.as_slice();
+        let mut terms = elimination.forward.terms.as_slice();
+        for row in &elimination.forward.rows {
+            let right = right.get(usize::from(row.row)).copied();
+            let (terms, numbers) = (take(&mut terms, row.terms), take(&mut numbers, row.terms));
+            *x.place(row.place) = less(right.unwrap_or_default(), terms, numbers, &x);
         }
-        x
+        let mut terms = elimination.backward.terms.as_slice();
+        for row in &elimination.backward.rows {
+            let Some((inverse, ahead)) = numbers.split_first() else {
+                break;
+            };
+            numbers = ahead;
+            let (terms, numbers) = (take(&mut terms, row.terms), take(&mut numbers, row.terms));
+            let unknown = less(x.get(row.place) * *inverse, terms, numbers, &x);
+            *x.place(row.place) = unknown;
+            put(solution, row.place, unknown);
+        }
+        self.carried_unknowns(solution, &x);
     }
 
     fn subtract(&self, x: &mut Places<T, N>, terms: &[Term]) {
@@ -121,7 +113,7 @@ where
 
     /// The carried points' unknowns, once those of their frames are found.
     #[inline(always)]
-    fn carried_unknowns(&self, x: &mut Places<T, N>) {
+    fn carried_unknowns(&self, solution: &mut [T; N], x: &Places<T, N>) {
         for carrier in &self.plan.elimination.carriers {
             let frame = self.edges(carrier);
             let [a, b, c] = carrier
@@ -131,8 +123,7 @@ where
             for point in &carrier.points {
                 let carried = self.carried.get(point.constant).velocity(&frame, &change);
                 for (column, carried) in (point.column..).zip(carried.iter()) {
-                    let sum = x.get(column) + *carried;
-                    *x.place(column) = sum;
+                    put(solution, column, x.get(column) + *carried);
                 }
             }
         }
@@ -168,11 +159,11 @@ where
     x
 }
 
+/// A number less what the terms of its row take of it.
 #[inline(always)]
-fn vector<T: Scalar, const N: usize>(x: &impl Table<T>) -> SVector<T, N> {
-    let mut values = [T::zero(); N];
-    for (place, value) in values.iter_mut().zip(x.as_slice()) {
-        *place = *value;
-    }
-    SVector::from_array_storage(ArrayStorage([values]))
+fn less<T: Scalar>(from: T, terms: &[u16], numbers: &[T], x: &impl Table<T>) -> T {
+    let terms = terms.iter().zip(numbers);
+    terms.fold(from, |sum, (&place, number)| {
+        sum.minus_product(*number, x.get(place))
+    })
 }

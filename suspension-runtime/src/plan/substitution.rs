@@ -12,10 +12,19 @@ use crate::table::{SPARE, index};
 /// Rows of a triangular factor and their terms, one row after the other.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rows {
-    /// The place of each row, and how many terms it has.
-    pub(crate) rows: Vec<[u16; 2]>,
+    pub(crate) rows: Vec<Row>,
     /// The place that each term multiplies.
     pub(crate) terms: Vec<u16>,
+}
+
+/// A row of a triangular factor.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Row {
+    /// The row of the right-hand side.
+    pub(crate) row: u16,
+    /// The unknown that the step of the row finds.
+    pub(crate) place: u16,
+    pub(crate) terms: u16,
 }
 
 /// A multiple of one place that is taken from another.
@@ -70,11 +79,10 @@ impl Rows {
     /// What the rows before it take of each row.
     pub(super) fn forward(order: &Order) -> Self {
         let mut rows = Self::default();
-        for step in stored_steps(order) {
-            let left = left(order, step).map(|from| from.column);
-            rows.push(step.column, left.collect());
+        for step in &order.steps {
+            let left = left(order, step).filter(|_| !step.carried);
+            rows.push(step, left.map(|from| from.column).collect());
         }
-        rows.rows.retain(|[_, terms]| *terms > 0);
         rows
     }
 
@@ -82,13 +90,17 @@ impl Rows {
     pub(super) fn backward(order: &Order) -> Self {
         let mut rows = Self::default();
         for step in stored_steps(order).rev() {
-            rows.push(step.column, step.right.clone());
+            rows.push(step, step.right.clone());
         }
         rows
     }
 
-    fn push(&mut self, place: usize, terms: Vec<usize>) {
-        self.rows.push([place, terms.len()].map(index));
+    fn push(&mut self, step: &Step, terms: Vec<usize>) {
+        self.rows.push(Row {
+            row: index(step.row),
+            place: index(step.column),
+            terms: index(terms.len()),
+        });
         self.terms.extend(terms.into_iter().map(index));
     }
 }
