@@ -13,7 +13,7 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::Description;
-use crate::output::files::{announce, print, refuse_input};
+use crate::output::files::{announce, print};
 use crate::output::table::Table;
 use crate::output::target::Target;
 use listed::{Wish, list};
@@ -48,8 +48,8 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let csv = self.csv.map(Target::from);
         let loaded = load(&source)?;
-        if let Some(Target::File(csv)) = &csv {
-            refuse_input(csv, "--csv")?;
+        if let Some(csv) = &csv {
+            csv.refuse_input("--csv")?;
         }
         let wish = Wish {
             drive: self.drive,
@@ -89,9 +89,7 @@ fn enumerate(
     ) && let Some(table) = table
     {
         table.finish()?;
-        if let Some(Target::File(path)) = csv {
-            announce(std::slice::from_ref(path));
-        }
+        announce(csv.and_then(Target::path));
     }
     done
 }

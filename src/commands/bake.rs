@@ -14,7 +14,7 @@ use crate::characteristics::Span;
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::load::load;
-use crate::output::files::{refuse_input, write_file};
+use crate::output::target::Target;
 use order::{Order, Ordered, Wished, WishedMeasure};
 
 /// What `suspension bake` is given.
@@ -55,7 +55,7 @@ pub struct Arguments {
     /// The language of the file.
     #[arg(long = "as", value_enum, default_value_t = Form::Rust)]
     language: Form,
-    /// Where to write; else out/NAME_WHAT_by_DRIVE.rs, or _by_MEASURE.rs, .h or .toml, NAME being the motion file's.
+    /// Where to write, `-` for standard output; else out/NAME_WHAT_by_DRIVE.rs, or _by_MEASURE.rs, .h or .toml, NAME being the motion file's.
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
 }
@@ -95,18 +95,16 @@ impl Arguments {
         };
         let sheet = ordered.sheet()?;
         let language = Language::from(self.language);
-        let path = self.output.clone().unwrap_or_else(|| {
-            let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
-            let ending = language.extension();
-            PathBuf::from(format!("out/{stem}_{}.{ending}", sheet.subject()))
-        });
-        refuse_input(&path, "--output")?;
-        write_file(&path, &sheet.text(language, &path))?;
-        tell(format_args!(
-            "wrote {}: {}",
-            path.display(),
-            sheet.baked.count_in_words()
-        ));
+        let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
+        let ending = language.extension();
+        let own = PathBuf::from(format!("out/{stem}_{}.{ending}", sheet.subject()));
+        let target = Target::from(self.output.clone().unwrap_or_else(|| own.clone()));
+        target.refuse_input("--output")?;
+        target.write(&sheet.text(language, target.path().unwrap_or(&own)))?;
+        if let Some(path) = target.path() {
+            let (path, count) = (path.display(), sheet.baked.count_in_words());
+            tell(format_args!("wrote {path}: {count}"));
+        }
         Ok(())
     }
 

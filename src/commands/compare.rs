@@ -54,8 +54,8 @@ impl Arguments {
         if let Some(html) = &self.html {
             refuse_input(html, "--html")?;
         }
-        if let Some(Target::File(csv)) = &csv {
-            refuse_input(csv, "--csv")?;
+        if let Some(csv) = &csv {
+            csv.refuse_input("--csv")?;
         }
         let spans = [self.travel, self.steer];
         let side = |source: &Source, loaded: &Loaded<'_>| {
@@ -77,9 +77,7 @@ impl Arguments {
         let mut written = Vec::new();
         if let Some(target) = &csv {
             report::table(&comparison, target)?;
-            if let Target::File(path) = target {
-                written.push(path.clone());
-            }
+            written.extend(target.path().map(PathBuf::from));
         }
         if let Some(path) = &self.html {
             write_file(path, &page::html([&a, &b], &comparison))?;

@@ -8,14 +8,15 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::output::drawing::{SIZE, Seen, drawing_of};
-use crate::output::files::{announce, refuse_input, write_file};
+use crate::output::files::announce;
+use crate::output::target::Target;
 
 /// What `suspension draw` is given.
 #[derive(Args, Clone, Debug)]
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// Write the SVG to PATH; without it to out/NAME.svg, NAME being that of the motion file.
+    /// Write the SVG to PATH, or to standard output for `-`; without it to out/NAME.svg, NAME being that of the motion file.
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
     /// The wheel's radius, in the unit of the file; without it that of the file, or
@@ -40,15 +41,15 @@ impl Arguments {
         }
         let stem = self.file.file_stem().unwrap_or_default();
         let beside = || Path::new("out").join(stem).with_extension("svg");
-        let out = self.out.clone().unwrap_or_else(beside);
+        let out = Target::from(self.out.clone().unwrap_or_else(beside));
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        refuse_input(&out, "--out")?;
+        out.refuse_input("--out")?;
         let mechanism = loaded.at_first_instant()?;
         let drawing = drawing_of(&*mechanism, loaded.listing(), self.wheel_radius);
         let nothing = || Failure::Solver(format!("{}: nothing to draw", source.name()));
-        write_file(&out, &drawing.svg(Seen::Oblique, SIZE).ok_or_else(nothing)?)?;
-        announce(&[out]);
+        out.write(&drawing.svg(Seen::Oblique, SIZE).ok_or_else(nothing)?)?;
+        announce(out.path());
         Ok(())
     }
 }

@@ -15,7 +15,7 @@ use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::{Description, Names, Unit};
 use crate::output::figures::path;
-use crate::output::files::{announce, print, refuse_input, refuse_plot, write_file};
+use crate::output::files::{announce, print, refuse_plot, write_file};
 use crate::output::table::Table;
 use crate::output::target::Target;
 use crate::reach::DriveRange;
@@ -45,8 +45,8 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let csv = self.csv.clone().map(Target::from);
         let loaded = load(&source)?;
-        if let Some(Target::File(csv)) = &csv {
-            refuse_input(csv, "--csv")?;
+        if let Some(csv) = &csv {
+            csv.refuse_input("--csv")?;
         }
         self.ranges(&*loaded.within_reach()?, csv.as_ref(), interrupted)?;
         if interrupted.load(Ordering::Relaxed) {

@@ -13,7 +13,7 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::output::csv_file::CsvFile;
-use crate::output::files::{announce, print, refuse_input};
+use crate::output::files::{announce, print};
 use crate::output::heading::Heading;
 use crate::output::progress::Progress;
 use crate::output::target::Target;
@@ -64,8 +64,8 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let csv = self.csv.clone().map(Target::from);
         let loaded = load(&source)?;
-        if let Some(Target::File(path)) = &csv {
-            refuse_input(path, "--csv")?;
+        if let Some(csv) = &csv {
+            csv.refuse_input("--csv")?;
         }
         let mechanism = &*loaded.at_design()?;
         let changes = loaded.changes(mechanism)?;
@@ -156,9 +156,7 @@ fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<
         }
     }
     table.finish()?;
-    if let Target::File(path) = target {
-        announce(std::slice::from_ref(path));
-    }
+    announce(target.path());
     Ok(())
 }
 

@@ -15,7 +15,8 @@ use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::mechanism::State;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
-use crate::output::files::{announce, refuse_input, write_file};
+use crate::output::files::announce;
+use crate::output::target::Target;
 use page::Page;
 
 /// What `suspension sheet` is given.
@@ -30,7 +31,7 @@ pub struct Arguments {
     /// The same of the drive that steers; without it 30 mm to either side.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     steer: Option<Span>,
-    /// Write the page to PATH; without it to out/NAME_sheet.html, NAME being that of the motion file.
+    /// Write the page to PATH, or to standard output for `-`; without it to out/NAME_sheet.html, NAME being that of the motion file.
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
@@ -44,10 +45,10 @@ impl Arguments {
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
         let beside = || Path::new("out").join(format!("{stem}_sheet.html"));
-        let out = self.out.clone().unwrap_or_else(beside);
+        let out = Target::from(self.out.clone().unwrap_or_else(beside));
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        refuse_input(&out, "--out")?;
+        out.refuse_input("--out")?;
         let mechanism = loaded.at_design()?;
         let motion_ends = loaded.own_motion_ends(interrupted)?;
         if let Some(why) = &motion_ends {
@@ -59,8 +60,8 @@ impl Arguments {
             (source.name(), motion_ends),
             interrupted,
         )?;
-        write_file(&out, &page)?;
-        announce(&[out]);
+        out.write(&page)?;
+        announce(out.path());
         missing.map_or(Ok(()), Err)
     }
 

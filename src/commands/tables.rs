@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::output::files::{announce, print, refuse_input, write_file};
+use crate::output::files::announce;
 use crate::output::target::Target;
 use wheel::Wheel;
 
@@ -65,18 +65,11 @@ impl Arguments {
         let target = Target::from(self.out.clone().unwrap_or_else(beside));
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        if let Target::File(path) = &target {
-            refuse_input(path, "--out")?;
-        }
+        target.refuse_input("--out")?;
         let mechanism = loaded.at_design()?;
         let (text, missing) = self.tables(&*mechanism, source.name(), interrupted)?;
-        match target {
-            Target::Stdout => print(&text)?,
-            Target::File(path) => {
-                write_file(&path, &text)?;
-                announce(&[path]);
-            }
-        }
+        target.write(&text)?;
+        announce(target.path());
         missing.map_or(Ok(()), Err)
     }
 

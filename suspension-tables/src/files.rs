@@ -131,9 +131,9 @@ pub fn print(text: &str) -> Result<(), Failure> {
 }
 
 /// Names the files that were written.
-pub fn announce(written: &[PathBuf]) {
+pub fn announce(written: impl IntoIterator<Item = impl AsRef<Path>>) {
     for path in written {
-        tell(format_args!("wrote {}", path.display()));
+        tell(format_args!("wrote {}", path.as_ref().display()));
     }
 }
 

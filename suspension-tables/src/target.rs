@@ -1,12 +1,12 @@
-//! Where rows go.
+//! Where results go.
 
 use std::io::{self, BufWriter, Stdout, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use crate::files::Pending;
+use crate::files::{Pending, print, refuse_input, write_file};
 use suspension_mechanism::failure::Failure;
 
-/// Where rows go.
+/// Where a result goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Target {
     /// Standard output.
@@ -24,6 +24,36 @@ impl From<PathBuf> for Target {
         } else {
             Self::File(path)
         }
+    }
+}
+
+impl Target {
+    /// Its path, of a file.
+    pub fn path(&self) -> Option<&Path> {
+        match self {
+            Self::Stdout => None,
+            Self::File(path) => Some(path),
+        }
+    }
+
+    /// See [`refuse_input`].
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`].
+    pub fn refuse_input(&self, option: &str) -> Result<(), Failure> {
+        self.path()
+            .map_or(Ok(()), |path| refuse_input(path, option))
+    }
+
+    /// Writes a whole text.
+    ///
+    /// # Errors
+    ///
+    /// See [`print`] and [`write_file`].
+    pub fn write(&self, text: &str) -> Result<(), Failure> {
+        self.path()
+            .map_or_else(|| print(text), |path| write_file(path, text))
     }
 }
 

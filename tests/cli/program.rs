@@ -37,6 +37,7 @@ pub(crate) fn example(name: &str) -> String {
         "five_link.toml" => include_str!("../../examples/five_link.toml"),
         "published_five_link.toml" => include_str!("../data/published_five_link.toml"),
         "five_link_height.toml" => include_str!("../../examples/five_link_height.toml"),
+        "double_wishbone.toml" => include_str!("../../examples/double_wishbone.toml"),
         other => panic!("no example {other}"),
     }
     .to_owned()

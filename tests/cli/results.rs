@@ -103,6 +103,26 @@ fn a_dash_puts_nothing_but_the_table_on_standard_output() {
 }
 
 #[test]
+fn a_dash_puts_a_page_a_drawing_or_a_source_file_on_standard_output() {
+    let folder = folder();
+    let file = example("double_wishbone.toml");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let bake = ["bake", "a.toml", "--drive", "bump=0.28:0.32", "--as"];
+    for (arguments, begins) in [
+        (vec!["sheet", "a.toml", "--out", "-"], "<!DOCTYPE html>"),
+        (vec!["draw", "a.toml", "--out", "-"], "<svg"),
+        ([&bake[..], &["c", "--output", "-"]].concat(), "/*"),
+    ] {
+        let output = run(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let printed = text(&output.stdout);
+        assert!(printed.starts_with(begins), "{printed}");
+        assert!(!text(&output.stderr).contains("wrote"), "{output:?}");
+        assert_eq!(folder.path().read_dir().expect("a folder").count(), 1);
+    }
+}
+
+#[test]
 fn without_options_a_summary_is_printed() {
     let folder = folder();
     std::fs::write(folder.path().join("f.toml"), example("five_link.toml")).expect("written");
