@@ -27,7 +27,7 @@ pub struct Arguments {
     file: PathBuf,
     /// The drive's own values, as the file's [drives] have them, not changes from the design, in the file's units.
     /// Without it that of the file's first instant.
-    #[arg(long, value_name = "VALUE", num_args = 1.., allow_negative_numbers = true)]
+    #[arg(long, value_name = "VALUE", num_args = 1.., allow_negative_numbers = true, value_parser = value)]
     at: Vec<f64>,
     /// The drive; needed with --at where the linkage has several. The others are held as at the
     /// file's first instant.
@@ -58,6 +58,12 @@ impl Arguments {
         let mechanism = loaded.at_first_instant()?;
         enumerate(&*mechanism, source.name(), &wish, csv.as_ref(), interrupted)
     }
+}
+
+fn value(text: &str) -> Result<f64, String> {
+    let wrong =
+        "this is not a number; the motion file stands before --at, which takes all that follow it";
+    text.parse().map_err(|_| wrong.to_owned())
 }
 
 /// Prints or writes the assemblies as they are found.

@@ -125,6 +125,13 @@ fn what_makes_no_sense_is_refused() {
     let output = run(folder.path(), &without_a_value);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     assert!(text(&output.stderr).contains("--at"), "{output:?}");
+    let behind = run(folder.path(), &["assemblies", "--at", "1", "a.toml"]);
+    assert_eq!(behind.status.code(), Some(2), "{behind:?}");
+    let error = text(&behind.stderr);
+    assert!(
+        error.contains("the motion file stands before --at"),
+        "{error}"
+    );
     let unknown = ["assemblies", "a.toml", "--at", "1", "--drive", "bump"];
     let output = run(folder.path(), &unknown);
     assert_eq!(output.status.code(), Some(2));
