@@ -31,13 +31,13 @@ fn is_used_from_c() {
 }
 
 suspension_core::linkage! {
-    /// A rod in a plane, of which nothing is measured.
+    /// A rod in a plane, of which nothing is measured, between points whose names C keeps for itself or gives to those.
     mod rod {
-        fixed: a;
-        free:  p;
-        link rod: a -> p;
-        drive y: p.y;
-        drive z: p.z;
+        fixed: int_;
+        free:  int;
+        link rod: int_ -> int;
+        drive y: int.y;
+        drive z: int.z;
     }
 }
 suspension_c::export!(mod rod_f64 = rod, f64, "my_rod_f64");

@@ -36,13 +36,13 @@ impl Display for Upper<'_> {
     }
 }
 
-/// A name of the listing; one that C or C++ keeps for itself gets an underscore.
+/// A name of the listing; one that C or C++ keeps for itself gets an underscore more, and so does one that has it already.
 pub(super) struct Field<'a>(pub(super) &'a str);
 
 impl Display for Field<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let name = self.0.trim_start_matches("r#");
-        let mark = if KEPT.contains(&name) { "_" } else { "" };
+        let mark = if KEPT.contains(&name.trim_end_matches('_')) { "_" } else { "" };
         write!(f, "{name}{mark}")
     }
 }
