@@ -12,6 +12,7 @@ mod compare;
 mod exact_derivatives;
 mod figures;
 mod files;
+mod half_turn;
 mod hostile_files;
 mod import;
 mod json;

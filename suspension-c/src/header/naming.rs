@@ -42,7 +42,11 @@ pub(super) struct Field<'a>(pub(super) &'a str);
 impl Display for Field<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let name = self.0.trim_start_matches("r#");
-        let mark = if KEPT.contains(&name.trim_end_matches('_')) { "_" } else { "" };
+        let mark = if KEPT.contains(&name.trim_end_matches('_')) {
+            "_"
+        } else {
+            ""
+        };
         write!(f, "{name}{mark}")
     }
 }

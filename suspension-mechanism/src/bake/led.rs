@@ -1,12 +1,15 @@
 //! The exact motion as a function of a measure that leads in place of a drive.
 
+use std::cell::Cell;
+
+use suspension_core::listing::MeasureKind;
 use suspension_core::path::{Curve, Leader, Led, measured};
 use suspension_core::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Values};
 
 use crate::bake::driven::{Derivatives, Driven, Output, Wish};
 use crate::bake::path::{ANCHORS, Exact, OutOfReach};
-use crate::mechanism::Suspension;
+use crate::mechanism::{Suspension, nearest, signal_nearest};
 
 /// The mechanism moved by a measure, one drive free and the others held.
 #[derive(Clone, Debug)]
@@ -46,9 +49,9 @@ impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
         let curve = Curve::new(model, &path.held, drive).ok_or_else(|| unreached(None))?;
         let led = Led::at_rest(&curve, &start.position);
         let led = led.map_err(|cause| unreached(Some(cause)))?;
-        let now = path.measured(&led);
-        let [mut first, mut last] = [led; 2];
         let [from, to] = range;
+        let now = nearest(path.kind(), path.measured(&led), 0.5 * (from + to));
+        let [mut first, mut last] = [led; 2];
         let ways = [
             path.follow([now, from], &mut first),
             path.follow([now, to], &mut last),
@@ -75,6 +78,10 @@ impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
         Ok(path)
     }
 
+    fn kind(&self) -> MeasureKind {
+        self.driven.model().measure_kind(self.measure)
+    }
+
     /// The measure's value.
     fn measured(&self, led: &Led<f64, N>) -> f64 {
         let model = self.driven.model();
@@ -95,11 +102,17 @@ impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
             reached,
             refused: None,
         })?;
-        let target = |value| Signal {
-            value,
-            rate: 1.0,
-            second_rate: 0.0,
+        let asked = Cell::new(0.0);
+        let target = |value| {
+            asked.set(value);
+            Signal {
+                value,
+                rate: 1.0,
+                second_rate: 0.0,
+            }
         };
+        let quantity =
+            |points: &Signal<L::Points>| signal_nearest(self.kind(), quantity(points), asked.get());
         let held = |_| self.held;
         leader.advance(model, held, quantity, target, way, led)?;
         Ok(())

@@ -112,8 +112,9 @@ fn at_rest<L: Suspension<N>, const N: usize>(
     let places: Vec<_> = there.value.values().collect();
     let mut names = mechanism.names.clone().designed(&places);
     let measures: Vec<f64> = model.measures(&there).value.values().collect();
+    let design_measures = mechanism.given_measures(&measures);
     let springs = names.vehicle.springs.iter().map(|spring| Spring {
-        design: measures[spring.measure] + mechanism.measure_offsets[spring.measure],
+        design: design_measures[spring.measure],
         ..spring.clone()
     });
     names.vehicle.springs = springs.collect();
@@ -124,6 +125,7 @@ fn at_rest<L: Suspension<N>, const N: usize>(
         description: Description {
             drives: DriveLaws::held(drives.values()),
             names,
+            design_measures,
             ..mechanism.description.clone()
         },
         model,

@@ -3,7 +3,7 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::local::LocalOrigin;
-use suspension_core::{Linkage, Newton, Values, assemble};
+use suspension_core::{Linkage, Newton, Signal, Values, assemble};
 
 use crate::failure::Failure;
 use crate::file::{Offset, Position};
@@ -27,6 +27,17 @@ impl<L: Suspension<N>, const N: usize> Design<L, N> {
     /// The drives' values in the file's coordinates, from local ones.
     pub(super) fn given(&self, local: &L::Drives) -> Vec<f64> {
         given(&self.origin, &self.model, local)
+    }
+
+    /// What the linkage measures, in local coordinates.
+    pub(super) fn measures(&self) -> L::Measures {
+        let still = L::Points::from_values([]);
+        let design = Signal {
+            value: self.points,
+            rate: still,
+            second_rate: still,
+        };
+        self.model.measures(&design).value
     }
 }
 

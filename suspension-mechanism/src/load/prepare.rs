@@ -99,8 +99,12 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         ..task
     };
     let design = at_design(&task, model, origin, &guess).map_err(outlier_first)?;
-    let measure_offsets = origin.of_measures(&design.model);
-    let springs = springs(&task, &design.model, (&design.points, &measure_offsets))?;
+    let of_listing = |all: L::Measures| all.values().take(names.measures.len()).collect();
+    let measure_offsets: Vec<f64> = of_listing(origin.of_measures(&design.model));
+    let measures: Vec<f64> = of_listing(design.measures());
+    let measures = measures.iter().zip(&measure_offsets);
+    let design_measures: Vec<f64> = measures.map(|(local, offset)| local + offset).collect();
+    let springs = springs(&task, &design_measures)?;
     let points: Vec<_> = design.points.values().take(names.points.len()).collect();
     let masses = match statements {
         Some(statements) => {
@@ -161,11 +165,9 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         instants: instants.clone(),
         drives,
         drive_offsets: drive_offsets.collect(),
-        measure_offsets: measure_offsets
-            .values()
-            .take(names.measures.len())
-            .collect(),
+        measure_offsets,
         design: design.given(&design.drives),
+        design_measures,
         led_by: lead.as_ref().map(|lead| lead.measure),
         names: named,
         notes,

@@ -1,35 +1,21 @@
 //! The springs of a motion file, by the numbers of their measures.
 
-use suspension_core::{Signal, Values};
 use suspension_listing::did_you_mean::unknown;
 
 use crate::failure::Failure;
 use crate::load::task::Task;
-use crate::mechanism::{Spring, Suspension};
+use crate::mechanism::Spring;
 use crate::quantities::Kind;
 
-/// The springs that a file states, at the measures of its design.
+/// The springs that a file states, at the measures of its design, in the file's coordinates.
 ///
 /// # Errors
 ///
 /// [`Failure::Input`] at what is no measure, and at a rate or load that is not finite.
-pub(super) fn springs<L: Suspension<N>, const N: usize>(
-    task: &Task<'_>,
-    model: &L,
-    (design, offsets): (&L::Points, &L::Measures),
-) -> Result<Vec<Spring>, Failure> {
+pub(super) fn springs(task: &Task<'_>, design: &[f64]) -> Result<Vec<Spring>, Failure> {
     let Some(table) = &task.file.springs else {
         return Ok(Vec::new());
     };
-    let still = L::Points::from_values([]);
-    let design = Signal {
-        value: *design,
-        rate: still,
-        second_rate: still,
-    };
-    let local = model.measures(&design).value;
-    let measures = local.values().zip(offsets.values());
-    let measures: Vec<f64> = measures.map(|(local, offset)| local + offset).collect();
     let unit = task.file.unit();
     let each = table.get_ref().iter().map(|(name, stated)| {
         let name = name.get_ref();
@@ -58,7 +44,7 @@ pub(super) fn springs<L: Suspension<N>, const N: usize>(
             kind,
             rate: rate * Kind::from(kind).in_file(unit),
             load,
-            design: measures[measure],
+            design: design[measure],
         })
     });
     each.collect()

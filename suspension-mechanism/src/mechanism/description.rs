@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::locking::Lock;
+use crate::mechanism::measure::nearest;
 use crate::mechanism::names::Names;
 use suspension_motion_file::Axes;
 use suspension_motion_file::Instants;
@@ -32,6 +33,8 @@ pub struct Description {
     pub measure_offsets: Vec<f64>,
     /// The drives at the design position, in the file's coordinates.
     pub design: Vec<f64>,
+    /// The measures there.
+    pub design_measures: Vec<f64>,
     /// The number of the measure that leads in place of a drive.
     pub led_by: Option<usize>,
     /// What the file says that its author may not have meant, a sentence each.
@@ -43,6 +46,16 @@ impl Description {
     pub fn given(&self, local: &[f64]) -> Vec<f64> {
         let each = local.iter().zip(&self.drive_offsets);
         each.map(|(local, offset)| local + offset).collect()
+    }
+
+    /// The measures' values in the file's coordinates, from local ones: each as near to that at the design position as it can be.
+    pub fn given_measures(&self, local: &[f64]) -> Vec<f64> {
+        let design = self.names.measures.iter().zip(&self.design_measures);
+        let each = local.iter().zip(&self.measure_offsets).zip(design);
+        let each = each.map(|((local, offset), (measure, design))| {
+            nearest(measure.kind, local + offset, *design)
+        });
+        each.collect()
     }
 
     /// The drives at time `t`, in local coordinates.

@@ -1,15 +1,14 @@
 //! A motion that a measure of the linkage leads in place of one of the drives.
 
 use std::cell::Cell;
-use std::f64::consts::TAU;
 
-use suspension_core::listing::MeasureKind;
 use suspension_core::path::{Leader, Led, measured};
 use suspension_core::report::Report;
 use suspension_core::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Signal, SolveError, Still, Values};
 
 use crate::mechanism::drives::{DriveLaws, Law, MAX_STEPS};
+use crate::mechanism::measure::signal_nearest;
 use crate::mechanism::names::Names;
 use crate::number::number;
 use suspension_motion_file::Unit;
@@ -53,21 +52,15 @@ impl<const N: usize> Lead<N> {
                 refused: None,
             });
         };
-        // A measured angle about an axis jumps by a turn at half a turn: the value nearest to the one that is asked for counts.
-        let is_angle = model.measure_kind(self.measure) == MeasureKind::Angle;
+        let kind = model.measure_kind(self.measure);
         let asked = Cell::new(0.0);
         let target = |t| {
             let target = self.law.at(t);
             asked.set(target.value);
             target
         };
-        let quantity = |points: &Signal<L::Points>| {
-            let mut measured = quantity(points);
-            if is_angle {
-                measured.value += TAU * ((asked.get() - measured.value) / TAU).round();
-            }
-            measured
-        };
+        let quantity =
+            |points: &Signal<L::Points>| signal_nearest(kind, quantity(points), asked.get());
         leader.advance(model, |t| drives.inputs(t), quantity, target, times, led)
     }
 

@@ -128,11 +128,11 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     pub(crate) fn measured(&self, points: &Signal<L::Points>) -> Signal<Vec<f64>> {
         let count = self.names.measures.len();
         let listed = |all: &L::Measures| all.values().take(count).collect::<Vec<f64>>();
-        let mut measures = self.model.measures(points).map(listed);
-        for (measure, offset) in measures.value.iter_mut().zip(&self.measure_offsets) {
-            *measure += offset;
+        let measures = self.model.measures(points).map(listed);
+        Signal {
+            value: self.given_measures(&measures.value),
+            ..measures
         }
-        measures
     }
 
     /// The same at rest.
