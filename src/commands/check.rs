@@ -52,12 +52,14 @@ impl Arguments {
         let mechanism = &*loaded.at_design_without_notes()?;
         let condition = Condition::of(mechanism);
         let is_singular = condition.is_singular();
-        let (ranges, motion) = if is_singular {
+        let (ranges, motion_ends) = if is_singular {
             (Vec::new(), None)
         } else {
             let ranges = ranges(mechanism, interrupted)?;
-            (ranges, motion(loaded, interrupted)?)
+            (ranges, loaded.own_motion_ends(interrupted)?)
         };
+        let is_interrupted = interrupted.load(Ordering::Relaxed);
+        let is_known = !is_singular && !is_interrupted;
         let report = Report {
             file: name,
             linkage: &mechanism.linkage,
@@ -67,7 +69,7 @@ impl Arguments {
             design: &mechanism.design,
             condition,
             ranges,
-            motion,
+            motion: is_known.then(|| in_words(motion_ends.as_deref())),
             tally: self
                 .assemblies
                 .then(|| tally(mechanism, interrupted))
@@ -85,7 +87,10 @@ impl Arguments {
                 "{name}: the design position is singular: drives do not determine the motion there"
             )));
         }
-        Ok(())
+        match motion_ends {
+            Some(why) => Err(Failure::Solver(why)),
+            None => Ok(()),
+        }
     }
 }
 
@@ -98,14 +103,12 @@ fn ranges(
     ranges.collect()
 }
 
-/// Whether the file's own motion is within reach; `None` where the user interrupts.
-fn motion(loaded: &Loaded<'_>, interrupted: &AtomicBool) -> Result<Option<String>, Failure> {
-    let ends = loaded.own_motion_ends(interrupted)?;
-    let in_words = match ends {
+/// Whether the file's own motion is within reach, or why it ends.
+fn in_words(ends: Option<&str>) -> String {
+    match ends {
         None => "the file's own is within reach, from its first instant to its last".to_owned(),
         Some(why) => format!("the file's own is OUT OF REACH: {why}"),
-    };
-    Ok((!interrupted.load(Ordering::Relaxed)).then_some(in_words))
+    }
 }
 
 /// How many assemblies there are; `None` where the user interrupts.
@@ -134,8 +137,8 @@ Reads a file as the other commands do and prints of its design position, that of
   assemblies                  with --assemblies: how many ways there are to put the parts together
   notes                       what the file says that its author may not have meant
 
-Exit codes: 0 the design is healthy, 1 the report cannot be written, 2 wrong input, 3 the design does not assemble or is
-singular, 130 interrupted.
+Exit codes: 0 the design is healthy and the file's motion within reach, 1 the report cannot be written, 2 wrong input, 3 the design does not assemble or is
+singular, or the file's own motion is out of reach, 130 interrupted.
 
 Example:
   suspension check examples/double_wishbone.toml";

@@ -27,7 +27,8 @@ pub struct Arguments {
     a: PathBuf,
     /// Another; where its unit or its axes are others, its numbers are converted to those of the first.
     b: PathBuf,
-    /// The travel, from the design positions, in the unit of A; without it 60 mm down and up.
+    /// How far the drives that move the wheels up and down change, from the design positions, in the unit of A: the wheel's travel
+    /// where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
     /// The same of the drive that steers; without it 30 mm to either side.
@@ -56,6 +57,8 @@ impl Arguments {
         }
         if let Some(csv) = &csv {
             csv.refuse_input("--csv")?;
+            let html = self.html.clone().map(Target::File);
+            html.map_or(Ok(()), |html| html.refuse_same(csv, ["--html", "--csv"]))?;
         }
         let spans = [self.travel, self.steer];
         let side = |source: &Source, loaded: &Loaded<'_>| {

@@ -25,7 +25,8 @@ use page::Page;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// The travel, from the design position, in the file's unit; without it 60 mm down and up.
+    /// How far the drive that moves the wheel up and down changes, from the design position, in the file's unit: the wheel's travel
+    /// where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
     /// The same of the drive that steers; without it 30 mm to either side.

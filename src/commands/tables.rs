@@ -15,6 +15,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
+use crate::mechanism::Pair;
 use crate::output::files::announce;
 use crate::output::target::Target;
 use wheel::Wheel;
@@ -31,7 +32,8 @@ pub struct Arguments {
     /// The wheel, where the listing names several; without it the first.
     #[arg(long, value_name = "NAME")]
     wheel: Option<String>,
-    /// The travel, from the design position, in the file's unit; without it 60 mm down and up.
+    /// How far the drive that moves the wheel up and down changes, from the design position, in the file's unit: the wheel's travel
+    /// where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
     /// Write to PATH, or to standard output for `-`; without it to out/NAME_carsim.par or out/NAME_carmaker.txt, NAME being
@@ -96,10 +98,16 @@ impl Arguments {
                 "{file}: the mechanism is singular at its design position"
             ))
         };
-        let wheel = Wheel::of(mechanism, number, &travel, interrupted).ok_or_else(locked)?;
+        let of = |number: usize| Wheel::of(mechanism, number, &travel, interrupted);
+        let wheel = of(number).ok_or_else(locked)?;
         let text = match self.program {
             Program::Carsim => carsim::text(file, mechanism, &wheel),
-            Program::Carmaker => carmaker::text(file, mechanism, &wheel),
+            Program::Carmaker => {
+                let pairs = Pair::all(&mechanism.names.wheels).into_iter();
+                let mut opposite = pairs.filter_map(|pair| pair.other(number));
+                let opposite = opposite.next().and_then(of);
+                carmaker::text(file, mechanism, &wheel, opposite.as_ref())
+            }
         };
         Ok((text, travel.visited.failure(file)))
     }
@@ -139,11 +147,13 @@ CarSim 2021; hold the signs of toe and dive against your version.
 
 CarMaker: a suspension of Kind = Linear2D, each row its value at the design position and its derivatives by compression and by the
 rack, positive where it turns the wheel to the left, in m and rad; tx, ty, tz are the movement of the wheel centre, rx,
-ry, rz rotations about z, then x, then y: rz is toe and rx camber, with the signs of rotations. Measures whose names have
-the word spring, damper, or bar are lSpring, lDamp, lStabi.
+ry, rz rotations about z, then x, then y: rz is toe and rx camber, with the signs of rotations. Lengths that are measured under names with
+the word spring, damper, or bar are lSpring, lDamp, lStabi; a bar along an angle has no lStabi, and a line says so. ValidSide is
+left+right, the right wheel as the left one's mirror image, where the listing has one wheel or both are that, else the wheel's side.
 
 Neither has compliance: bushings and forces are outside the model. Of a rigid axle both wheels would have to be inputs, which
-neither form has: its tables are those of heave.
+neither form has: its tables are those of heave, both wheel centres rising alike; where drives are no heights, exactly so at the
+design position.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (what there is is
 written), 130 interrupted.

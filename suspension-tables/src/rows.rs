@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::csv_file::CsvFile;
-use crate::files::{refuse_input, resolved};
+use crate::files::refuse_input;
 use crate::heading::{Header, Heading};
 use crate::json_file::JsonFile;
 use crate::parquet_file::{self, ParquetFile};
@@ -40,17 +40,14 @@ impl Forms {
             parquet_file::available()?;
         }
         let all = self.all();
-        let same = |index: usize| {
-            all[..index]
-                .iter()
-                .find(|(form, _)| is_same_place(form, all[index].0))
-        };
-        match (1..all.len()).find_map(|index| Some((same(index)?.1, all[index].1))) {
-            Some((one, other)) => Err(Failure::Input(format!(
-                "{one} and {other} name the same place; give each its own"
-            ))),
-            None => Ok(()),
+        for (index, (target, option)) in all.iter().enumerate() {
+            for (other, before) in &all[..index] {
+                if let (Some(target), Some(other)) = (target, other) {
+                    other.refuse_same(target, [before, option])?;
+                }
+            }
         }
+        Ok(())
     }
 
     /// The files, each with the option that names it.
@@ -61,15 +58,6 @@ impl Forms {
                 Some(Target::File(path)) => Some((path, option)),
                 _ => None,
             })
-    }
-}
-
-/// Whether two results go to one place.
-fn is_same_place(one: &Option<Target>, other: &Option<Target>) -> bool {
-    match (one, other) {
-        (Some(Target::File(one)), Some(Target::File(other))) => resolved(one) == resolved(other),
-        (Some(one), Some(other)) => one == other,
-        _ => false,
     }
 }
 

@@ -3,7 +3,7 @@
 use std::io::{self, BufWriter, Stdout, Write};
 use std::path::{Path, PathBuf};
 
-use crate::files::{Pending, print, refuse_input, write_file};
+use crate::files::{Pending, print, refuse_input, resolved, write_file};
 use suspension_mechanism::failure::Failure;
 
 /// Where a result goes.
@@ -34,6 +34,27 @@ impl Target {
             Self::Stdout => None,
             Self::File(path) => Some(path),
         }
+    }
+
+    /// Whether another result goes to the same place.
+    pub fn is_same_place(&self, other: &Self) -> bool {
+        match (self.path(), other.path()) {
+            (Some(one), Some(other)) => resolved(one) == resolved(other),
+            (one, other) => one == other,
+        }
+    }
+
+    /// Refuses another result at the same place; `options` are those that name the two.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`].
+    pub fn refuse_same(&self, other: &Self, [one, another]: [&str; 2]) -> Result<(), Failure> {
+        if !self.is_same_place(other) {
+            return Ok(());
+        }
+        let message = format!("{one} and {another} name the same place; give each its own");
+        Err(Failure::Input(message))
     }
 
     /// See [`refuse_input`].

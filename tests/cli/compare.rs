@@ -244,3 +244,66 @@ fn a_drive_that_only_one_of_the_files_has_is_named() {
         "{report}"
     );
 }
+
+/// A skewed arm, led by the wheel's height, with a damper.
+fn led_by(drive: &str, value: f64) -> String {
+    format!(
+        "unit = \"mm\"\nangle = \"deg\"\nstatements = '''
+fixed: pin at [420, 230, 310], pout at [330, 600, 285], top at [-70, 560, 690];
+free:  wheel_centre at [3, 735, 301], low at [-95, 590, 240];
+hinge arm: pin, pout -> wheel_centre, low;
+point axle: arm at [1, 610, 303];
+drive bump: {drive};
+measure damper: length(low -> top);
+wheel: axle -> wheel_centre;
+'''
+vehicle = {{ wheel_radius = 298 }}
+time = {{ instants = [0.0] }}
+drives = {{ bump = {value:?} }}
+"
+    )
+}
+
+#[test]
+fn travel_goes_upwards_whatever_the_drive_counts() {
+    let up = led_by("wheel_centre.z", 301.0);
+    let down = led_by("-1 wheel_centre.z", -301.0);
+    let (_folder, output) = compare(&up, &down, &["--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let mut count = 0;
+    for ([of, quantity, _], [_, a, b, difference]) in rows(&output) {
+        if of == "over travel" && !quantity.starts_with("motion ratio") {
+            assert!(
+                difference.abs() < 1e-7 * (1.0 + a.abs()),
+                "{quantity}: {a} {b}"
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 10, "{count}");
+}
+
+#[test]
+fn travel_by_a_damper_is_not_that_of_the_wheel() {
+    let up = led_by("wheel_centre.z", 301.0);
+    let by_damper = led_by("length(low -> top)", 451.691_266_242_773_4);
+    let (_folder, output) = compare(&up, &by_damper, &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report = text(&output.stdout);
+    let said = "the wheel rises by 1 along `bump` of A and by 0.6";
+    assert!(report.contains(said), "{report}");
+    assert!(report.contains("along `bump upwards` of B"), "{report}");
+}
+
+#[test]
+fn a_page_and_a_table_at_one_place_are_refused() {
+    let file = led_by("wheel_centre.z", 301.0);
+    let (folder, output) = compare(&file, &file, &["--html", "y", "--csv", "./y"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let error = text(&output.stderr);
+    assert!(
+        error.contains("--html and --csv name the same place"),
+        "{error}"
+    );
+    assert!(!folder.path().join("y").exists());
+}

@@ -205,3 +205,71 @@ fn what_cannot_be_tabled_is_refused() {
         assert!(text(&output.stderr).contains(expected), "{output:?}");
     }
 }
+
+/// A live axle with unequal sides, each wheel led by its height or by its damper.
+fn live_axle([left, right]: [(&str, f64); 2]) -> String {
+    format!(
+        "unit = \"m\"\nstatements = '''
+fixed: fl at [0.55, 0.47, 0.30], fr at [0.60, -0.44, 0.27], fu at [0.33, 0.06, 0.47], pc at [-0.15, -0.50, 0.33],
+       tl at [-0.05, 0.45, 0.67], tr at [-0.08, -0.60, 0.65];
+free:  al at [0.02, 0.51, 0.23], ar at [0.04, -0.49, 0.25], au at [0.01, -0.03, 0.45], pa at [-0.15, 0.50, 0.32],
+       wl at [0.0, 0.75, 0.31], wr at [0.0, -0.75, 0.31], dl at [-0.09, 0.45, 0.21], dr at [-0.07, -0.60, 0.22];
+link a: fl -> al; link b: fr -> ar; link c: fu -> au; link panhard: pc -> pa;
+body axle: wl, wr, al, ar, au, pa, dl, dr;
+drive bump_left:  {};
+drive bump_right: {};
+measure damper_left:  length(dl -> tl);
+measure damper_right: length(dr -> tr);
+wheel left:  wr -> wl;
+wheel right: wl -> wr;
+'''
+vehicle = {{ wheel_radius = 0.31 }}
+time = {{ instants = [0.0] }}
+drives = {{ bump_left = {:?}, bump_right = {:?} }}
+",
+        left.0, right.0, left.1, right.1
+    )
+}
+
+#[test]
+fn an_axle_in_heave_does_not_lean_whatever_drives_it() {
+    let by_height = live_axle([("wl.z", 0.31), ("wr.z", 0.31)]);
+    let by_damper = live_axle([
+        ("length(dl -> tl)", 0.461_735_855_224_607_9),
+        ("length(dr -> tr)", 0.430_116_263_352_131_4),
+    ]);
+    let [heights, dampers] = [by_height, by_damper].map(|file| tables(&file, &["carmaker"]));
+    assert!(heights.contains(".ValidSide = left\n"), "{heights}");
+    let (heights, dampers) = (carmaker_rows(&heights), carmaker_rows(&dampers));
+    let [_, leans, _] = dampers["rx"];
+    assert!(leans.abs() < 1e-12, "{leans}");
+    for (name, expected) in &heights {
+        for (found, expected) in dampers[name].iter().zip(expected) {
+            assert!(
+                (found - expected).abs() < 1e-9,
+                "{name}: {dampers:?} {heights:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_table_for_both_sides_is_that_of_an_axle_that_is_its_own_mirror_image() {
+    let file = include_str!("../../examples/steered_axle.toml");
+    let moved = format!("{file}\n[points]\nleft_lower_ball = [0.005, 0.70, 0.175]\n");
+    for (file, valid) in [(file.to_owned(), "left+right"), (moved, "right")] {
+        let text = tables(&file, &["carmaker", "--wheel", "right"]);
+        assert!(text.contains(&format!(".ValidSide = {valid}\n")), "{text}");
+    }
+}
+
+#[test]
+fn a_bar_along_an_angle_is_told_to_be_left_out() {
+    let file = include_str!("../../examples/double_wishbone.toml");
+    let text = tables(file, &["carmaker"]);
+    assert!(
+        text.contains("## no lStabi: `bar_arm` is an angle"),
+        "{text}"
+    );
+    assert!(text.contains(".L.lDamp = "), "{text}");
+}

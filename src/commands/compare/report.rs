@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
-use crate::characteristics::Curves;
-use crate::commands::compare::differences::{Comparison, Difference, Part, same_ways, unmatched};
+use crate::characteristics::{Curves, Line};
+use crate::commands::compare::differences::{
+    Comparison, Difference, Part, pairs, same_ways, unmatched,
+};
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
 use crate::number::{aligned, exact};
@@ -11,6 +13,7 @@ use crate::output::csv_file::CsvFile;
 use crate::output::heading::Heading;
 use crate::output::page::in_digits;
 use crate::output::target::Target;
+use crate::quantities::WHEEL_TRAVEL;
 
 /// Which file is which, a line each.
 pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
@@ -67,6 +70,7 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
         let (a, b) = (&a.title, &b.title);
         format!("`{a}` and `{b}` are a length and an angle: nothing along them is compared")
     });
+    let unlike_travel = same_ways(sides).into_iter().filter_map(unlike_travel);
     let [a, b] = sides;
     let alone = |side, other, name| {
         let curves = unmatched(side, other).into_iter();
@@ -75,7 +79,34 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
         })
     };
     let alone = alone(a, b, "B").chain(alone(b, a, "A"));
-    unlike.chain(alone).collect()
+    unlike.chain(unlike_travel).chain(alone).collect()
+}
+
+/// Wheels further apart than this part of their travel are not at the same place of it.
+const ALIKE: f64 = 0.1;
+
+/// Says so where equal changes of two drives are not equal travels of the wheels.
+fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
+    let mut lines = pairs(a, b).into_iter();
+    let [of_a, of_b] = lines.find(|[line, _]| line.of_wheel == WHEEL_TRAVEL.title)?;
+    let [rise_a, rise_b] = [rise(a, of_a)?, rise(b, of_b)?];
+    let is_unlike = a.kind == b.kind && (rise_b - rise_a).abs() > ALIKE * rise_a.abs();
+    is_unlike.then(|| {
+        let (rise_a, rise_b) = (in_digits(rise_a), in_digits(rise_b));
+        format!(
+            "per unit of the drive the wheel rises by {rise_a} along `{}` of A and by {rise_b} along `{}` of B: what is \
+             compared over {} is at equal changes of the drives, not of the wheels",
+            a.title, b.title, a.way
+        )
+    })
+}
+
+/// How far the wheel rises per change of the drive, over all of the curve.
+fn rise(curves: &Curves, line: &Line) -> Option<f64> {
+    let points = curves.points(line);
+    let mut known = points.iter().filter(|(_, value)| value.is_finite());
+    let (first, last) = (known.next()?, known.next_back()?);
+    Some((last.1 - first.1) / (last.0 - first.0))
 }
 
 fn width(column: &[String]) -> usize {

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use suspension_core::listing::MeasureKind;
 
 use crate::commands::tables::wheel::{Rates, Wheel};
-use crate::mechanism::{Axle, Description, is_within};
+use crate::mechanism::{Axle, Description, Measure, is_within};
 use crate::number::{exact, without_rounding};
 
 /// The lengths of force elements, each with the words that measures of them have.
@@ -17,16 +17,23 @@ const LENGTHS: [(&str, &[&str]); 3] = [
 ];
 
 /// The lines of an infofile.
-pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String {
+pub(super) fn text(
+    file: &str,
+    mechanism: &Description,
+    wheel: &Wheel,
+    opposite: Option<&Wheel>,
+) -> String {
     let axle = match wheel.axle {
         Some(Axle::Rear) => "SuspR",
         _ => "SuspF",
     };
     let side = if wheel.side < 0.0 { "right" } else { "left" };
+    let is_mirrored = opposite.is_none_or(|opposite| wheel.is_mirrored(opposite));
+    let valid = if is_mirrored { "left+right" } else { side };
     let mut text = format!(
         "## Kinematics of {}, {side} wheel, of {file}, by suspension {}\n\
          ## Each row: at the design position, per compression, per steering to the left; m and rad\n\
-         {axle}.Kin.N = 1\n{axle}.Kin.0.Kind = Linear2D 1\n{axle}.Kin.0.ValidSide = left+right\n\
+         {axle}.Kin.N = 1\n{axle}.Kin.0.Kind = Linear2D 1\n{axle}.Kin.0.ValidSide = {valid}\n\
          {axle}.Kin.0.InputSide = {side}\n",
         mechanism.linkage,
         env!("CARGO_PKG_VERSION"),
@@ -50,15 +57,24 @@ pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String
     for (index, name) in ["rx", "ry", "rz"].into_iter().enumerate() {
         row(name, turned[index], &|rates| rates.angles[index]);
     }
+    let mut angles = Vec::new();
     for (name, words) in LENGTHS {
-        let measures = mechanism.names.measures.iter().enumerate();
-        let mut lengths = measures.filter(|(_, measure)| measure.kind == MeasureKind::Length);
         // Of several wheels, that of this one.
         let is_own = |name: &str| wheel.name.is_empty() || is_within(&wheel.name, name);
         let is_named = |name: &str| is_own(name) && words.iter().any(|word| is_within(word, name));
-        if let Some((measure, _)) = lengths.find(|(_, measure)| is_named(&measure.name)) {
-            row(name, 0.0, &|rates| rates.measures[measure]);
+        let measures = mechanism.names.measures.iter().enumerate();
+        let mut named = measures.filter(|(_, measure)| is_named(&measure.name));
+        let is_length = |measure: &Measure| measure.kind == MeasureKind::Length;
+        match named.clone().find(|(_, measure)| is_length(measure)) {
+            Some((measure, _)) => row(name, 0.0, &|rates| rates.measures[measure]),
+            None => angles.extend(named.next().map(|(_, measure)| (name, &measure.name))),
         }
+    }
+    for (name, measure) in angles {
+        let _ = writeln!(
+            text,
+            "## no {name}: `{measure}` is an angle, {name} a length"
+        );
     }
     text
 }

@@ -91,7 +91,36 @@ impl Points {
     }
 }
 
+/// What two wheels may differ by, in the units of what they are: rounding.
+const ALIKE: f64 = 1e-6;
+
+impl Rates {
+    /// Whether they are those of the wheel on the other side, in a mirror; `way` is -1 where what they are by has the other sign there.
+    fn are_mirrored(&self, other: &Self, way: f64) -> bool {
+        let along = Vector3::new(way, -way, way);
+        let pairs = [
+            (self.velocity, other.velocity.component_mul(&along)),
+            (self.angles, other.angles.component_mul(&-along)),
+        ];
+        pairs.iter().all(|(a, b)| (a - b).amax() < ALIKE)
+    }
+}
+
 impl Wheel {
+    /// Whether it is the other wheel in a mirror.
+    pub(super) fn is_mirrored(&self, other: &Self) -> bool {
+        let steered = match (&self.per_steer, &other.per_steer) {
+            (Some(a), Some(b)) => a.are_mirrored(b, -1.0),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        let design = [self.camber - other.camber, self.toe - other.toe];
+        design.iter().all(|off| off.abs() < ALIKE)
+            && self
+                .per_compression
+                .are_mirrored(&other.per_compression, 1.0)
+            && steered
+    }
+
     /// A wheel of a mechanism along its travel; `None` where the mechanism is singular at its design position.
     pub(super) fn of(
         mechanism: &dyn Kinematics,

@@ -19,20 +19,29 @@ pub(super) struct Course {
 }
 
 impl Course {
-    fn of_drive(names: &Names, drive: usize, kind: &'static str) -> Self {
-        let title = names.drives[drive].name.clone();
+    /// `way` is the sign of the drive's part.
+    fn of_drive(names: &Names, drive: usize, kind: &'static str, way: f64) -> Self {
+        let name = &names.drives[drive].name;
+        let (title, moved) = if way < 0.0 {
+            (
+                format!("{name} upwards"),
+                format!("change of {name}, upwards"),
+            )
+        } else {
+            (name.clone(), format!("change of {name}"))
+        };
         Self {
-            moved: format!("change of {title}"),
             title,
             kind,
-            drives: vec![(drive, 1.0)],
+            moved,
+            drives: vec![(drive, way)],
         }
     }
 
     /// Heave and roll of each axle whose wheels have a drive of travel each, travel of all other wheels; steering.
     pub(super) fn all(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Vec<Self> {
         let names = &mechanism.names;
-        let upwards = upwards(mechanism, interrupted);
+        let rises = Rises::of(mechanism, interrupted);
         let mut of_axles = Vec::new();
         let mut courses = Vec::new();
         for pair in Pair::all(&names.wheels) {
@@ -45,18 +54,18 @@ impl Course {
             of_axles.extend([a, b]);
             let [first, second] = [a, b].map(|drive| names.drives[drive].name.as_str());
             let of_axle = |what: &str| format!("{} {what}", pair.name).trim_start().to_owned();
-            let [up_a, up_b] = pair.wheels.map(|wheel| upwards[wheel]);
+            let drives = |parts: [f64; 2]| vec![(a, parts[0]), (b, parts[1])];
             courses.push(Self {
                 title: of_axle("heave"),
                 kind: TRAVEL,
                 moved: format!("{first} and {second}, both upwards"),
-                drives: vec![(a, up_a), (b, up_b)],
+                drives: drives(rises.parts(pair.wheels, [1.0, 1.0])),
             });
             courses.push(Self {
                 title: of_axle("roll"),
                 kind: ROLL,
                 moved: format!("{first} up, {second} down"),
-                drives: vec![(a, up_a), (b, -up_b)],
+                drives: drives(rises.parts(pair.wheels, [1.0, -1.0])),
             });
         }
         let vehicle = &names.vehicle;
@@ -64,32 +73,77 @@ impl Course {
             .travel
             .iter()
             .filter(|drive| !of_axles.contains(drive));
-        courses.extend(others.map(|drive| Self::of_drive(names, *drive, TRAVEL)));
-        courses.extend(
-            vehicle
-                .steer
-                .iter()
-                .map(|drive| Self::of_drive(names, *drive, STEER)),
-        );
+        courses.extend(others.map(|drive| {
+            let mut wheels = names.wheels.iter();
+            let wheel = wheels.position(|wheel| wheel.travel == Some(*drive));
+            let way = wheel.map_or(1.0, |wheel| rises.upwards(wheel));
+            Self::of_drive(names, *drive, TRAVEL, way)
+        }));
+        let steer = vehicle.steer.iter();
+        courses.extend(steer.map(|drive| Self::of_drive(names, *drive, STEER, 1.0)));
         courses
     }
 }
 
-/// Of each wheel, which way its drive of travel must change to raise it.
-fn upwards(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Vec<f64> {
-    let wheels = &mechanism.names.wheels;
-    let mut read = |place: &dyn Place| -> Vec<f64> {
-        let state = place.state();
-        let rises = |wheel: &Wheel| {
-            let velocities = state.moved_by(wheel.travel?)?;
-            let [_, centre] = wheel.points.axis;
-            Some(state.axes.turned(velocities.value[centre]).z)
+/// How far each wheel rises per drive of travel of each wheel, at the design position.
+struct Rises(Vec<Vec<Option<f64>>>);
+
+impl Rises {
+    fn of(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Self {
+        let wheels = &mechanism.names.wheels;
+        let mut read = |place: &dyn Place| {
+            let state = place.state();
+            let rise = |wheel: &Wheel, of: &Wheel| {
+                let velocities = state.moved_by(of.travel?)?;
+                let [_, centre] = wheel.points.axis;
+                Some(state.axes.turned(velocities.value[centre]).z)
+            };
+            let row = |wheel| wheels.iter().map(|of| rise(wheel, of)).collect();
+            Self(wheels.iter().map(row).collect())
         };
-        let sign = |wheel| rises(wheel).map_or(1.0, f64::signum);
-        wheels.iter().map(sign).collect()
-    };
-    let here = Grid::new(mechanism, Vec::new(), From::Start).unwrap_or_default();
-    let visited = mechanism.visit(&here, Order::First, interrupted, &mut read);
-    let mut places = visited.places.into_iter().flatten();
-    places.next().unwrap_or_else(|| vec![1.0; wheels.len()])
+        let here = Grid::new(mechanism, Vec::new(), From::Start).unwrap_or_default();
+        let visited = mechanism.visit(&here, Order::First, interrupted, &mut read);
+        let mut places = visited.places.into_iter().flatten();
+        places.next().unwrap_or(Self(Vec::new()))
+    }
+
+    fn per(&self, wheel: usize, drive_of: usize) -> Option<f64> {
+        *self.0.get(wheel)?.get(drive_of)?
+    }
+
+    /// Which way a wheel's drive of travel must change to raise it.
+    fn upwards(&self, wheel: usize) -> f64 {
+        self.per(wheel, wheel).map_or(1.0, f64::signum)
+    }
+
+    /// The parts of both wheels' drives with which the wheels rise as given, 1 in the mean.
+    fn parts(&self, [left, right]: [usize; 2], rise: [f64; 2]) -> [f64; 2] {
+        let matrix = [[left, right], [right, left]].map(|[wheel, other]| {
+            let own = self.per(wheel, wheel)?;
+            Some([own, self.per(wheel, other)?])
+        });
+        let solved = match matrix {
+            [Some([a, b]), Some([d, c])] => {
+                let determinant = a * d - b * c;
+                [d * rise[0] - b * rise[1], a * rise[1] - c * rise[0]].map(|x| x / determinant)
+            }
+            _ => [f64::NAN; 2],
+        };
+        let mean = 0.5 * (solved[0].abs() + solved[1].abs());
+        if mean.is_finite() && mean > 0.0 {
+            solved.map(|part| without_rounding(part / mean))
+        } else {
+            [self.upwards(left) * rise[0], self.upwards(right) * rise[1]]
+        }
+    }
+}
+
+/// Parts of 1 are that, so that drives go to round values.
+fn without_rounding(part: f64) -> f64 {
+    let whole = part.round();
+    if (part - whole).abs() < 1e-9 {
+        whole
+    } else {
+        part
+    }
 }

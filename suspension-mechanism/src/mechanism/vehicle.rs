@@ -147,6 +147,15 @@ impl Pair {
         };
         names.iter().enumerate().filter_map(pair).collect()
     }
+
+    /// The wheel beside one of the two.
+    pub fn other(&self, wheel: usize) -> Option<usize> {
+        match self.wheels {
+            [one, other] if one == wheel => Some(other),
+            [one, other] if other == wheel => Some(one),
+            _ => None,
+        }
+    }
 }
 
 fn without_side(name: &str) -> String {
