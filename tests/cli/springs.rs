@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::program::{Rows, folder, rows, run, text};
+use super::tables::{BY_DAMPERS, live_axle};
 
 fn swept(file: &str, drive: &str) -> Rows {
     let folder = folder();
@@ -123,7 +124,6 @@ fn roll_rate_is_the_second_derivative_of_the_energy() {
     assert!(expected > 10_000.0, "{expected}");
 }
 
-/// The line from the contact point to the roll centre.
 /// A swing axle with its masses and springs, led in three ways: by the height of each wheel, by heave and roll, and by an angle of each
 /// wheel, of which the right one's goes the other way.
 #[test]
@@ -181,6 +181,39 @@ fn numbers_of_an_axle_are_those_of_its_wheels_whatever_drives_them() {
     assert!((by_height["heave_rate_N_m"] - by_height["left_wheel_rate_N_m"]).abs() < 1e-6);
 }
 
+/// A wheel rises with the other one at its height, also where drives move both.
+#[test]
+fn wheels_of_a_live_axle_bear_what_they_do_whatever_drives_them() {
+    let [heights, dampers, heave_and_roll] = [
+        [("wl.z", 0.31), ("wr.z", 0.31)],
+        BY_DAMPERS,
+        [("0.5 wl.z + 0.5 wr.z", 0.31), ("wl.z - wr.z", 0.0)],
+    ]
+    .map(|drives| {
+        let springs = ["left", "right"].map(|side| {
+            format!("[springs.{side}]\nalong = \"damper_{side}\"\nrate = 25000.0\nload = 4000.0\n")
+        });
+        let file = format!("{}{}", live_axle(drives), springs.concat());
+        swept(&file, "bump_left=0.0").remove(0)
+    });
+    for side in ["left", "right"] {
+        for name in ["spring_load_N", "wheel_rate_N_m"] {
+            let name = format!("{side}_{name}");
+            for other in [&dampers, &heave_and_roll] {
+                let (found, expected) = (other[&name], heights[&name]);
+                let off = (found - expected).abs();
+                assert!(off < 1e-9 * expected.abs(), "{name}: {found} {expected}");
+            }
+        }
+    }
+    let [left, right] = ["left_wheel_rate_N_m", "right_wheel_rate_N_m"].map(|name| heights[name]);
+    assert!(
+        (left / right - 1.0).abs() > 1e-3,
+        "the sides differ: {left} {right}"
+    );
+}
+
+/// The line from the contact point to the roll centre.
 #[test]
 fn jacking_is_the_slope_of_the_line_to_the_roll_centre() {
     let row = &swept(&corner("", ""), "bump=0.0")[0];

@@ -206,8 +206,8 @@ fn what_cannot_be_tabled_is_refused() {
     }
 }
 
-/// A live axle with unequal sides, each wheel led by its height or by its damper.
-fn live_axle([left, right]: [(&str, f64); 2]) -> String {
+/// A live axle with unequal sides, by two drives that are named after the wheels, and their values.
+pub(crate) fn live_axle([left, right]: [(&str, f64); 2]) -> String {
     format!(
         "unit = \"m\"\nstatements = '''
 fixed: fl at [0.55, 0.47, 0.30], fr at [0.60, -0.44, 0.27], fu at [0.33, 0.06, 0.47], pc at [-0.15, -0.50, 0.33],
@@ -231,13 +231,16 @@ drives = {{ bump_left = {:?}, bump_right = {:?} }}
     )
 }
 
+/// Lengths of the dampers where both wheels are at 0.31 m.
+pub(crate) const BY_DAMPERS: [(&str, f64); 2] = [
+    ("length(dl -> tl)", 0.461_735_855_224_607_9),
+    ("length(dr -> tr)", 0.430_116_263_352_131_4),
+];
+
 #[test]
 fn an_axle_in_heave_does_not_lean_whatever_drives_it() {
     let by_height = live_axle([("wl.z", 0.31), ("wr.z", 0.31)]);
-    let by_damper = live_axle([
-        ("length(dl -> tl)", 0.461_735_855_224_607_9),
-        ("length(dr -> tr)", 0.430_116_263_352_131_4),
-    ]);
+    let by_damper = live_axle(BY_DAMPERS);
     let [heights, dampers] = [by_height, by_damper].map(|file| tables(&file, &["carmaker"]));
     assert!(heights.contains(".ValidSide = left\n"), "{heights}");
     let (heights, dampers) = (carmaker_rows(&heights), carmaker_rows(&dampers));

@@ -48,7 +48,7 @@ pub struct State {
 /// How wheels move up and down, the other drives held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Movement {
-    /// As a drive of travel moves them.
+    /// As a drive of travel moves its wheel, the one beside it held at its height if that has a drive of its own.
     Travel(usize),
     /// The two of an axle, by number, so that their centres rise alike, by drives of their own.
     Heave([usize; 2]),

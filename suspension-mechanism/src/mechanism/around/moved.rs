@@ -15,14 +15,15 @@ impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
         if names.vehicle.springs.is_empty() {
             return Vec::new();
         }
+        let pairs = Pair::all(&names.wheels);
         let alone = names.vehicle.travel.iter().map(|drive| {
             let movement = Movement::Travel(*drive);
-            Some((movement, self.along_drive(*drive)?))
+            Some((movement, self.along_travel_of(*drive, &pairs)?))
         });
-        let pairs = Pair::all(&names.wheels).into_iter();
-        let together = pairs.flat_map(|Pair { wheels, .. }| {
-            let both = [Movement::Heave(wheels), Movement::Roll(wheels)];
-            both.map(|movement| Some((movement, self.along_both(wheels, movement)?)))
+        let together = pairs.iter().flat_map(|Pair { wheels, .. }| {
+            let heave = (Movement::Heave(*wheels), [1.0, 1.0]);
+            let roll = (Movement::Roll(*wheels), [1.0, -1.0]);
+            [heave, roll].map(|(movement, rise)| Some((movement, self.along_both(*wheels, rise)?)))
         });
         let moved = alone.chain(together).flatten();
         let state = |(movement, points)| Moved {
@@ -32,14 +33,25 @@ impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
         moved.map(state).collect()
     }
 
+    /// A wheel that rises while the one beside it, which has a drive of its own, stays at its height; or what the drive moves.
+    fn along_travel_of(&self, drive: usize, pairs: &[Pair]) -> Option<Signal<L::Points>> {
+        let of = |wheel: usize| self.mechanism.names.wheels[wheel].travel;
+        let alone = pairs.iter().find_map(|Pair { wheels, .. }| {
+            let drives = wheels.map(of);
+            let [left, right] = drives.map(|other| if other == Some(drive) { 1.0 } else { 0.0 });
+            let is_one = left + right == 1.0;
+            is_one.then(|| self.along_both(*wheels, [left, right]))?
+        });
+        alone.or_else(|| self.along_drive(drive))
+    }
+
     fn along_drive(&self, drive: usize) -> Option<Signal<L::Points>> {
         let change = L::Drives::from_values([]).with(drive, 1.0);
         self.directions?.points(change).ok()
     }
 
-    /// As the drives of travel of two wheels move them so that their centres rise at rates of one, the right one's negative in
-    /// roll, and without acceleration.
-    fn along_both(&self, wheels: [usize; 2], movement: Movement) -> Option<Signal<L::Points>> {
+    /// As the drives of travel of two wheels move them so that their centres rise at given rates, and without acceleration.
+    fn along_both(&self, wheels: [usize; 2], rise: [f64; 2]) -> Option<Signal<L::Points>> {
         let wheels = wheels.map(|wheel| &self.mechanism.names.wheels[wheel]);
         let [Some(a), Some(b)] = wheels.map(|wheel| wheel.travel) else {
             return None;
@@ -56,12 +68,7 @@ impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
         let [of_a, of_b] = [self.derivatives.along(a)?, self.derivatives.along(b)?];
         let [of_a, of_b] = [&of_a.direction.points, &of_b.direction.points];
         let drives_of = Matrix2::from_columns(&[rises(of_a), rises(of_b)]).try_inverse()?;
-        let right = if matches!(movement, Movement::Roll(_)) {
-            -1.0
-        } else {
-            1.0
-        };
-        let rates = drives_of * Vector2::new(1.0, right);
+        let rates = drives_of * Vector2::from(rise);
         let change = L::Drives::from_values([]);
         let change = change.with(a, rates.x).with(b, rates.y);
         let points = self.directions?.points(change).ok()?;

@@ -17,8 +17,8 @@ catalogue! {
     SPRING_LOAD: "load on the springs at the wheel" {
         name: "spring_load",
         sign: "positive where springs press the wheel down",
-        definition: "what all springs of the file bear of a vertical force at the wheel centre in travel, the other drives held: \
-                     -sum F ds/dz of their measures s, F = load - rate (s - s_design); wheels that one drive moves share it",
+        definition: "what all springs of the file bear of a vertical force at the wheel centre, the wheel beside it at its height and the other drives \
+                     held: -sum F ds/dz of their measures s, F = load - rate (s - s_design); wheels that one drive moves share it",
         source: "virtual work",
         shown: Shown::InTables,
         read: |names| of_wheels(names, Kind::Force, |sprung| sprung.force),
