@@ -193,11 +193,12 @@ fn wheels_of_a_live_axle_bear_what_they_do_whatever_drives_them() {
         let springs = ["left", "right"].map(|side| {
             format!("[springs.{side}]\nalong = \"damper_{side}\"\nrate = 25000.0\nload = 4000.0\n")
         });
-        let file = format!("{}{}", live_axle(drives), springs.concat());
+        let masses = "[masses]\naxle = { mass = 90.0, centre = [0.0, 0.0, 0.31] }\n";
+        let file = format!("{}{}{masses}", live_axle(drives), springs.concat());
         swept(&file, "bump_left=0.0").remove(0)
     });
     for side in ["left", "right"] {
-        for name in ["spring_load_N", "wheel_rate_N_m"] {
+        for name in ["spring_load_N", "wheel_rate_N_m", "effective_mass_kg"] {
             let name = format!("{side}_{name}");
             for other in [&dampers, &heave_and_roll] {
                 let (found, expected) = (other[&name], heights[&name]);
