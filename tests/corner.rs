@@ -260,3 +260,49 @@ fn a_drive_that_only_a_measure_reads_must_be_finite() {
     }
     assert_eq!((corner.measures().value.span, corner.time()), (span, 0.0));
 }
+
+linkage! {
+    /// A crank that an angle about its axis drives, and one that an angle from a chassis axis does.
+    mod cranks {
+        fixed: a at [0.0, 0.0, 0.0], e at [1.0, 0.0, 0.0], k at [0.0, 0.3, 0.0];
+        free:  b at [0.0, 0.3, 0.0], c at [0.0, 0.15, 0.259_807_621_135_331_6];
+        hinge crank: a, e -> b;
+        hinge other: a, e -> c;
+        drive turn:  angle(a -> k, a -> b about a -> e);
+        drive angle: angle(a -> c, y);
+    }
+}
+
+/// The equations have a sine of a quarter of the one angle and a cosine of the other, which go back beyond.
+#[test]
+fn an_angle_is_followed_through_its_range_and_refused_beyond() {
+    let mut corner = cranks::Corner::<f64>::design().expect("a regular design");
+    let start = corner.drives();
+    let (mut turn, mut refused) = (0.0, None);
+    while refused.is_none() && turn < 7.0 {
+        turn += 0.01;
+        let drives = cranks::Drives { turn, ..start };
+        refused = corner.step(1e-3, Signal::still(drives)).err();
+        let reached = corner.drives().turn;
+        let off = corner.points().value.b.z - 0.3 * reached.sin();
+        assert!(off.abs() < 1e-9, "{reached}: {off}");
+    }
+    assert!((turn - std::f64::consts::TAU).abs() < 0.05, "{turn}");
+    for (turn, angle) in [
+        (12.5, start.angle),
+        (-6.3, start.angle),
+        (0.5, -1.0),
+        (0.5, 5.2),
+    ] {
+        let before = corner;
+        let drives = Signal::still(cranks::Drives { turn, angle });
+        for refused in [corner.step(1e-3, drives), corner.advance_to(1e-3, drives)] {
+            let sentence = refused.expect_err("beyond the range").to_string();
+            assert!(
+                sentence.contains("turns before it meets its target"),
+                "{sentence}"
+            );
+            assert_eq!(corner.motion(), before.motion());
+        }
+    }
+}

@@ -8,7 +8,7 @@ use crate::status::{self, Status};
 
 mod naming;
 
-use naming::{Field, Upper};
+use naming::{Commented, Field, Upper};
 
 /// What holds for every function.
 const RULES: &str = " * Suspension kinematics for C. This file has what all linkages share; include the one of a linkage,
@@ -94,7 +94,7 @@ impl Display for ListingHeader {
 fn own(f: &mut Formatter<'_>, interface: &Interface, guard: &str, types: &str) -> fmt::Result {
     f.write_str("/*\n")?;
     for line in interface.docs {
-        writeln!(f, " *{line}")?;
+        writeln!(f, " *{}", Commented(line))?;
     }
     f.write_str(" *\n * What holds for every function is said in suspension.h.\n */\n")?;
     guarded(f, guard, &["\"suspension.h\""], |f| {
@@ -138,7 +138,7 @@ fn comment(f: &mut Formatter<'_>, indent: &str, lines: &[&str]) -> fmt::Result {
     for (index, line) in lines.iter().enumerate() {
         let opening = if index == 0 { "/**" } else { " *" };
         let closing = if index + 1 == lines.len() { " */" } else { "" };
-        writeln!(f, "{indent}{opening}{line}{closing}")?;
+        writeln!(f, "{indent}{opening}{}{closing}", Commented(line))?;
     }
     Ok(())
 }

@@ -34,13 +34,19 @@ suspension_core::linkage! {
     /// A rod in a plane, of which nothing is measured, between points whose names C keeps for itself or gives to those.
     mod rod {
         fixed: int_;
-        free:  int;
+        free:  int, r#struct;
         link rod: int_ -> int;
+        link wchar_t: int -> r#struct;
         drive y: int.y;
         drive z: int.z;
+        drive far_y: r#struct.y;
+        drive far_z: r#struct.z;
     }
 }
-suspension_c::export!(mod rod_f64 = rod, f64, "my_rod_f64");
+suspension_c::export!(
+    /// A comment with the end of one: */ and on.
+    mod rod_f64 = rod, f64, "my_rod_f64"
+);
 
 /// C has no empty structs.
 #[test]
@@ -57,21 +63,16 @@ fn without_measures_has_a_member_that_means_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("my_rod_f64.h");
     std::fs::write(&path, header).expect("a header");
-    native::run(
-        Command::new("cc")
-            .args([
-                "-xc",
-                "-std=c99",
-                "-fsyntax-only",
-                "-pedantic",
-                "-Wall",
-                "-Wextra",
-                "-Werror",
-            ])
-            .arg("-I")
-            .arg(native::root().join("suspension-c/include"))
-            .arg(path),
-    );
+    for language in [["-xc", "-std=c99"], ["-xc++", "-std=c++17"]] {
+        native::run(
+            Command::new("cc")
+                .args(language)
+                .args(["-fsyntax-only", "-pedantic", "-Wall", "-Wextra", "-Werror"])
+                .arg("-I")
+                .arg(native::root().join("suspension-c/include"))
+                .arg(&path),
+        );
+    }
 }
 
 /// What the program does.

@@ -85,9 +85,10 @@ pub enum SolveError<T> {
         bound: T,
     },
     /// The quantity that leads the motion turns before it meets its target: beyond its extreme
-    /// value there is no configuration on this branch.
+    /// value there is no configuration on this branch. Or a drive is an angle beyond its range, of which the extreme value is
+    /// the end.
     TurningPoint {
-        /// The unknown that moves most there.
+        /// The unknown that moves most there, or the drive.
         part: Part,
         /// The target, in the quantity's unit.
         asked: T,

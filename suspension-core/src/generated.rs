@@ -36,7 +36,6 @@ pub use crate::vector::{
 macro_rules! vector_of {
     ($($entry:expr),*) => { $crate::nalgebra::SVector::from([$($entry),*]) };
 }
-pub use crate::vector_of as vector;
 
 /// The names of unknowns: each point's three coordinates, and scalars.
 #[doc(hidden)]
@@ -49,7 +48,7 @@ macro_rules! unknown_names {
         ]
     };
 }
-pub use crate::unknown_names;
+pub use crate::{unknown_names, vector_of};
 pub use stand_in::stand_in;
 
 /// The product, in four chains side by side.

@@ -123,8 +123,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
     }
 
     /// Loads the linkage with a force at each of its free points, in the axes of the hardpoints. Those at chassis points
-    /// go into the chassis, or into the drive that moves the point; one at a marker, or at any other place of a body, is
-    /// [`spread`] over three points of that body.
+    /// go into the chassis, or into the drive that moves the point. One at a marker loads nothing: like a force at any other
+    /// place of a body it is to be [`spread`] over three points of that body before.
     ///
     /// # Errors
     ///

@@ -64,6 +64,8 @@ pub(crate) fn module(module: &Module, system: &System, order: &Order) -> TokenSt
         #[allow(dead_code, non_snake_case, unreachable_pub)]
         #vis mod #name {
             use #core::generated::*;
+            // Before macros of the same names that the crate may have in scope.
+            use #core::generated::{unknown_names, vector_of};
 
             #types
             #indices

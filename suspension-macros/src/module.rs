@@ -2,6 +2,7 @@
 //! braces, or in a file.
 
 use proc_macro2::{Span, TokenStream};
+use syn::ext::IdentExt as _;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident, LitStr, Token, Visibility, braced, bracketed};
 
@@ -81,7 +82,7 @@ fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<(Source, Errors)>
     }
     let path = match input.parse::<Option<Token![in]>>()? {
         Some(_) => input.parse()?,
-        None => LitStr::new(&format!("{name}.linkage"), name.span()),
+        None => LitStr::new(&format!("{}.linkage", name.unraw()), name.span()),
     };
     input.parse::<Token![;]>()?;
     Ok((Source::File(path), Errors::default()))

@@ -50,6 +50,18 @@ fn design_values_derivatives_and_curves_are_on_one_page() {
     }
 }
 
+/// The rulers of drawings, which a radius beyond all measure makes tiny, end.
+#[test]
+fn a_wheel_of_an_absurd_radius_ends() {
+    let folder = folder();
+    let file = include_str!("../../examples/double_wishbone.toml");
+    let radius = file.lines().find(|line| line.starts_with("wheel_radius"));
+    let file = file.replacen(radius.expect("a radius"), "wheel_radius = 1e17", 1);
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml", "--out", "a.html"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+}
+
 #[test]
 fn beyond_a_lock_the_curves_end_and_the_page_is_written() {
     let folder = folder();

@@ -1,6 +1,14 @@
 //! What a listing expands to where a program depends on the core under another name.
 #![deny(warnings)]
 
+/// Macros of a program do not get in the way of those that a listing expands to.
+#[allow(unused_macros)]
+macro_rules! vector {
+    ($($_:tt)*) => {
+        compile_error!("not the program's")
+    };
+}
+
 use kinematics::Build;
 use kinematics::nalgebra::Vector3;
 
@@ -13,6 +21,15 @@ kinematics::linkage! {
         drive turn:  angle(pin -> end, z);
         drive slide: end.x;
     }
+}
+
+kinematics::linkage! {
+    pub mod r#type;
+}
+
+#[test]
+fn a_module_that_is_a_word_of_rust_has_a_file_without_the_mark() {
+    assert_eq!(r#type::Listing::PARTS.drives, ["turn", "slide"]);
 }
 
 #[test]

@@ -93,9 +93,10 @@ fn draw_ruler(area: &Area<'_>, view: &View, size: [f64; 2], unit: &str, way: Way
         place[axis] = value;
         view.of(place)[sheet]
     };
-    // The coordinate of a place on the sheet.
-    let [zero, one] = [at(0.0), at(1.0)];
-    let value = |place: f64| (place - zero) / (one - zero);
+    // The coordinate of a place on the sheet: by two that stand apart on it, whatever the scale.
+    let apart = 1.0 / view.scale;
+    let [zero, one] = [at(0.0), at(apart)];
+    let value = |place: f64| (place - zero) / (one - zero) * apart;
     let step = round_above(TICKS / view.scale);
     let ends = [value(0.0), value(length)];
     let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));

@@ -36,6 +36,17 @@ impl Display for Upper<'_> {
     }
 }
 
+/// A line of a comment, which does not end it.
+pub(super) struct Commented<'a>(pub(super) &'a str);
+
+impl Display for Commented<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let mut parts = self.0.split("*/");
+        f.write_str(parts.next().unwrap_or_default())?;
+        parts.try_for_each(|part| write!(f, "* /{part}"))
+    }
+}
+
 /// A name of the listing; one that C or C++ keeps for itself gets an underscore more, and so does one that has it already.
 pub(super) struct Field<'a>(pub(super) &'a str);
 
@@ -51,8 +62,8 @@ impl Display for Field<'_> {
     }
 }
 
-/// Words of C23 and C++23 that Rust allows as names, besides those that begin with an underscore.
-const KEPT: [&str; 68] = [
+/// Words of C23 and C++23, besides those that begin with an underscore: Rust allows some as names, and the others behind `r#`.
+const KEPT: [&str; 94] = [
     "alignas",
     "alignof",
     "and",
@@ -62,27 +73,42 @@ const KEPT: [&str; 68] = [
     "bitand",
     "bitor",
     "bool",
+    "break",
     "case",
     "catch",
     "char",
+    "char16_t",
+    "char32_t",
+    "char8_t",
     "class",
-    "compl",
-    "concept",
-    "consteval",
-    "constexpr",
-    "constinit",
     "co_await",
     "co_return",
     "co_yield",
+    "compl",
+    "concept",
+    "const",
+    "const_cast",
+    "consteval",
+    "constexpr",
+    "constinit",
+    "continue",
     "decltype",
     "default",
     "delete",
+    "do",
     "double",
+    "dynamic_cast",
+    "else",
+    "enum",
     "explicit",
     "export",
+    "extern",
+    "false",
     "float",
+    "for",
     "friend",
     "goto",
+    "if",
     "inline",
     "int",
     "long",
@@ -103,23 +129,34 @@ const KEPT: [&str; 68] = [
     "reinterpret_cast",
     "requires",
     "restrict",
+    "return",
     "short",
     "signed",
     "sizeof",
+    "static",
     "static_assert",
+    "static_cast",
+    "struct",
     "switch",
     "template",
     "this",
     "thread_local",
     "throw",
+    "true",
+    "try",
     "typedef",
     "typeid",
     "typename",
+    "typeof",
+    "typeof_unqual",
     "union",
     "unsigned",
     "using",
+    "virtual",
     "void",
     "volatile",
+    "wchar_t",
+    "while",
     "xor",
 ];
 

@@ -32,7 +32,7 @@ pub(super) fn solve(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStream {
             #(#lower)*
             #(#upper)*
             #substituted
-            vector![#(#unknowns),*]
+            vector_of![#(#unknowns),*]
         }
     })
 }
@@ -83,7 +83,7 @@ pub(super) fn solve_transposed(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStr
             #(#upper)*
             #(#diagonal)*
             #(#lower)*
-            vector![#(#rows),*]
+            vector_of![#(#rows),*]
         }
     })
 }

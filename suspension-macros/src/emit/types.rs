@@ -116,7 +116,7 @@ fn free(system: &System) -> TokenStream {
 
             #[inline(always)]
             fn unknowns(&self) -> SVector<T, #n> {
-                vector![#(self.#names.x, self.#names.y, self.#names.z),* #(, self.#scalars)*]
+                vector_of![#(self.#names.x, self.#names.y, self.#names.z),* #(, self.#scalars)*]
             }
 
             #frames

@@ -25,6 +25,7 @@
 #[allow(dead_code, non_snake_case, unreachable_pub)]
 pub mod attia2003 {
     use ::suspension_core::generated::*;
+    use ::suspension_core::generated::{unknown_names, vector_of};
     /// Every point, with a position, velocity or acceleration each.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Points<T> {
@@ -164,7 +165,7 @@ pub mod attia2003 {
 
         #[inline(always)]
         fn unknowns(&self) -> SVector<T, 15> {
-            vector![
+            vector_of![
                 self.p6.x, self.p6.y, self.p6.z, self.p7.x, self.p7.y, self.p7.z, self.p8
                 .x, self.p8.y, self.p8.z, self.p9.x, self.p9.y, self.p9.z, self.p10.x,
                 self.p10.y, self.p10.z
@@ -1050,7 +1051,7 @@ pub mod attia2003 {
                 .minus_product(self.d16_p10_y, p10_y);
             let p6_y = (d1 * self.d1_p6_y).minus_product(self.d1_p6_x, p6_x);
             let p6_z = theta;
-            vector![
+            vector_of![
                 p6_x, p6_y, p6_z, p7_x, p7_y, p7_z, p8_x, p8_y, p8_z, p9_x, p9_y, p9_z,
                 p10_x, p10_y, p10_z
             ]
@@ -1139,7 +1140,7 @@ pub mod attia2003 {
             let theta = theta.minus_product(self.d86_p6_z, d86);
             let theta = theta.minus_product(self.d96_p6_z, d96);
             let theta = theta.minus_product(self.d16_p6_z, d16);
-            vector![
+            vector_of![
                 d1, d2, d3, d4, d5, d76, d86, d96, d16, d87, d97, d17, d98, d18, theta
             ]
         }

@@ -19,6 +19,7 @@
 #[allow(dead_code, non_snake_case, unreachable_pub)]
 pub mod five_link {
     use ::suspension_core::generated::*;
+    use ::suspension_core::generated::{unknown_names, vector_of};
     /// Every point, with a position, velocity or acceleration each.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
     pub struct Points<T> {
@@ -162,7 +163,7 @@ pub mod five_link {
 
         #[inline(always)]
         fn unknowns(&self) -> SVector<T, 15> {
-            vector![
+            vector_of![
                 self.lower_front_outer.x, self.lower_front_outer.y, self
                 .lower_front_outer.z, self.upper_front_outer.x, self.upper_front_outer.y,
                 self.upper_front_outer.z, self.upper_rear_outer.x, self.upper_rear_outer
@@ -911,7 +912,7 @@ pub mod five_link {
             let tro_x = ktro_x + carried.x;
             let tro_y = ktro_y + carried.y;
             let tro_z = ktro_z + carried.z;
-            vector![
+            vector_of![
                 lfo_x, lfo_y, lfo_z, ufo_x, ufo_y, ufo_z, uro_x, uro_y, uro_z, lro_x,
                 lro_y, lro_z, tro_x, tro_y, tro_z
             ]
@@ -1007,7 +1008,7 @@ pub mod five_link {
             let klro_z = klro_z.minus_product(self.lr_lro_z, lr);
             let klro_y = klro_y.minus_product(self.lr_lro_y, lr);
             let klro_x = klro_x.minus_product(self.lr_lro_x, lr);
-            vector![
+            vector_of![
                 lf, uf, ur, lr, tr, klfoufo, klfouro, kufouro, klro_x, klro_y, klro_z,
                 ktro_x, ktro_y, ktro_z, theta
             ]
