@@ -31,7 +31,8 @@ impl Pending {
     /// [`Failure::Input`] where the file was read, [`Failure::Output`] where the place cannot be written to.
     pub fn create(path: &Path) -> Result<Self, Failure> {
         refuse_input(path, "the result")?;
-        let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let target = path.canonicalize().or_else(|_| followed(path));
+        let target = target.map_err(|error| Failure::writing(path.display(), &error))?;
         match open(&target) {
             Ok((file, temporary)) => Ok(Self {
                 path: path.to_owned(),
@@ -72,6 +73,20 @@ impl Write for Pending {
     fn flush(&mut self) -> io::Result<()> {
         self.file.flush()
     }
+}
+
+/// Where a path leads that may be a link to what is not there yet.
+fn followed(path: &Path) -> io::Result<PathBuf> {
+    /// More links lead round in a circle, as they do for the system.
+    const MOST_LINKS: usize = 40;
+    let mut path = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(to) = path.read_link() else {
+            return Ok(path);
+        };
+        path = path.parent().unwrap_or(Path::new("")).join(to);
+    }
+    Err(io::ErrorKind::TooManyLinks.into())
 }
 
 fn open(path: &Path) -> io::Result<(File, Option<TempPath>)> {

@@ -138,3 +138,23 @@ fn an_error_names_the_users_path_only() {
     assert!(message.starts_with("/proc/a.csv: cannot be written"));
     assert!(!message.contains(".part"), "{message}");
 }
+
+/// A link is followed, also to what is not there yet; one that leads round in a circle is refused.
+#[cfg(unix)]
+#[test]
+fn a_link_stays_a_link() {
+    use std::os::unix::fs::symlink;
+    let folder = with_input();
+    let at = |name: &str| folder.path().join(name);
+    std::fs::create_dir(at("runs")).expect("a folder");
+    symlink("runs/first.csv", at("link.csv")).expect("a link");
+    symlink("round.csv", at("round.csv")).expect("a link");
+    for _ in 0..2 {
+        let output = run(folder.path(), &["motion", "a.toml", "--csv", "link.csv"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        assert!(at("link.csv").is_symlink() && at("runs/first.csv").is_file());
+    }
+    let output = run(folder.path(), &["motion", "a.toml", "--csv", "round.csv"]);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    assert!(at("round.csv").is_symlink());
+}
