@@ -1,12 +1,11 @@
 //! A suspension that moves: its model, configuration, drives and time in one value.
 
-use core::f64::consts::{PI, TAU};
+mod drives;
 
 use crate::assemble::assemble;
 use crate::directions::Directions;
 use crate::error::{Failure, GeometryError, SolveError};
 use crate::linkage::{Build, Designed, Linkage};
-use crate::listing::{DriveKind, Part};
 use crate::motion::Motion;
 use crate::newton::Newton;
 use crate::report::Report;
@@ -122,52 +121,6 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
     }
 }
 
-/// Refuses drives that are NaN or infinite: one that moves a point which measures alone read reaches no residual. And angles
-/// beyond where the equations, which have a sine or a cosine of them, tell them apart.
-fn check<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
-    model: &L,
-    drives: &Signal<L::Drives>,
-    [from, to]: [T; 2],
-) -> Result<(), Stopped<T>> {
-    let rates = drives.rate.values().zip(drives.second_rate.values());
-    let each = drives.value.values().zip(rates).enumerate();
-    for (drive, (value, (rate, second_rate))) in each {
-        let part = Part::Drive(drive);
-        let is_finite = value.is_finite() && rate.is_finite() && second_rate.is_finite();
-        let refused = if is_finite {
-            beyond(model.drive_kind(drive), value).map(|extreme| SolveError::TurningPoint {
-                part,
-                asked: value,
-                extreme,
-            })
-        } else {
-            Some(SolveError::NotFinite { part })
-        };
-        if let Some(error) = refused {
-            return Err(Stopped {
-                reached: from,
-                refused: Some((to - from, error)),
-            });
-        }
-    }
-    Ok(())
-}
-
-/// The end of an angle's range that a value is beyond.
-fn beyond<T: Real>(kind: DriveKind, value: T) -> Option<T> {
-    let [least, greatest] = match kind {
-        DriveKind::Coordinate => return None,
-        DriveKind::Angle => [0.0, PI],
-        DriveKind::Turn => [-TAU, TAU],
-    }
-    .map(T::constant);
-    if value > greatest {
-        Some(greatest)
-    } else {
-        (value < least).then_some(least)
-    }
-}
-
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     /// One step of length `dt`, not zero, to the values and rates of the drives at its end, however far they lie from
     /// the last ones: to the assembly that a motion between both ends leads to, or to none where it locks. A step that is
@@ -207,7 +160,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         drives: Signal<L::Drives>,
     ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
         let ends = [&Inputs::still(self.drives), &Inputs::still(drives)];
-        let stepped = check(&self.model, &drives, [T::zero(), dt]).and_then(|()| {
+        let stepped = drives::check(&self.model, &drives, [T::zero(), dt]).and_then(|()| {
             let motion = &mut self.motion;
             self.tracker.step_between(&self.model, ends, dt, motion)
         });
@@ -235,7 +188,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         let (from, start) = (self.time, self.drives);
         let at = |time: T| if time == from { start } else { drives(time) };
         let inputs = |time| Inputs::still(at(time));
-        let advanced = check(&self.model, &at(to), [from, to]).and_then(|()| {
+        let advanced = drives::check(&self.model, &at(to), [from, to]).and_then(|()| {
             let motion = &mut self.motion;
             self.tracker.advance(&self.model, inputs, from, to, motion)
         });
@@ -260,7 +213,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         drives: Signal<L::Drives>,
     ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
         let (mut inputs, to) = (Inputs::still(self.drives), Inputs::still(drives));
-        let advanced = check(&self.model, &drives, [T::zero(), dt]).and_then(|()| {
+        let advanced = drives::check(&self.model, &drives, [T::zero(), dt]).and_then(|()| {
             let motion = &mut self.motion;
             self.tracker
                 .advance_between(&self.model, &mut inputs, &to, dt, motion)

@@ -1,4 +1,4 @@
-//! An angle about an axis that is half a turn at the design position: nothing is torn there. The same angle between lines of
+//! An angle about an axis that is half a turn at the design position: nothing jumps there. The same angle between lines of
 //! which one is written the other way round is zero there, and gives the same numbers.
 
 use std::path::Path;

@@ -267,7 +267,7 @@ fn a_table_for_both_sides_is_that_of_an_axle_that_is_its_own_mirror_image() {
 }
 
 #[test]
-fn a_bar_along_an_angle_is_told_to_be_left_out() {
+fn the_file_says_that_a_bar_along_an_angle_is_left_out() {
     let file = include_str!("../../examples/double_wishbone.toml");
     let text = tables(file, &["carmaker"]);
     assert!(

@@ -1,0 +1,57 @@
+//! Drives that a step would not notice to be wrong.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::error::SolveError;
+use crate::linkage::Linkage;
+use crate::listing::{DriveKind, Part};
+use crate::scalar::Real;
+use crate::signal::Signal;
+use crate::substeps::Stopped;
+use crate::values::Values;
+
+/// Refuses drives that are NaN or infinite: one that moves a point which measures alone read reaches no residual. And angles
+/// beyond where the equations, which have a sine or a cosine of them, tell them apart.
+pub(super) fn check<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
+    model: &L,
+    drives: &Signal<L::Drives>,
+    [from, to]: [T; 2],
+) -> Result<(), Stopped<T>> {
+    let rates = drives.rate.values().zip(drives.second_rate.values());
+    let each = drives.value.values().zip(rates).enumerate();
+    for (drive, (value, (rate, second_rate))) in each {
+        let part = Part::Drive(drive);
+        let is_finite = value.is_finite() && rate.is_finite() && second_rate.is_finite();
+        let refused = if is_finite {
+            beyond(model.drive_kind(drive), value).map(|extreme| SolveError::TurningPoint {
+                part,
+                asked: value,
+                extreme,
+            })
+        } else {
+            Some(SolveError::NotFinite { part })
+        };
+        if let Some(error) = refused {
+            return Err(Stopped {
+                reached: from,
+                refused: Some((to - from, error)),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// The end of an angle's range that a value is beyond.
+fn beyond<T: Real>(kind: DriveKind, value: T) -> Option<T> {
+    let [least, greatest] = match kind {
+        DriveKind::Coordinate => return None,
+        DriveKind::Angle => [0.0, PI],
+        DriveKind::Turn => [-TAU, TAU],
+    }
+    .map(T::constant);
+    if value > greatest {
+        Some(greatest)
+    } else {
+        (value < least).then_some(least)
+    }
+}
