@@ -71,7 +71,7 @@ impl Target {
     ///
     /// # Errors
     ///
-    /// See [`print`] and [`write_file`].
+    /// See [`print()`] and [`write_file`].
     pub fn write(&self, text: &str) -> Result<(), Failure> {
         self.path()
             .map_or_else(|| print(text), |path| write_file(path, text))
