@@ -137,7 +137,7 @@ Reads a file as the other commands do and prints of its design position, that of
   assemblies                  with --assemblies: how many ways there are to put the parts together
   notes                       what the file says that its author may not have meant
 
-Exit codes: 0 the design is healthy and the file's motion within reach, 1 the report cannot be written, 2 wrong input, 3 the design does not assemble or is
+Exit codes: 0 the design is healthy, 1 the report cannot be written, 2 wrong input, 3 the design does not assemble or is
 singular, or the file's own motion is out of reach, 130 interrupted.
 
 Example:

@@ -57,8 +57,9 @@ impl Arguments {
         }
         if let Some(csv) = &csv {
             csv.refuse_input("--csv")?;
-            let html = self.html.clone().map(Target::File);
-            html.map_or(Ok(()), |html| html.refuse_same(csv, ["--html", "--csv"]))?;
+            if let Some(html) = &self.html {
+                Target::File(html.clone()).refuse_same(csv, ["--html", "--csv"])?;
+            }
         }
         let spans = [self.travel, self.steer];
         let side = |source: &Source, loaded: &Loaded<'_>| {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::program::{Rows, folder, rows, run, text};
-use super::tables::{BY_DAMPERS, live_axle};
+use super::tables::{BY_DAMPERS, HEAVE_AND_ROLL, live_axle};
 
 fn swept(file: &str, drive: &str) -> Rows {
     let folder = folder();
@@ -184,19 +184,17 @@ fn numbers_of_an_axle_are_those_of_its_wheels_whatever_drives_them() {
 /// A wheel rises with the other one at its height, also where drives move both.
 #[test]
 fn wheels_of_a_live_axle_bear_what_they_do_whatever_drives_them() {
-    let [heights, dampers, heave_and_roll] = [
-        [("wl.z", 0.31), ("wr.z", 0.31)],
-        BY_DAMPERS,
-        [("0.5 wl.z + 0.5 wr.z", 0.31), ("wl.z - wr.z", 0.0)],
-    ]
-    .map(|drives| {
-        let springs = ["left", "right"].map(|side| {
-            format!("[springs.{side}]\nalong = \"damper_{side}\"\nrate = 25000.0\nload = 4000.0\n")
+    let [heights, dampers, heave_and_roll] =
+        [[("wl.z", 0.31), ("wr.z", 0.31)], BY_DAMPERS, HEAVE_AND_ROLL].map(|drives| {
+            let springs = ["left", "right"].map(|side| {
+                format!(
+                    "[springs.{side}]\nalong = \"damper_{side}\"\nrate = 25000.0\nload = 4000.0\n"
+                )
+            });
+            let masses = "[masses]\naxle = { mass = 90.0, centre = [0.0, 0.0, 0.31] }\n";
+            let file = format!("{}{}{masses}", live_axle(drives), springs.concat());
+            swept(&file, "bump_left=0.0").remove(0)
         });
-        let masses = "[masses]\naxle = { mass = 90.0, centre = [0.0, 0.0, 0.31] }\n";
-        let file = format!("{}{}{masses}", live_axle(drives), springs.concat());
-        swept(&file, "bump_left=0.0").remove(0)
-    });
     for side in ["left", "right"] {
         for name in ["spring_load_N", "wheel_rate_N_m", "effective_mass_kg"] {
             let name = format!("{side}_{name}");

@@ -231,6 +231,9 @@ drives = {{ bump_left = {:?}, bump_right = {:?} }}
     )
 }
 
+pub(crate) const HEAVE_AND_ROLL: [(&str, f64); 2] =
+    [("0.5 wl.z + 0.5 wr.z", 0.31), ("wl.z - wr.z", 0.0)];
+
 /// Lengths of the dampers where both wheels are at 0.31 m.
 pub(crate) const BY_DAMPERS: [(&str, f64); 2] = [
     ("length(dl -> tl)", 0.461_735_855_224_607_9),
@@ -240,20 +243,31 @@ pub(crate) const BY_DAMPERS: [(&str, f64); 2] = [
 #[test]
 fn an_axle_in_heave_does_not_lean_whatever_drives_it() {
     let by_height = live_axle([("wl.z", 0.31), ("wr.z", 0.31)]);
-    let by_damper = live_axle(BY_DAMPERS);
-    let [heights, dampers] = [by_height, by_damper].map(|file| tables(&file, &["carmaker"]));
+    let heights = tables(&by_height, &["carmaker"]);
     assert!(heights.contains(".ValidSide = left\n"), "{heights}");
-    let (heights, dampers) = (carmaker_rows(&heights), carmaker_rows(&dampers));
-    let [_, leans, _] = dampers["rx"];
-    assert!(leans.abs() < 1e-12, "{leans}");
-    for (name, expected) in &heights {
-        for (found, expected) in dampers[name].iter().zip(expected) {
-            assert!(
-                (found - expected).abs() < 1e-9,
-                "{name}: {dampers:?} {heights:?}"
-            );
+    let heights = carmaker_rows(&heights);
+    for drives in [BY_DAMPERS, HEAVE_AND_ROLL] {
+        let found = carmaker_rows(&tables(&live_axle(drives), &["carmaker"]));
+        let [_, leans, _] = found["rx"];
+        assert!(leans.abs() < 1e-12, "{leans}");
+        for (name, expected) in &heights {
+            for (found, expected) in found[name].iter().zip(expected) {
+                assert!(
+                    (found - expected).abs() < 1e-9,
+                    "{name}: {found} {expected}"
+                );
+            }
         }
     }
+    let jounce = |drives| {
+        let text = tables(&live_axle(drives), &["carsim"]);
+        let [highest, _] = *carsim_table(&text, "CAMBER_TABLE").last().expect("a row");
+        highest
+    };
+    assert!(
+        (jounce(HEAVE_AND_ROLL) - 60.0).abs() < 1e-6,
+        "travel is that of heave"
+    );
 }
 
 #[test]

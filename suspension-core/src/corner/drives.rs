@@ -10,8 +10,8 @@ use crate::signal::Signal;
 use crate::substeps::Stopped;
 use crate::values::Values;
 
-/// Refuses drives that are NaN or infinite: one that moves a point which measures alone read reaches no residual. And angles
-/// beyond where the equations, which have a sine or a cosine of them, tell them apart.
+/// Refuses drives that are NaN or infinite: one that moves a point which measures alone read reaches no residual. Refuses
+/// angles beyond their range too: the equations have the sine or cosine of another angle there.
 pub(super) fn check<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     model: &L,
     drives: &Signal<L::Drives>,

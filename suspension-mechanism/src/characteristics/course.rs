@@ -2,6 +2,8 @@
 
 use std::sync::atomic::AtomicBool;
 
+use nalgebra::{Matrix2, Vector2};
+
 use crate::characteristics::way::{ROLL, STEER, TRAVEL};
 use crate::kinematics::Kinematics;
 use crate::mechanism::{From, Grid, Names, Order, Pair, Place, Wheel};
@@ -116,30 +118,23 @@ impl Rises {
         self.per(wheel, wheel).map_or(1.0, f64::signum)
     }
 
-    /// The parts of both wheels' drives with which the wheels rise as given, 1 in the mean.
+    /// The parts of both wheels' drives with which the wheels rise as given; the larger is 1.
     fn parts(&self, [left, right]: [usize; 2], rise: [f64; 2]) -> [f64; 2] {
-        let matrix = [[left, right], [right, left]].map(|[wheel, other]| {
-            let own = self.per(wheel, wheel)?;
-            Some([own, self.per(wheel, other)?])
-        });
-        let solved = match matrix {
-            [Some([a, b]), Some([d, c])] => {
-                let determinant = a * d - b * c;
-                [d * rise[0] - b * rise[1], a * rise[1] - c * rise[0]].map(|x| x / determinant)
-            }
-            _ => [f64::NAN; 2],
+        let rises = |of: usize| Some(Vector2::new(self.per(left, of)?, self.per(right, of)?));
+        let solved = || {
+            let rises = Matrix2::from_columns(&[rises(left)?, rises(right)?]);
+            let parts = rises.try_inverse()? * Vector2::from(rise);
+            let scaled = parts / parts.amax();
+            let finite = scaled.iter().all(|part| part.is_finite());
+            finite.then(|| scaled.map(whole).into())
         };
-        let mean = 0.5 * (solved[0].abs() + solved[1].abs());
-        if mean.is_finite() && mean > 0.0 {
-            solved.map(|part| without_rounding(part / mean))
-        } else {
-            [self.upwards(left) * rise[0], self.upwards(right) * rise[1]]
-        }
+        let [up_left, up_right] = [left, right].map(|wheel| self.upwards(wheel));
+        solved().unwrap_or([up_left * rise[0], up_right * rise[1]])
     }
 }
 
-/// Parts of 1 are that, so that drives go to round values.
-fn without_rounding(part: f64) -> f64 {
+/// The whole number that a part is but for rounding, so that drives go to round values.
+fn whole(part: f64) -> f64 {
     let whole = part.round();
     if (part - whole).abs() < 1e-9 {
         whole

@@ -131,7 +131,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         })
     }
 
-    /// The states that springs need: see [`State::moved`].
+    /// The states that springs and masses need: see [`State::moved`].
     fn moved(&self) -> Rc<[Moved]> {
         self.moved
             .get_or_init(|| self.along_travel().into())

@@ -31,7 +31,7 @@ pub struct State {
     /// derivatives along the rates of `points`, NaN where those are not known; `None` of drives that neither move a
     /// wheel up and down nor steer it, and where the mechanism locks.
     pub velocities: Vec<Option<Signal<Points>>>,
-    /// Where springs are: the states with derivatives along movements of the wheels up and down.
+    /// Where springs or masses are: the states with derivatives along movements of the wheels up and down.
     pub moved: Rc<[Moved]>,
     /// Springs and anti-roll bars.
     pub springs: Rc<[Spring]>,

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use suspension_core::body::angular_velocity_of;
 use suspension_core::wheel::{Carrier, Heading, InstantCentre, SteeringAxis, contact};
 
-use crate::mechanism::{Names, Pair, WheelPoints};
+use crate::mechanism::{Names, WheelPoints};
 use crate::quantities::number::Number;
 use crate::quantities::places::Places;
 
@@ -50,14 +50,6 @@ impl Rolling {
         let others = names.wheels.iter().enumerate();
         let mut others = others.filter(|(number, _)| *number != self.number);
         !others.any(|(_, other)| other.points.carrier == carrier)
-    }
-
-    /// The wheel beside it, where that has a drive of travel of its own.
-    pub(super) fn beside(&self, names: &Names) -> Option<Self> {
-        let mut pairs = Pair::all(&names.wheels).into_iter();
-        let beside = pairs.find_map(|pair| pair.other(self.number))?;
-        let (_, wheel) = Self::each(names).nth(beside)?;
-        (wheel.travel.is_some() && wheel.travel != self.travel).then_some(wheel)
     }
 
     /// All wheels with the same drive of travel, this one among them.

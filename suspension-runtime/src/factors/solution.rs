@@ -20,6 +20,7 @@ where
 {
     #[inline(always)]
     fn solve(&self, right: &SVector<T, N>) -> SVector<T, N> {
+        // Rows beyond those of the listing are the unknowns there.
         let mut solution = *right;
         self.solve_to(rows(&mut solution), right);
         solution

@@ -1,4 +1,4 @@
-//! The states that springs need: wheels that move up and down alone, and both of an axle together.
+//! The states that springs and masses need: wheels that move up and down alone, and both of an axle together.
 
 use nalgebra::{Matrix2, Vector2};
 use suspension_core::{Signal, Values};
@@ -12,7 +12,7 @@ impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
     /// See [`State::moved`](crate::mechanism::State::moved).
     pub(super) fn along_travel(&self) -> Vec<Moved> {
         let names = &self.mechanism.names;
-        if names.vehicle.springs.is_empty() {
+        if names.vehicle.springs.is_empty() && names.vehicle.masses.is_empty() {
             return Vec::new();
         }
         let pairs = Pair::all(&names.wheels);
@@ -37,10 +37,11 @@ impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
     fn along_travel_of(&self, drive: usize, pairs: &[Pair]) -> Option<Signal<L::Points>> {
         let of = |wheel: usize| self.mechanism.names.wheels[wheel].travel;
         let alone = pairs.iter().find_map(|Pair { wheels, .. }| {
-            let drives = wheels.map(of);
-            let [left, right] = drives.map(|other| if other == Some(drive) { 1.0 } else { 0.0 });
-            let is_one = left + right == 1.0;
-            is_one.then(|| self.along_both(*wheels, [left, right]))?
+            match wheels.map(|wheel| of(wheel) == Some(drive)) {
+                [true, false] => self.along_both(*wheels, [1.0, 0.0]),
+                [false, true] => self.along_both(*wheels, [0.0, 1.0]),
+                _ => None,
+            }
         });
         alone.or_else(|| self.along_drive(drive))
     }
