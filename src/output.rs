@@ -1,5 +1,6 @@
 //! What the user gets: CSV and JSON files, plots, summaries, progress.
 
+pub mod beside;
 pub mod drawing;
 pub mod figures;
 pub mod page;

@@ -291,17 +291,21 @@ fn an_angle_is_followed_through_its_range_and_refused_beyond() {
     for (turn, angle) in [
         (12.5, start.angle),
         (-6.3, start.angle),
+        (std::f64::consts::TAU, start.angle),
         (0.5, -1.0),
         (0.5, 5.2),
     ] {
         let before = corner;
         let drives = Signal::still(cranks::Drives { turn, angle });
+        let drive = if angle == start.angle {
+            "turn"
+        } else {
+            "angle"
+        };
+        let expected = format!("an angle is driven beyond its range: drive `{drive}`");
         for refused in [corner.step(1e-3, drives), corner.advance_to(1e-3, drives)] {
             let sentence = refused.expect_err("beyond the range").to_string();
-            assert!(
-                sentence.contains("turns before it meets its target"),
-                "{sentence}"
-            );
+            assert!(sentence.contains(&expected), "{sentence}");
             assert_eq!(corner.motion(), before.motion());
         }
     }

@@ -14,6 +14,7 @@ use crate::characteristics::Span;
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::load::load;
+use crate::output::beside::in_out;
 use crate::output::target::Target;
 use order::{Order, Ordered, Wished, WishedMeasure};
 
@@ -95,9 +96,8 @@ impl Arguments {
         };
         let sheet = ordered.sheet()?;
         let language = Language::from(self.language);
-        let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
-        let ending = language.extension();
-        let own = PathBuf::from(format!("out/{stem}_{}.{ending}", sheet.subject()));
+        let ending = format!("_{}.{}", sheet.subject(), language.extension());
+        let own = in_out(&self.file, &ending);
         let target = Target::from(self.output.clone().unwrap_or_else(|| own.clone()));
         target.refuse_input("--output")?;
         target.write(&sheet.text(language, target.path().unwrap_or(&own)))?;

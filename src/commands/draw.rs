@@ -1,12 +1,13 @@
 //! `suspension draw`: a picture of the mechanism at its first instant.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
+use crate::output::beside::in_out;
 use crate::output::drawing::{SIZE, Seen, drawing_of};
 use crate::output::files::announce;
 use crate::output::target::Target;
@@ -39,9 +40,8 @@ impl Arguments {
             let message = "--wheel-radius is not a positive finite number";
             return Err(Failure::Input(message.to_owned()));
         }
-        let stem = self.file.file_stem().unwrap_or_default();
-        let beside = || Path::new("out").join(stem).with_extension("svg");
-        let out = Target::from(self.out.clone().unwrap_or_else(beside));
+        let out = self.out.clone();
+        let out = Target::from(out.unwrap_or_else(|| in_out(&self.file, ".svg")));
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         out.refuse_input("--out")?;

@@ -19,6 +19,7 @@ use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::loads::{Case, Outcome, Structure};
 use crate::mechanism::{Order, State};
+use crate::output::beside::{in_out, name_of};
 use crate::output::drawing::{SIZE, Seen};
 use crate::output::files::{announce, print, write_file};
 use crate::output::progress::Progress;
@@ -90,7 +91,10 @@ impl Arguments {
             listing: loaded.listing(),
             structure: &structure,
             cases: &cases,
-            drawings: self.drawings.as_deref().map(|folder| (folder, self.stem())),
+            drawings: self
+                .drawings
+                .as_deref()
+                .map(|folder| (folder, name_of(&self.file).into_owned())),
         };
         if self.motion {
             work.in_motion(&forms, interrupted)
@@ -99,14 +103,8 @@ impl Arguments {
         }
     }
 
-    fn stem(&self) -> String {
-        let stem = self.file.file_stem().unwrap_or_default();
-        stem.to_string_lossy().into_owned()
-    }
-
     fn forms(&self) -> Forms {
-        let stem = self.stem();
-        let beside = || Path::new("out").join(format!("{stem}_loads.csv"));
+        let beside = || in_out(&self.file, "_loads.csv");
         let is_grid = (self.motion || !self.drives.is_empty()) && self.json.is_none();
         let csv = self.csv.clone().or_else(|| is_grid.then(beside));
         Forms {

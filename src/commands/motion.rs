@@ -12,6 +12,7 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::Description;
+use crate::output::beside::name_of;
 use crate::output::figures::{draw, height_and_angles, path};
 use crate::output::files::{announce, print, refuse_plot};
 use crate::output::record::record;
@@ -78,7 +79,7 @@ impl Arguments {
             ..
         } = &**mechanism;
         let Self { file, plots, .. } = self;
-        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        let stem = name_of(file);
         if let Some(folder) = plots {
             let charts = height_and_angles(names, *unit, [&[], &[]]);
             let plots = charts.iter().map(|(name, _)| path(folder, &stem, name));

@@ -14,6 +14,7 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::{Description, Names, Unit};
+use crate::output::beside::name_of;
 use crate::output::figures::path;
 use crate::output::files::{announce, print, refuse_plot, write_file};
 use crate::output::table::Table;
@@ -66,7 +67,7 @@ impl Arguments {
     ) -> Result<(), Failure> {
         let Description { names, unit, .. } = &**mechanism;
         let Self { file, plots, .. } = self;
-        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        let stem = name_of(file);
         let plot = |folder: &PathBuf, drive: &str| path(folder, &stem, &format!("range_{drive}"));
         if let (Some(Target::File(csv)), Some(folder)) = (csv, plots) {
             let drives = names.drives.iter();

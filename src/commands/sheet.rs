@@ -2,7 +2,7 @@
 
 mod page;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use clap::Args;
@@ -14,6 +14,7 @@ use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::mechanism::State;
+use crate::output::beside::in_out;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::announce;
 use crate::output::target::Target;
@@ -44,8 +45,7 @@ impl Arguments {
     ///
     /// See [`Failure`]. Where the mechanism locks, the curves end there, and the page is written.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
-        let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
-        let beside = || Path::new("out").join(format!("{stem}_sheet.html"));
+        let beside = || in_out(&self.file, "_sheet.html");
         let out = Target::from(self.out.clone().unwrap_or_else(beside));
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;

@@ -1,6 +1,6 @@
 //! `suspension sweep`: all quantities, and their derivatives, on a grid of the drives.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use clap::Args;
@@ -12,6 +12,7 @@ use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::{Description, Order};
+use crate::output::beside::in_out;
 use crate::output::files::announce;
 use crate::output::heading::{Header, Heading};
 use crate::output::progress::Progress;
@@ -63,8 +64,7 @@ impl Arguments {
     /// interrupts.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
-        let beside = || Path::new("out").join(format!("{stem}_sweep.csv"));
+        let beside = || in_out(&self.file, "_sweep.csv");
         let json = self.json.clone().map(Target::from);
         let csv = self.csv.clone();
         let parquet = self.parquet.clone().map(Target::from);

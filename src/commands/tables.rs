@@ -4,7 +4,7 @@ mod carmaker;
 mod carsim;
 mod wheel;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use clap::{Args, ValueEnum};
@@ -16,6 +16,7 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::Pair;
+use crate::output::beside::in_out;
 use crate::output::files::announce;
 use crate::output::target::Target;
 use wheel::Wheel;
@@ -58,12 +59,11 @@ impl Arguments {
     ///
     /// See [`Failure`]. Where the mechanism locks, tables end there, and what there is is written.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
-        let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
-        let name = match self.program {
-            Program::Carsim => format!("{stem}_carsim.par"),
-            Program::Carmaker => format!("{stem}_carmaker.txt"),
+        let ending = match self.program {
+            Program::Carsim => "_carsim.par",
+            Program::Carmaker => "_carmaker.txt",
         };
-        let beside = || Path::new("out").join(name);
+        let beside = || in_out(&self.file, ending);
         let target = Target::from(self.out.clone().unwrap_or_else(beside));
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;

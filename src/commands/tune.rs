@@ -11,6 +11,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source};
 use crate::load::load;
+use crate::output::beside::name_of;
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
 use crate::output::progress::Progress;
 use crate::tune::{MOST_STEPS, Tuned, tune};
@@ -84,8 +85,7 @@ impl Arguments {
 }
 
 fn beside(file: &Path) -> PathBuf {
-    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-    file.with_file_name(format!("{stem}_tuned.toml"))
+    file.with_file_name(format!("{}_tuned.toml", name_of(file)))
 }
 
 /// Points that lengths correct are not those of the design.

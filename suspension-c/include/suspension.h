@@ -92,6 +92,8 @@ enum {
     SUSP_ERROR_STEPS_USED_UP = 50,
     /** the pivots of the fixed order of elimination are too small here; make the step with partial pivoting */
     SUSP_ERROR_UNHEALTHY_PIVOTS = 51,
+    /** an angle is driven beyond its range; drive it from 0 to pi where it is between a link and an axis, else by less than a whole turn */
+    SUSP_ERROR_ANGLE_OUT_OF_RANGE = 52,
     /** nothing is proved: the Jacobian is singular to rounding; prove roots away from singularities */
     SUSP_ERROR_UNPROVED_NEAR_SINGULAR = 60,
     /** nothing is proved: the root is too far away, or a singularity too near; correct the position first */

@@ -85,8 +85,7 @@ pub enum SolveError<T> {
         bound: T,
     },
     /// The quantity that leads the motion turns before it meets its target: beyond its extreme
-    /// value there is no configuration on this branch. Or a drive is an angle beyond its range, of which the extreme value is
-    /// the end.
+    /// value there is no configuration on this branch.
     TurningPoint {
         /// The unknown that moves most there, or the drive.
         part: Part,
@@ -94,6 +93,15 @@ pub enum SolveError<T> {
         asked: T,
         /// The quantity's extreme value.
         extreme: T,
+    },
+    /// A drive is an angle beyond its range: the equations have the sine or cosine of another angle there.
+    OutOfRange {
+        /// The drive.
+        part: Part,
+        /// The angle, radians.
+        asked: T,
+        /// The end of the range.
+        end: T,
     },
     /// `residual > tolerance` after all iterations that were allowed.
     NotConverged {
@@ -133,6 +141,7 @@ impl<T> SolveError<T> {
             | Self::TooFar { part, .. }
             | Self::StepTooLong { part, .. }
             | Self::TurningPoint { part, .. }
+            | Self::OutOfRange { part, .. }
             | Self::NotConverged { part, .. } => part,
         }
     }
@@ -164,6 +173,10 @@ impl<T: Real> Explain for SolveError<T> {
             Self::TurningPoint { asked, extreme, .. } => (
                 Cause::TurningPoint,
                 Some(("target", asked, "extreme value", extreme)),
+            ),
+            Self::OutOfRange { asked, end, .. } => (
+                Cause::AngleOutOfRange,
+                Some(("angle", asked, "end of its range", end)),
             ),
             Self::NotConverged {
                 residual,

@@ -1,5 +1,9 @@
 //! What a listing has, whatever its geometry: its parts, their names and kinds.
 
+use core::f64::consts::{PI, TAU};
+
+use crate::scalar::Real;
+
 /// The parts of a listing. A model has them, and so has the listing that it is made from. A type that has them in a
 /// table implements [`table`](Self::table) alone, any other type every other method.
 pub trait Parts {
@@ -140,6 +144,22 @@ impl DriveKind {
     /// Whether it is in radians.
     pub fn is_angle(self) -> bool {
         self != Self::Coordinate
+    }
+
+    /// The end of an angle's range that a value, in radians, is beyond.
+    #[inline]
+    pub fn end_exceeded<T: Real>(self, value: T) -> Option<T> {
+        let [least, greatest] = match self {
+            Self::Coordinate => return None,
+            Self::Angle => [0.0, PI],
+            Self::Turn => [-TAU, TAU],
+        }
+        .map(T::constant);
+        let is_within = match self {
+            Self::Turn => least < value && value < greatest,
+            _ => least <= value && value <= greatest,
+        };
+        (!is_within).then_some(if value <= least { least } else { greatest })
     }
 }
 

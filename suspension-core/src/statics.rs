@@ -12,7 +12,7 @@ use core::ops::Range;
 use nalgebra::{SVector, Vector3};
 
 use crate::error::SolveError;
-use crate::factored::{Factored, smallest_pivot, with_factors};
+use crate::factored::{Factored, with_factors_for_rates};
 use crate::linkage::Linkage;
 use crate::listing::{Kind, Parts};
 use crate::magnitude::magnitude;
@@ -158,8 +158,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
     ) -> Result<Self, SolveError<T>> {
         let at = Configuration::new(linkage, drives, position);
         let on_unknowns = on_unknowns(linkage, forces);
-        let fixed = &at.fixed;
-        let multipliers = with_factors(linkage, position, fixed, smallest_pivot(), |factors| {
+        let multipliers = with_factors_for_rates(linkage, position, &at.fixed, |factors| {
             factors.solve_transposed(&on_unknowns)
         })?;
         Self::checked(at, multipliers, forces)

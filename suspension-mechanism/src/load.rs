@@ -5,7 +5,6 @@ mod columns;
 mod design;
 mod included;
 mod led;
-mod links;
 mod listing;
 mod loaded;
 mod masses;

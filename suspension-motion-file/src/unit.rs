@@ -1,7 +1,5 @@
 //! The units of a file.
 
-use std::f64::consts::{PI, TAU};
-
 use serde::Deserialize;
 use suspension_core::listing::{DriveKind, MeasureKind};
 
@@ -103,15 +101,12 @@ impl Angle {
             Self::Radian => "pi",
             Self::Degree => "180 deg",
         };
-        match kind {
-            DriveKind::Coordinate => None,
-            DriveKind::Angle => (!(0.0..=PI).contains(&value)).then(|| {
-                format!("the angle of a link from an axis lies between 0 and {half_turn}")
-            }),
-            DriveKind::Turn => (value.is_nan() || value.abs() >= TAU).then(|| {
+        kind.end_exceeded(value).map(|_| match kind {
+            DriveKind::Turn => {
                 "an angle about an axis is driven less than a whole turn to either side".to_owned()
-            }),
-        }
+            }
+            _ => format!("the angle of a link from an axis lies between 0 and {half_turn}"),
+        })
     }
 }
 

@@ -77,6 +77,15 @@ fn a_singular_design_names_what_depends_and_what_is_loose() {
     assert!(text(&output.stderr).contains("the design position is singular"));
 }
 
+/// Names of lengths that bodies keep are made like this.
+#[test]
+fn a_link_that_is_named_after_its_points_is_named_as_what_locks() {
+    let links = arm("[0.0, 0.4, 0.0]").replace("fore", "arm_front_tip");
+    let output = check(&links.replace("aft", "arm_rear_tip"), &[]);
+    let travel = line(&output, "bump");
+    assert!(travel.ends_with("_tip` is too short"), "{travel}");
+}
+
 #[test]
 fn a_corner_has_its_locks_and_its_notes() {
     let output = check(&CORNER.replace("0.3 }", "300.0 }"), &[]);

@@ -123,6 +123,20 @@ fn a_dash_puts_a_page_a_drawing_or_a_source_file_on_standard_output() {
 }
 
 #[test]
+fn files_whose_names_have_a_dot_have_drawings_of_their_own() {
+    let folder = folder();
+    for name in ["corner.v1", "corner.v2"] {
+        let file = format!("{name}.toml");
+        let content = example("double_wishbone.toml");
+        std::fs::write(folder.path().join(&file), content).expect("written");
+        let output = run(folder.path(), &["draw", &file]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let drawing = folder.path().join(format!("out/{name}.svg"));
+        assert!(drawing.is_file(), "{output:?}");
+    }
+}
+
+#[test]
 fn without_options_a_summary_is_printed() {
     let folder = folder();
     std::fs::write(folder.path().join("f.toml"), example("five_link.toml")).expect("written");

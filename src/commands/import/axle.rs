@@ -8,6 +8,7 @@ use suspension_runtime::Listing;
 use super::choice::Choice;
 use super::imported::Imported;
 use crate::failure::Failure;
+use crate::output::beside::name_of;
 use crate::output::files::{refuse_input, write_file};
 
 /// An axle of a layout of the catalogue.
@@ -61,7 +62,7 @@ impl Axle {
                 corner: None,
             };
         }
-        let name = out.file_stem().unwrap_or_default().to_string_lossy();
+        let name = name_of(out);
         let name = format!("{name}_corner.linkage");
         let corner = choice.text.replace(RACK, FREE_RACK).replace(STEER, "");
         let corner = format!("{ABOVE_CORNER}{corner}");

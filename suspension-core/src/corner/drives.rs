@@ -1,10 +1,8 @@
 //! Drives that a step would not notice to be wrong.
 
-use core::f64::consts::{PI, TAU};
-
 use crate::error::SolveError;
 use crate::linkage::Linkage;
-use crate::listing::{DriveKind, Part};
+use crate::listing::Part;
 use crate::scalar::Real;
 use crate::signal::Signal;
 use crate::substeps::Stopped;
@@ -23,10 +21,11 @@ pub(super) fn check<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
         let part = Part::Drive(drive);
         let is_finite = value.is_finite() && rate.is_finite() && second_rate.is_finite();
         let refused = if is_finite {
-            beyond(model.drive_kind(drive), value).map(|extreme| SolveError::TurningPoint {
+            let end = model.drive_kind(drive).end_exceeded(value);
+            end.map(|end| SolveError::OutOfRange {
                 part,
                 asked: value,
-                extreme,
+                end,
             })
         } else {
             Some(SolveError::NotFinite { part })
@@ -39,19 +38,4 @@ pub(super) fn check<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
         }
     }
     Ok(())
-}
-
-/// The end of an angle's range that a value is beyond.
-fn beyond<T: Real>(kind: DriveKind, value: T) -> Option<T> {
-    let [least, greatest] = match kind {
-        DriveKind::Coordinate => return None,
-        DriveKind::Angle => [0.0, PI],
-        DriveKind::Turn => [-TAU, TAU],
-    }
-    .map(T::constant);
-    if value > greatest {
-        Some(greatest)
-    } else {
-        (value < least).then_some(least)
-    }
 }

@@ -48,6 +48,8 @@ macro_rules! causes {
                 "allow more of them";
             UnhealthyPivots = 51: "the pivots of the fixed order of elimination are too small here",
                 "make the step with partial pivoting";
+            AngleOutOfRange = 52: "an angle is driven beyond its range",
+                "drive it from 0 to pi where it is between a link and an axis, else by less than a whole turn";
 
             UnprovedNearSingular = 60: "nothing is proved: the Jacobian is singular to rounding",
                 "prove roots away from singularities";

@@ -53,8 +53,8 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     let (by_kind, points) = (by_kind(listing, system), system.free.len());
     let scalars = match system.scalars.len() {
         0 => String::new(),
-        1 => " + 1 length".to_owned(),
-        count => format!(" + {count} lengths"),
+        1 => " + 1 other unknown".to_owned(),
+        count => format!(" + {count} other unknowns"),
     };
     Error::new(
         listing.free_span,

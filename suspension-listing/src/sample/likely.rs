@@ -57,7 +57,10 @@ fn design(
         .iter()
         .filter_map(|wheel| wheel.kingpin.as_ref());
     for [low, high] in kingpins {
-        let low = at[low];
+        // A marker has its place from its body.
+        let Some(&low) = at.get(low) else {
+            continue;
+        };
         at.entry(high).and_modify(|high| high[2] = low[2] + 0.3);
     }
     for (point, [from, to]) in hinges {

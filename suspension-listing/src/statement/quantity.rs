@@ -76,18 +76,25 @@ impl Quantity {
         }
     }
 
-    /// As text, equal for two that are one up to sign.
+    /// As text, equal for two that are one up to sign and a constant.
     pub(super) fn text(&self) -> String {
-        let what = match self {
-            Self::Sum(sum) => return format!("sum {}", sum.text()),
-            Self::Angle { axis, .. } => format!("angle {axis}"),
-            Self::Between { .. } => "between".to_owned(),
-            Self::Length { .. } => "length".to_owned(),
-            Self::Along { direction, .. } => format!("along {direction:?}"),
-        };
-        let mut points: Vec<String> = self.points().iter().map(ToString::to_string).collect();
-        points.sort();
-        format!("{what} {}", points.join(" "))
+        match self {
+            Self::Sum(sum) => format!("sum {}", sum.text()),
+            Self::Angle { line, axis } => format!("angle {:?} {axis}", undirected(line)),
+            Self::Between { lines, about } => {
+                let mut lines = lines.each_ref().map(undirected);
+                lines.sort();
+                format!("between {lines:?} {:?}", about.as_ref().map(undirected))
+            }
+            Self::Length { line } => format!("length {:?}", undirected(line)),
+            Self::Along { point, direction } => {
+                let first = direction.iter().find(|factor| **factor != 0.0);
+                let sign = first.map_or(1.0, |factor| factor.signum());
+                // The zero is for -0.
+                let direction = direction.map(|factor| sign * factor + 0.0);
+                format!("along {direction:?} {point}")
+            }
+        }
     }
 
     /// The coordinates that add up to what the equation of a drive prescribes.
@@ -150,6 +157,13 @@ impl Quantity {
             },
         }
     }
+}
+
+/// The names of a line's ends, in one order for both directions.
+fn undirected(line: &[Ident; 2]) -> [String; 2] {
+    let mut ends = line.each_ref().map(ToString::to_string);
+    ends.sort();
+    ends
 }
 
 /// `from -> to, axis`, or two lines, with or without the one about which their angle is seen.

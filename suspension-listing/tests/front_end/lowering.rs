@@ -236,3 +236,39 @@ fn counts_are_compared_before_ranks() {
     assert_eq!(messages.len(), 1);
     assert!(messages[0].starts_with("2 equations for 3 unknowns: 1 of links"));
 }
+
+/// The same four points are the ends of two other lines.
+#[test]
+fn drives_prescribe_the_same_where_one_is_a_multiple_of_the_other() {
+    let with = |second: TokenStream| {
+        messages(quote! {
+            mod crank {
+                fixed: t, u, p;
+                free: w, q;
+                hinge first: t, u -> w;
+                hinge second: t, u -> q;
+                drive one: angle(t -> w, p -> q about t -> u);
+                drive other: w along [0.0, 2.0, 0.0];
+                #second
+            }
+        })
+    };
+    let is_refused = |second: TokenStream| {
+        let messages = with(second);
+        let mut same = messages
+            .iter()
+            .map(|message| message.contains("prescribes the same"));
+        same.any(|same| same)
+    };
+    assert!(!is_refused(
+        quote!(drive two: angle(t -> p, w -> q about t -> u);)
+    ));
+    assert!(!is_refused(
+        quote!(drive two: angle(t -> w, p -> q about t -> p);)
+    ));
+    assert!(is_refused(
+        quote!(drive two: angle(q -> p, t -> w about u -> t);)
+    ));
+    assert!(!is_refused(quote!(drive two: w along [1.0, 1.0, 0.0];)));
+    assert!(is_refused(quote!(drive two: w along [0.0, -1.0, 0.0];)));
+}

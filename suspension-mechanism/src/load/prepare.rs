@@ -54,6 +54,10 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         to,
     } = request;
     let names = Names::of(&listing);
+    let names = match statements {
+        Some(statements) => names.with_links_of(statements),
+        None => names,
+    };
     let task = Task {
         source,
         file,

@@ -37,7 +37,7 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
             let given = |drives: &L::Drives| design.given(drives);
             let first = given(&way.inputs::<L::Drives>(asked).drives.value);
             let last = &motion.position;
-            let lock = Lock::of(&design.model, &way, &stopped, asked, last, given);
+            let lock = Lock::of(&design.model, names, &way, &stopped, asked, last, given);
             let lock = lock.in_words(names, unit, &given(&design.drives));
             let first = names.drives_in_words(&first, unit, None);
             let cause = format!("{lock}; {}", advice(task.source.name()));

@@ -2,7 +2,6 @@
 
 use crate::failure::Failure;
 use crate::load::cases::cases;
-use crate::load::links::Links;
 use crate::load::loaded::Loaded;
 use crate::load::tolerances::tolerances;
 use crate::load::tuning::tuning;
@@ -28,7 +27,7 @@ impl Loaded<'_> {
     ///
     /// [`Failure::Input`] with the place of what is no tolerance, or of nothing in the mechanism.
     pub fn tolerances(&self, mechanism: &Description) -> Result<Vec<Tolerance>, Failure> {
-        tolerances(self.source, &self.file, self.listing(), mechanism)
+        tolerances(self.source, &self.file, mechanism)
     }
 
     /// What `suspension sensitivities` changes: the coordinates of all points, the lengths of links, and the moves of
@@ -42,8 +41,7 @@ impl Loaded<'_> {
         let followers = self.file.followers(&names.points);
         let points = 0..names.points.len();
         let coordinates = points.flat_map(|point| coordinates(mechanism, point, &followers));
-        let Links(links) = Links::of(self.listing(), names);
-        let lengths = links.iter().map(|(_, number)| length(mechanism, *number));
+        let lengths = names.links.iter().map(|link| length(mechanism, *link));
         let mut changes: Vec<Change> = coordinates.chain(lengths).collect();
         if self.file.tune.is_some() {
             let (moves, _) = self.tuning(mechanism)?;
@@ -59,6 +57,6 @@ impl Loaded<'_> {
     ///
     /// [`Failure::Input`] with the place of what is none of the mechanism's, and where nothing is stated.
     pub fn tuning(&self, mechanism: &Description) -> Result<(Vec<Move>, Vec<Target>), Failure> {
-        tuning(self.source, &self.file, self.listing(), mechanism)
+        tuning(self.source, &self.file, mechanism)
     }
 }

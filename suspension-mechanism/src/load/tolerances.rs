@@ -1,11 +1,9 @@
 //! The tolerances of a motion file, by what they are of.
 
 use suspension_listing::did_you_mean::unknown;
-use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source};
-use crate::load::links::Links;
 use crate::mechanism::Description;
 use crate::sensitivities::{Change, coordinates, length};
 use crate::tolerances::Tolerance;
@@ -18,7 +16,6 @@ use crate::tolerances::Tolerance;
 pub(super) fn tolerances(
     source: &Source,
     file: &MotionFile,
-    listing: &Listing,
     mechanism: &Description,
 ) -> Result<Vec<Tolerance>, Failure> {
     let Some(table) = &file.tolerances else {
@@ -26,18 +23,17 @@ pub(super) fn tolerances(
     };
     let names = &mechanism.names;
     let followers = file.followers(&names.points);
-    let links = Links::of(listing, names);
     let changes = |name: &str| -> Option<Vec<Change>> {
         match names.points.iter().position(|point| point == name) {
             Some(point) => Some(coordinates(mechanism, point, &followers).collect()),
-            None => Some(vec![length(mechanism, links.length(name)?)]),
+            None => Some(vec![length(mechanism, names.link(name)?)]),
         }
     };
     let mut found = Vec::new();
     for (name, deviation) in table.get_ref() {
         let changes = changes(name.get_ref()).ok_or_else(|| {
             let known = names.points.iter().map(String::as_str);
-            let known: Vec<&str> = known.chain(links.names()).collect();
+            let known: Vec<&str> = known.chain(names.links().map(|(link, _)| link)).collect();
             let message = unknown("point or link", name.get_ref(), &known);
             source.refuse(&name.span(), message)
         })?;

@@ -4,11 +4,8 @@ mod moves;
 mod naming;
 mod targets;
 
-use suspension_runtime::Listing;
-
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, TuneTable, in_order};
-use crate::load::links::Links;
 use crate::mechanism::Description;
 use crate::tune::{Move, Target};
 use moves::Moves;
@@ -23,7 +20,6 @@ use targets::Targets;
 pub(super) fn tuning(
     source: &Source,
     file: &MotionFile,
-    listing: &Listing,
     mechanism: &Description,
 ) -> Result<(Vec<Move>, Vec<Target>), Failure> {
     let Some(table) = &file.tune else {
@@ -33,7 +29,6 @@ pub(super) fn tuning(
     let naming = Naming { source, mechanism };
     let of_moves = Moves {
         naming,
-        links: Links::of(listing, &mechanism.names),
         followers: file.followers(&mechanism.names.points),
     };
     let of_targets = Targets(naming);

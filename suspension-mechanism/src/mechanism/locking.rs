@@ -27,6 +27,7 @@ impl Lock {
     /// drives in the file's coordinates.
     pub(crate) fn of<L: Suspension<N>, const N: usize>(
         model: &L,
+        names: &Names,
         laws: &DriveLaws,
         stopped: &Stopped<f64>,
         asked: f64,
@@ -37,7 +38,7 @@ impl Lock {
         Self {
             drives: given(&there.drives.value),
             turns: turning_drive(model, &there, q),
-            misfit: Misfit::between(model, laws, [stopped.reached, asked], q),
+            misfit: Misfit::between(model, names, laws, [stopped.reached, asked], q),
             cause: stopped.refused.map(|(_, cause)| cause),
         }
     }

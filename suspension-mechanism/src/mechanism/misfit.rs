@@ -43,13 +43,13 @@ impl Misfit {
     /// first alone. `None` where it is no link's length.
     pub(crate) fn between<L: Suspension<N>, const N: usize>(
         model: &L,
+        names: &Names,
         drives: &DriveLaws,
         [reached, asked]: [f64; 2],
         q: &SVector<f64, N>,
     ) -> Option<Self> {
-        let names = Names::of(model);
         let place = Place::at(model, drives, reached);
-        let (equation, mut along) = place.bearing(&names, q)?;
+        let (equation, mut along) = place.bearing(names, q)?;
         let mut q = *q;
         for instant in 1..=INSTANTS {
             let part = f64::from(instant) / f64::from(INSTANTS);
@@ -62,7 +62,7 @@ impl Misfit {
             return None;
         }
         let name = names.equations[equation].clone();
-        let length = names.lengths.iter().position(|length| *length == name)?;
+        let length = names.link(&name)?;
         let has = model.lengths().values().nth(length)?;
         // The equation of a distance is (d^2 - L^2) / (2 L).
         let needs = (has * (has + 2.0 * off[equation])).sqrt();
@@ -124,10 +124,7 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
             motion = factors.solve(&forces).normalize();
             forces = factors.solve_transposed(&motion).normalize();
         }
-        let is_link = |row: &usize| {
-            let name = &names.equations[*row];
-            names.lengths.contains(name) && !is_of_body(names, name)
-        };
+        let is_link = |row: &usize| names.link(&names.equations[*row]).is_some();
         let links = (0..names.equations.len()).filter(is_link);
         let bearing = links.max_by(|a, b| forces[*a].abs().total_cmp(&forces[*b].abs()))?;
         (forces[bearing].abs() > BEARS * forces.amax()).then_some((bearing, motion))
@@ -177,16 +174,4 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         }
         Some(q)
     }
-}
-
-/// Whether a length is that of two points of a body, whose name ends with theirs: no link.
-fn is_of_body(names: &Names, length: &str) -> bool {
-    let ends = |point: &String| length.strip_suffix(point.as_str())?.strip_suffix('_');
-    let mut starts = names.points.iter().filter_map(ends);
-    starts.any(|start| {
-        names
-            .points
-            .iter()
-            .any(|point| start.ends_with(&format!("_{point}")))
-    })
 }

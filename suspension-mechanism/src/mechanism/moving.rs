@@ -101,7 +101,15 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         last: &Motion<f64, N>,
     ) -> Lock {
         let given = |drives: &L::Drives| self.given_of(drives);
-        Lock::of(&self.model, laws, stopped, asked, &last.position, given)
+        Lock::of(
+            &self.model,
+            &self.names,
+            laws,
+            stopped,
+            asked,
+            &last.position,
+            given,
+        )
     }
 
     /// Drives the mechanism, the drives being at `drives`, to values of some of them, in local coordinates: the way takes a second.

@@ -33,6 +33,8 @@ pub struct Names {
     pub free: usize,
     /// Lengths of links and bodies.
     pub lengths: Vec<String>,
+    /// Those of links, by number; of a listing that was read while the program runs.
+    pub links: Vec<usize>,
     /// Drives.
     pub drives: Vec<Drive>,
     /// Measures.
@@ -81,6 +83,7 @@ impl Names {
             chassis,
             free,
             lengths: named(count(Kind::Length), Part::Length),
+            links: Vec::new(),
             drives: (0..)
                 .zip(drives)
                 .map(|(drive, name)| Drive {
@@ -103,6 +106,27 @@ impl Names {
                 .collect(),
             vehicle: Vehicle::default(),
         }
+    }
+
+    /// The same with the links of the listing.
+    pub(crate) fn with_links_of(mut self, listing: &suspension_runtime::Listing) -> Self {
+        let statements = listing.statements().into_iter();
+        let links = statements.filter(|statement| statement.kind == "link");
+        let number = |link: &str| self.lengths.iter().position(|length| length == link);
+        self.links = links.filter_map(|link| number(link.name)).collect();
+        self
+    }
+
+    /// The links, each with the number of its length.
+    pub(crate) fn links(&self) -> impl Iterator<Item = (&str, usize)> {
+        let links = self.links.iter();
+        links.map(|&length| (self.lengths[length].as_str(), length))
+    }
+
+    /// The number of a link's length.
+    pub(crate) fn link(&self, name: &str) -> Option<usize> {
+        let found = self.links().find(|(link, _)| *link == name);
+        found.map(|(_, length)| length)
     }
 
     /// The same with springs, and parts that have a mass.

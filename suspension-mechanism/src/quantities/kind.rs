@@ -2,7 +2,7 @@
 
 use suspension_core::listing::{DriveKind, MeasureKind};
 
-use crate::mechanism::{Length, Unit};
+use crate::mechanism::{Angle, Length, Unit};
 
 /// What a number measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,12 +84,11 @@ impl Kind {
 
     /// In text and plots for people, angles are in degrees: what to multiply with, and the unit's symbol.
     pub fn for_people(self, unit: Unit) -> (f64, String) {
+        let angle = Angle::Degree;
+        let people = Unit { angle, ..unit };
         match self {
-            Self::Angle => (1_f64.to_degrees(), "deg".to_owned()),
             Self::Percent => (1.0, "%".to_owned()),
-            Self::AnglePerAngle => (1.0, "deg/deg".to_owned()),
-            Self::AngularStiffness => (1_f64.to_radians(), "Nm/deg".to_owned()),
-            _ => (self.in_file(unit), self.symbol(unit)),
+            _ => (self.in_file(people), self.symbol(people)),
         }
     }
 

@@ -26,3 +26,24 @@ fn each_point_needs_one_hardpoint_and_no_more() {
          the order of the listing"
     );
 }
+
+/// Without places, designs that may be meant are looked at, in which a marker has no place of its own.
+#[test]
+fn a_kingpin_may_start_at_a_marker_of_a_listing_without_places() {
+    let listing = Listing::parse(
+        "fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
+         free: lower_ball, upper_ball, tie_ball, wheel_centre;
+         link lower_fore: lower_front -> lower_ball;
+         link lower_aft: lower_rear -> lower_ball;
+         link upper_fore: upper_front -> upper_ball;
+         link upper_aft: upper_rear -> upper_ball;
+         link tie_rod: rack -> tie_ball;
+         body upright: lower_ball, upper_ball, tie_ball, wheel_centre;
+         point axle: upright;
+         point low: upright;
+         drive bump: wheel_centre.z;
+         wheel: axle -> wheel_centre;
+         kingpin: low -> upper_ball;",
+    );
+    assert_eq!(listing.expect("a listing").drive("bump"), Some(0));
+}

@@ -6,7 +6,6 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::{AxisName, Direction, MoveTable};
 use crate::kinematics::Changes;
-use crate::load::links::Links;
 use crate::load::tuning::naming::Naming;
 use crate::quantities::Axis;
 use crate::tune::Move;
@@ -14,7 +13,6 @@ use crate::tune::Move;
 /// What moves name.
 pub(super) struct Moves<'a> {
     pub(super) naming: Naming<'a>,
-    pub(super) links: Links<'a>,
     /// Markers that are stated off another point, each with that one.
     pub(super) followers: Vec<[usize; 2]>,
 }
@@ -105,9 +103,10 @@ impl Moves<'_> {
 
     /// Lengths of links: those of bodies are between points, which move.
     fn length(&self, name: &Spanned<String>) -> Result<usize, Failure> {
-        let known: Vec<&str> = self.links.names().collect();
+        let names = &self.naming.mechanism.names;
+        let known: Vec<&str> = names.links().map(|(link, _)| link).collect();
         let link = self.naming.named("link", name, &known)?;
-        Ok(self.links.0[link].1)
+        Ok(names.links[link])
     }
 }
 
