@@ -13,7 +13,6 @@ use crate::motion::Prescribed;
 use crate::scalar::Real;
 use crate::series::{InputSeries, Jet, Series};
 use crate::signal::{Inputs, Signal};
-use crate::values::combine;
 
 /// A linkage in one configuration with its factored Jacobian: derivatives with respect to its drives. The
 /// chassis rests.
@@ -137,20 +136,20 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
         let quarter = T::constant(0.25);
         // Of what is quadratic in a direction: (Q(a + b) - Q(a - b)) / 4.
         let drives = |b: L::Drives| {
-            self.coordinates(combine(&a.change, &b, Add::add))
+            self.coordinates(a.change.combined(&b, Add::add))
                 .second_rate
         };
         let (plus, minus) = (drives(b.change), drives(b.change.map(Neg::neg)));
-        let drives = combine(&plus, &minus, |plus, minus| (plus - minus) * quarter);
+        let drives = plus.combined(&minus, |plus, minus| (plus - minus) * quarter);
         let fixed = self.anchors(&drives);
         let unknowns = self.bilinear([a, b], &fixed, &drives)?;
         let linear = self.linkage.velocities(self.points, &unknowns, &fixed);
         let (still, at_rest) = (SVector::from([T::zero(); N]), L::Fixed::default());
         let markers = |velocities| self.accelerations(&velocities, &still, &at_rest);
-        let plus = markers(combine(&a.points, &b.points, Add::add));
-        let minus = markers(combine(&a.points, &b.points, Sub::sub));
-        let quadratic = combine(&plus, &minus, |plus, minus| (plus - minus) * quarter);
-        Ok(combine(&linear, &quadratic, Add::add))
+        let plus = markers(a.points.combined(&b.points, Add::add));
+        let minus = markers(a.points.combined(&b.points, Sub::sub));
+        let quadratic = plus.combined(&minus, |plus, minus| (plus - minus) * quarter);
+        Ok(linear.combined(&quadratic, Add::add))
     }
 
     /// The drives' coordinates where they change as `change` says.

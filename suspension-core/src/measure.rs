@@ -26,18 +26,7 @@ pub fn length<T: Real>(line: &Signal<Vector3<T>>) -> Signal<T> {
 pub fn angle<T: Real>(line: &Signal<Vector3<T>>, axis: Vector3<T>) -> Signal<T> {
     let along = line.map(|d| d.dot(&axis));
     let across = length(&line.map(|d| d - axis * d.dot(&axis)));
-    let (c, s) = (along, across);
-    let square = c.value * c.value + s.value * s.value;
-    // c = L cos, s = L sin: L^2 times the angle's rate, and the rate of that.
-    let swept = c.value * s.rate - s.value * c.rate;
-    let swept_rate = c.value * s.second_rate - s.value * c.second_rate;
-    let growth = (c.value * c.rate + s.value * s.rate) / square;
-    let rate = swept / square;
-    Signal {
-        value: s.value.atan2(c.value),
-        rate,
-        second_rate: swept_rate / square - (rate + rate) * growth,
-    }
+    Signal::arc_tangent(across, along)
 }
 
 /// The angle in radians, from 0 to pi, between two lines: `atan2(|d x e|, d . e)`. The rates are NaN where the lines

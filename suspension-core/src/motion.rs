@@ -120,9 +120,8 @@ where
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] where a pivot is not above 8 times the square root of `EPSILON`: so
-    /// close to a singularity a residual at rounding level leaves the position off by as much, and
-    /// no digit of a velocity is known.
+    /// [`SolveError::Singular`] so close to a singularity that the position, off by rounding, leaves hardly a digit of a
+    /// velocity.
     pub fn new(
         linkage: &'a L,
         inputs: &Inputs<C, L::Drives>,

@@ -40,16 +40,16 @@ pub trait Values<V>: Copy {
         let each = self.values().enumerate();
         Self::from_values(each.map(|(at, kept)| if at == index { value } else { kept }))
     }
-}
 
-/// Values of two, pair by pair.
-#[inline(always)]
-pub(crate) fn combine<V: Copy + Default, S: Values<V>>(
-    a: &S,
-    b: &S,
-    combine: impl Fn(V, V) -> V,
-) -> S {
-    S::from_values(a.values().zip(b.values()).map(|(a, b)| combine(a, b)))
+    /// These values and others, pair by pair.
+    #[inline(always)]
+    fn combined(&self, others: &Self, combine: impl Fn(V, V) -> V) -> Self
+    where
+        V: Default,
+    {
+        let pairs = self.values().zip(others.values());
+        Self::from_values(pairs.map(|(a, b)| combine(a, b)))
+    }
 }
 
 /// Values that are the fields of a struct which `linkage!` writes. Code over any linkage asks the

@@ -11,6 +11,9 @@ use crate::vector::{Vector, minus};
 pub use likely::likely;
 pub use path::positions;
 
+/// More unknowns than a compiler should be held up with.
+const MOST_UNKNOWNS: usize = 60;
+
 /// The derivatives of an equation's rows by each of its arguments: the coordinates of its sites, then its
 /// scalars.
 pub type Gradient = Vec<Vector>;

@@ -128,37 +128,37 @@ pub struct Wheel {
     pub kingpin: Option<[Name; 2]>,
 }
 
-/// The frame of three points under its name in the generated code.
+/// The name of the frame of three points.
 pub fn frame_name(owner: &Name) -> Name {
     Name::made(format!("{owner}_frame"))
 }
 
-/// The constants of a carried point under their name in the generated code.
+/// The name of the constants of a carried point.
 pub fn carried_name(body: &Name, point: &Name) -> Name {
     Name::made(format!("{body}_{point}"))
 }
 
-/// The length between two points of a body under its name in the generated code.
+/// The name of the length between two points of a body.
 pub fn pair_name(body: &Name, a: &Name, b: &Name) -> Name {
     Name::made(format!("{body}_{a}_{b}"))
 }
 
-/// The length that a drive prescribes under its name in the generated code.
+/// The name of the length that a drive prescribes.
 pub fn length_name(drive: &Name) -> Name {
     Name::made(format!("{drive}_length"))
 }
 
-/// The distance from the first point of a plane towards another under its name in the generated code.
+/// The name of the distance from the first point of a plane towards another.
 pub fn distance_name(plane: &Name, towards: &Name) -> Name {
     Name::made(format!("{plane}_{towards}"))
 }
 
-/// Part of the equations of an angle about an axis under its name in the generated code.
+/// The name of a part of the equations of an angle about an axis.
 pub fn turn_name(drive: &Name, part: &str) -> Name {
     Name::made(format!("{drive}_{part}"))
 }
 
-/// A coordinate of a vector under its name in the generated code.
+/// The name of a coordinate of a vector.
 pub fn coordinate_name(vector: &Name, axis: usize) -> Name {
     Name::made(format!("{vector}_{}", AXES[axis]))
 }

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::motion_file::{Coefficients, MotionFile, Offset, Position};
 use crate::number::exact;
 use crate::source::Source;
-use crate::table::Table;
+use crate::table::{Table, in_order};
 
 pub use instants::instants;
 
@@ -133,7 +133,8 @@ fn home(key: &str) -> Option<&'static str> {
 ///
 /// [`Failure::Input`] at the first that is not.
 pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<(), Failure> {
-    for (name, value) in in_file_order(table) {
+    for (name, value) in in_order(table) {
+        let name = name.get_ref();
         if !value.get_ref().is_finite() {
             let message = format!("{kind} `{name}` is not a finite number");
             return Err(source.refuse(&value.span(), message));
@@ -148,7 +149,8 @@ pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<
 ///
 /// [`Failure::Input`] at the first that is not.
 pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
-    for (name, value) in in_file_order(table) {
+    for (name, value) in in_order(table) {
+        let name = name.get_ref();
         let length = *value.get_ref();
         let fault = if !(length > 0.0 && length.is_finite()) {
             "not a positive finite number"
@@ -174,7 +176,8 @@ pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
 pub fn points(source: &Source, file: &MotionFile, markers: &[String]) -> Result<(), Failure> {
     let is_marker = |name: &str| markers.iter().any(|marker| marker == name);
     let mut placed: Vec<(&str, [f64; 3])> = Vec::new();
-    for (name, position) in in_file_order(&file.points) {
+    for (name, position) in in_order(&file.points) {
+        let name = name.get_ref();
         let refuse = |message: String| Err(source.refuse(&position.span(), message));
         let (Position::At(numbers)
         | Position::Off(Offset {
@@ -229,23 +232,14 @@ fn base_of_marker(
     }
 }
 
-/// A table's entries from top to bottom, so that the first mistake is the one reported.
-fn in_file_order<V>(table: &Table<V>) -> Vec<(&str, &Spanned<V>)> {
-    let mut entries: Vec<_> = table.get_ref().iter().collect();
-    entries.sort_by_key(|(name, _)| name.span().start);
-    entries
-        .into_iter()
-        .map(|(name, value)| (name.get_ref().as_str(), value))
-        .collect()
-}
-
 /// Checks the drives' polynomials: at least one coefficient each, all finite.
 ///
 /// # Errors
 ///
 /// [`Failure::Input`] at the first that is not.
 pub fn drives(source: &Source, table: &Table<Coefficients>) -> Result<(), Failure> {
-    for (name, coefficients) in in_file_order(table) {
+    for (name, coefficients) in in_order(table) {
+        let name = name.get_ref();
         let Coefficients(numbers) = coefficients.get_ref();
         let fault = if numbers.is_empty() {
             "needs at least one coefficient"

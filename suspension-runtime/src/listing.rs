@@ -45,7 +45,7 @@ impl Listing {
         Self::parse_with(text, file, &CatalogueAndFiles::beside(file))
     }
 
-    /// The same with what it includes from a includes of one's own.
+    /// The same; the texts of the listings that it includes come from `includes`.
     ///
     /// # Errors
     ///

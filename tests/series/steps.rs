@@ -26,13 +26,14 @@ fn follow<T: Real, const K: usize>(tolerance: f64) -> [f64; 3] {
     let (model, mut motion) = start::<T>(0);
     let tracker = SeriesTracker::within(T::constant(tolerance));
     let reference = Reference::load();
-    let mut worst = [0.0_f64; 3];
+    let (mut worst, mut met) = ([0.0_f64; 3], 0);
     for millisecond in 0..1950_u16 {
         let t = T::constant(f64::from(millisecond) * 1e-3);
         let step = tracker.step(&model, &ahead::<_, K>(t), T::constant(1e-3), &mut motion);
         step.unwrap_or_else(|error| panic!("at {millisecond} ms: {error:?}"));
         let reached = f64::from(millisecond + 1) * 1e-3;
         if let Some(instant) = INSTANTS.iter().position(|instant| *instant == reached) {
+            met += 1;
             let pairs = [
                 (motion.position, ""),
                 (motion.velocity, "v"),
@@ -45,6 +46,7 @@ fn follow<T: Real, const K: usize>(tolerance: f64) -> [f64; 3] {
         }
     }
     println!("order {K}: {worst:?}");
+    assert_eq!(met, INSTANTS.len() - 1, "all but that of the start");
     worst
 }
 

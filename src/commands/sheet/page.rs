@@ -17,9 +17,9 @@ pub(super) struct Page<'a> {
     pub(super) drawings: Vec<String>,
     /// The drives at the design position, in words.
     pub(super) drives: String,
-    /// What could not be solved.
     /// Where and why the file's own motion ends too early.
     pub(super) motion_ends: Option<String>,
+    /// What could not be solved.
     pub(super) missing: Vec<String>,
     pub(super) parameters: Vec<Parameter>,
     pub(super) curves: Vec<Curves>,

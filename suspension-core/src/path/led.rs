@@ -18,7 +18,7 @@ pub struct Led<T, const N: usize> {
     /// The index of the drive that is set free.
     pub(super) drive: usize,
     /// The local parameter: the entry of the configuration that is held in corrections. `N` is
-    /// the drive. The tracker changes it where it becomes poor.
+    /// the drive. The [`Leader`](super::Leader) exchanges it where it determines the others badly.
     pub parameter: usize,
     /// Whether the quantity increases along the curve in the direction in which
     /// `det [J, dF/dh; t^T]` is positive, where known: it changes only where the quantity turns

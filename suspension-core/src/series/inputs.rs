@@ -4,7 +4,7 @@ use core::iter::repeat;
 
 use nalgebra::Vector3;
 
-use super::jet::{Jet, zip};
+use super::jet::Jet;
 use crate::linkage::{Linkage, Values};
 use crate::listing::DriveKind;
 use crate::scalar::Scalar;
@@ -132,7 +132,7 @@ where
     let mut g = Jet::constant(start.rate, zero);
     for order in 1..=K {
         let next_h = chain_rule(drives, &g, order);
-        let next_g = zip(&bends, &chain_rule(drives, &h, order), |a, b| a * b);
+        let next_g = bends.combined(&chain_rule(drives, &h, order), |a, b| a * b);
         for (jet, next) in [(&mut h, next_h), (&mut g, next_g)] {
             if let Some(term) = jet.terms.get_mut(order - 1) {
                 *term = next;
@@ -152,8 +152,8 @@ where
     let (mut sum, mut j) = (D::default(), T::zero());
     for (term, slope) in drives.terms.iter().zip(slope.below(order).rev()) {
         j += T::one();
-        let product = zip(term, slope, |term, slope| term * slope);
-        sum = zip(&sum, &product, |sum, product| sum + product * j);
+        let product = term.combined(slope, |term, slope| term * slope);
+        sum = sum.combined(&product, |sum, product| sum + product * j);
     }
     let order = T::constant(order as f64);
     sum.map(|sum| sum / order)

@@ -84,7 +84,7 @@ impl<S, const K: usize> Jet<S, K> {
         S: Values<V>,
     {
         let zero = S::from_values([]);
-        self.evaluate(dt, zero, |a, b, s| zip(&a, &b, |a, b| a + b.times(s)))
+        self.evaluate(dt, zero, |a, b, s| a.combined(&b, |a, b| a + b.times(s)))
     }
 }
 
@@ -119,10 +119,4 @@ impl<T: Scalar> Quantity for Vector3<T> {
     fn times(self, factor: T) -> Self {
         self * factor
     }
-}
-
-/// Two sets of values under the same names, combined name by name.
-pub(super) fn zip<S: Values<V>, V: Default>(a: &S, b: &S, combine: impl Fn(V, V) -> V) -> S {
-    let pairs = a.values().zip(b.values());
-    S::from_values(pairs.map(|(a, b)| combine(a, b)))
 }

@@ -33,7 +33,6 @@ use crate::magnitude::{index_of_largest, largest, magnitude};
 use crate::motion::Prescribed;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Signal};
-use crate::values::combine;
 
 /// See [`Tracker::change_of_jacobian`]. Of 560,000 accepted steps of random five-link suspensions 2
 /// ended in another assembly without it, both with a change above 3.7, and none with it; where the
@@ -92,7 +91,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
     /// How far the chassis points move.
     fn of_chassis<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> L::Fixed {
         let by_rates = by_rates(&self.to.fixed, self.dt);
-        combine(&by_rates, &self.beyond_rates::<C>(linkage), |a, b| a + b)
+        by_rates.combined(&self.beyond_rates::<C>(linkage), |a, b| a + b)
     }
 
     /// The largest coordinate of a chassis point's move that its rates do not tell.
@@ -112,11 +111,11 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
             return L::Fixed::default();
         };
         if C::MOVES {
-            let moves = combine(&to.fixed.value, &from.fixed.value, |a, b| a - b);
-            return combine(&moves, &by_rates(&to.fixed, self.dt), |a, b| a - b);
+            let moves = to.fixed.value.combined(&from.fixed.value, |a, b| a - b);
+            return moves.combined(&by_rates(&to.fixed, self.dt), |a, b| a - b);
         }
-        let moves = combine(&to.drives.value, &from.drives.value, |a, b| a - b);
-        let beyond = combine(&moves, &by_rates(&to.drives, self.dt), |a, b| a - b);
+        let moves = to.drives.value.combined(&from.drives.value, |a, b| a - b);
+        let beyond = moves.combined(&by_rates(&to.drives, self.dt), |a, b| a - b);
         linkage.drive_anchors(L::Fixed::default(), &beyond)
     }
 }
@@ -130,9 +129,11 @@ where
     S: Values<V>,
 {
     let half = dt * T::constant(0.5);
-    combine(&signal.rate, &signal.second_rate, |rate, second_rate| {
-        (rate - second_rate * half) * dt
-    })
+    signal
+        .rate
+        .combined(&signal.second_rate, |rate, second_rate| {
+            (rate - second_rate * half) * dt
+        })
 }
 
 /// A step from one position to another, with the factors of the Jacobian there.

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use super::MOST_UNKNOWNS;
 use super::path::rates;
 use crate::name::Name;
 use crate::random::Lcg;
@@ -18,9 +19,6 @@ const TRIALS: usize = 1024;
 
 /// Of twelve seeds the one that serves symmetric double wishbones, with rocker and without, best.
 const SEED: u64 = 2;
-
-/// More unknowns than a compiler should be held up with.
-const MOST_UNKNOWNS: usize = 60;
 
 /// A design with a smaller pivot than this, partial pivoting granted, is not one that an engineer would draw:
 /// it is near a singularity.

@@ -2,6 +2,7 @@
 //! tangent.
 //! Lengths drift a little on the way, which the size of pivots does not notice.
 
+use super::MOST_UNKNOWNS;
 use super::gradients;
 use crate::system::{Place, Positions, System};
 use crate::vector::{dot, minus};
@@ -15,9 +16,6 @@ const SUBSTEPS: usize = 8;
 
 /// Where a point moves farther than this for each step of the drive, the motion is about to turn.
 const LARGEST_RATE: f64 = 6.0;
-
-/// More unknowns than a compiler should be held up with.
-const MOST_UNKNOWNS: usize = 60;
 
 /// A design position, and others that the drives lead to from there.
 pub fn positions(system: &System, design: Positions) -> Vec<Positions> {

@@ -18,6 +18,7 @@ use super::word::Word;
 use crate::errors;
 use crate::include::{Include, Source};
 use crate::lexed::handed_on;
+use crate::system::AXES;
 use crate::vector::Vector;
 
 pub(crate) const INCLUDE: Word = Word {
@@ -37,9 +38,6 @@ pub(crate) const INCLUDE: Word = Word {
 
 /// Words that stand where names do.
 pub(super) const WORDS: [&str; 6] = ["at", "on", "along", "about", "length", "angle"];
-
-/// Axes, which stand behind a point's full stop, or last in parentheses: `angle(a -> b, z)`.
-pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A name of the catalogue, or a file's path in quotes.
 fn source(input: ParseStream<'_>) -> syn::Result<Source> {

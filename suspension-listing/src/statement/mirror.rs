@@ -7,7 +7,7 @@
 use proc_macro2::{Delimiter, Group, Punct, Spacing, TokenStream, TokenTree};
 use syn::{Error, Ident, Token};
 
-use super::include::{AXES, WORDS};
+use super::include::WORDS;
 use super::operands::arrow;
 use super::points::{FIXED, FREE};
 use super::word::Word;
@@ -15,6 +15,7 @@ use crate::errors;
 use crate::kind::Kind;
 use crate::lexed::placed;
 use crate::listing::{Listing, Point};
+use crate::system::AXES;
 
 pub(crate) const MIRROR: Word = Word {
     word: "mirror",

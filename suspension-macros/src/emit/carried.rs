@@ -97,11 +97,12 @@ fn of_vector(vector: &Ident, variables: &[Ident; 3], new: [bool; 3]) -> TokenStr
     .collect()
 }
 
-const BY_FRAME: [&str; 3] = ["origin", "second", "third"];
+/// The points of a frame in gradients.
+pub(super) const BLOCKS: [&str; 3] = ["origin", "second", "third"];
 
 /// The pattern for what `by_frame` gives.
 fn by_frame(point: &Substituted<'_>) -> TokenStream {
-    let names = BY_FRAME.map(ident).into_iter().zip(point.frame);
+    let names = BLOCKS.map(ident).into_iter().zip(point.frame);
     let names = names.map(|(name, column)| match column {
         Some(_) => quote!(#name),
         None => quote!(_),
@@ -113,7 +114,7 @@ fn by_frame(point: &Substituted<'_>) -> TokenStream {
 fn columns_by_frame(
     point: &Substituted<'_>,
 ) -> impl Iterator<Item = (&'static str, [usize; 3])> + use<> {
-    let columns = BY_FRAME.into_iter().zip(point.frame);
+    let columns = BLOCKS.into_iter().zip(point.frame);
     columns.filter_map(|(name, column)| {
         let first = column?;
         Some((name, [first, first + 1, first + 2]))

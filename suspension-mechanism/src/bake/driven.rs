@@ -106,9 +106,9 @@ impl<'a, L> Driven<'a, L> {
             positive_determinant: motion.positive_determinant,
             ..Motion::at_rest(motion.position)
         };
-        let rate: L::Drives = combined(from, to, |from, to| to - from);
+        let rate = from.combined(to, |from, to| to - from);
         let inputs = |part: f64| {
-            let value = combined(from, &rate, |from, way| from + way * part);
+            let value = from.combined(&rate, |from, way| from + way * part);
             moving(value, rate)
         };
         let followed = tracker.advance(self.model, inputs, 0.0, 1.0, motion);
@@ -171,9 +171,4 @@ fn moving<D: Values<f64> + Default>(value: D, rate: D) -> Inputs<Still, D> {
         rate,
         second_rate: D::default(),
     })
-}
-
-/// Two sets of drives, name by name.
-fn combined<D: Values<f64>>(a: &D, b: &D, with: impl Fn(f64, f64) -> f64) -> D {
-    D::from_values(a.values().zip(b.values()).map(|(a, b)| with(a, b)))
 }

@@ -37,8 +37,8 @@ pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
 
 /// Reads a motion file for a linkage of one's own, under the name that the file must give, and brings its
 /// mechanism to the first instant. The file states all points and drives, as `suspension motion --help`
-/// explains; without `wheel` or `kingpin` in the listing there are no quantities of these. Such a program depends on `suspension` and
-/// `suspension-core`.
+/// explains; without `wheel` or `kingpin` in the listing there are no quantities of these. Such a program depends on
+/// `suspension-mechanism` and `suspension-core`.
 ///
 /// ```no_run
 /// use std::ops::ControlFlow;

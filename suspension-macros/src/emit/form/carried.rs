@@ -8,12 +8,10 @@ use suspension_listing::name::Name;
 use suspension_listing::system::{SiteMotion, System, frame_name, pair_name};
 
 use super::{Emit, Operations};
+use crate::emit::carried::BLOCKS;
 use crate::emit::fields::point_index;
 use crate::emit::gradient::{By, Gradient};
 use crate::emit::terms::{assign_vector, ident, value_of};
-
-/// The points of a frame in the gradient.
-const BLOCKS: [&str; 3] = ["origin", "second", "third"];
 
 impl Emit for Carried {
     fn constant(&self) -> Option<TokenStream> {
