@@ -10,6 +10,10 @@ impl Kind {
     pub const CHASSIS_POINT: Self = Self("chassis point");
     pub const FREE_POINT: Self = Self("free point");
     pub const MARKER: Self = Self("marker");
+    pub const LINK: Self = Self("link");
+    pub const BODY: Self = Self("body");
+    pub const HINGE: Self = Self("hinge");
+    pub const DRIVE: Self = Self("drive");
 
     pub(crate) fn plural(self) -> String {
         match self.0.strip_suffix('y') {

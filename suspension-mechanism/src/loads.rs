@@ -7,7 +7,8 @@ mod site;
 use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use suspension_core::listing::{Kind, Parts};
+use suspension_core::listing::{self, Parts};
+use suspension_listing::Kind;
 use suspension_runtime::{Listing, Statement};
 
 use crate::kinematics::Kinematics;
@@ -76,13 +77,12 @@ impl<'l> Structure<'l> {
     /// That of a listing. Drives of free points are no part of it: [`Outcome::on_drives`] has what
     /// they bear.
     pub fn of(listing: &'l Listing) -> Self {
-        let statements = listing.statements().into_iter();
-        let statements: Vec<_> = statements.filter(|each| each.kind != "drive").collect();
+        let statements: Vec<_> = listing.parts().collect();
         let groups = statements.iter().map(|each| each.equations.clone());
         Self {
             groups: groups.collect(),
             carriers: listing.carriers(),
-            chassis: listing.count(Kind::ChassisPoint),
+            chassis: listing.count(listing::Kind::ChassisPoint),
             statements,
         }
     }
@@ -140,9 +140,9 @@ impl<'l> Structure<'l> {
         at: &[Vector3<f64>],
     ) {
         let statement = &self.statements[number];
-        if let ([from, to], "link") = (statement.points.as_slice(), &*statement.kind) {
-            let along = (at[*to] - at[*from]).normalize();
-            outcome.links.push((number, by[*from].dot(&along)));
+        if let Some([from, to]) = statement.ends() {
+            let along = (at[to] - at[from]).normalize();
+            outcome.links.push((number, by[from].dot(&along)));
             if own.is_empty() {
                 return;
             }
@@ -150,7 +150,7 @@ impl<'l> Structure<'l> {
         for force in own {
             by[force.point] += force.force;
         }
-        if statement.kind == "hinge" {
+        if statement.kind == Kind::HINGE {
             let points = statement.points.iter().copied();
             let axis: Vec<usize> = points.filter(|point| *point < self.chassis).collect();
             if let [first, second] = *axis {

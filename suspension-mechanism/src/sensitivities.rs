@@ -13,8 +13,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use nalgebra::DMatrix;
 
 use crate::characteristics::columns;
-use crate::kinematics::{Changes, Kinematics, Read};
-use crate::mechanism::{CHANGES_AT_ONCE, Description, From, Grid, Order, Place};
+use crate::kinematics::{Changes, Kinematics};
+use crate::mechanism::{CHANGES_AT_ONCE, Description, Place};
 use crate::quantities::{Axis, Column, Reader};
 use exact::Exact;
 
@@ -88,9 +88,8 @@ pub fn sensitivities(
 ) -> Option<Sensitivities> {
     let columns = columns(mechanism);
     let design = mechanism.changing();
-    let exact = design
-        .as_ref()
-        .zip(at_start(mechanism, &mut |place| place.state()));
+    let state = mechanism.at_start(interrupted, &mut |place| place.state());
+    let exact = design.as_ref().zip(state);
     let exact = exact.map(|(design, state)| Exact::new(mechanism, &**design, state));
     let of = |changes: &[Change]| match &exact {
         Some(exact) => exact.read(changes),
@@ -149,12 +148,5 @@ pub(crate) fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec
         };
         columns.iter().map(of_column).collect()
     };
-    at_start(mechanism, &mut of_place)
-}
-
-fn at_start<R>(mechanism: &dyn Kinematics, read: &mut Read<'_, R>) -> Option<R> {
-    let grid = Grid::new(mechanism, Vec::new(), From::Start).ok()?;
-    let never = AtomicBool::new(false);
-    let visited = mechanism.visit(&grid, Order::First, &never, read);
-    visited.places.into_iter().flatten().next()
+    mechanism.at_start(&AtomicBool::new(false), &mut of_place)
 }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use suspension_listing::Kind;
 use suspension_listing::system::{Equation, Site};
 
 use crate::listing::Listing;
@@ -11,8 +12,8 @@ use crate::listing::Listing;
 pub struct Statement<'l> {
     /// Its name.
     pub name: &'l str,
-    /// What the name stands for: `link`, `body`, `hinge`, ...
-    pub kind: String,
+    /// What the name stands for.
+    pub kind: Kind,
     /// Its equations by number, in runs that are not interrupted by those of others.
     pub equations: Vec<Range<usize>>,
     /// The chassis points and free points that they join, by their places among all.
@@ -44,6 +45,12 @@ impl Listing {
         statements
     }
 
+    /// The statements that bear loads: all that have equations but drives.
+    pub fn parts(&self) -> impl Iterator<Item = Statement<'_>> {
+        let statements = self.statements().into_iter();
+        statements.filter(|statement| statement.kind != Kind::DRIVE)
+    }
+
     /// The chassis points that drives move, by their place among all points.
     pub fn driven_points(&self) -> Vec<usize> {
         let moved = self.system().drives.iter();
@@ -65,9 +72,17 @@ impl<'l> Statement<'l> {
     fn new(equation: &'l Equation) -> Self {
         Self {
             name: equation.origin.statement.as_str(),
-            kind: equation.origin.kind.to_string(),
+            kind: equation.origin.kind,
             equations: Vec::new(),
             points: Vec::new(),
+        }
+    }
+
+    /// The ends of a link.
+    pub fn ends(&self) -> Option<[usize; 2]> {
+        match self.points.as_slice() {
+            [from, to] if self.kind == Kind::LINK => Some([*from, *to]),
+            _ => None,
         }
     }
 

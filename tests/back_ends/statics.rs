@@ -158,7 +158,7 @@ where
         let mut on_points = forces.to_vec();
         for statement in self.listing.statements() {
             let by = by(&statement, loads);
-            if ["link", "body", "hinge"].contains(&&*statement.kind) {
+            if ["link", "body", "hinge"].contains(&&*statement.kind.to_string()) {
                 let force: Vector3<f64> = by.iter().sum();
                 let moments = by.iter().zip(points).map(|(force, at)| at.cross(force));
                 let moment: Vector3<f64> = moments.sum();
@@ -173,7 +173,7 @@ where
                     "{name}: {equation}: {moment}"
                 );
             }
-            if statement.kind == "link" {
+            if statement.ends().is_some() {
                 self.tension(&statement, &by, points, loads.multipliers());
             }
             let elsewhere = (0..by.len()).filter(|point| !statement.points.contains(point));

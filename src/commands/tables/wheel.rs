@@ -9,7 +9,7 @@ use suspension_core::wheel::{camber, camber_rate, steer_rate, toe};
 
 use crate::characteristics::Along;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{self, Axle, From, Grid, Order, Place, State};
+use crate::mechanism::{self, Axle, Place, State};
 use crate::number::without_rounding;
 
 /// How a wheel moves.
@@ -148,9 +148,7 @@ impl Wheel {
             };
             Some((state, of_travel, of_steer))
         };
-        let here = Grid::new(mechanism, Vec::new(), From::Start).unwrap_or_default();
-        let visited = mechanism.visit(&here, Order::First, interrupted, &mut read);
-        let (design, of_travel, of_steer) = visited.places.into_iter().flatten().next()??;
+        let (design, of_travel, of_steer) = mechanism.at_start(interrupted, &mut read)??;
         let per_compression = of_travel.times(1.0 / of_travel.velocity.z);
         let at_height = |steer: Rates| steer.plus(&per_compression.times(-steer.velocity.z));
         let to_the_left = |steer: Rates| steer.times(steer.angles.z.signum());

@@ -36,13 +36,9 @@ pub(super) struct Part {
 
 impl Structure {
     pub(super) fn of(listing: &Listing) -> Self {
-        let parts = listing.statements().into_iter();
-        let parts = parts.filter(|part| part.kind != "drive").map(|part| Part {
+        let parts = listing.parts().map(|part| Part {
             name: part.name.to_owned(),
-            ends: match part.points.as_slice() {
-                [from, to] if part.kind == "link" => Some([*from, *to]),
-                _ => None,
-            },
+            ends: part.ends(),
             equations: part.equations,
         });
         Self {

@@ -8,7 +8,7 @@ use crate::errors;
 use crate::kind::Kind;
 use crate::listing::{Check, Lowering, Named, Rank, Rigid, Statement};
 
-const KIND: Kind = Kind("body");
+const KIND: Kind = Kind::BODY;
 
 pub(crate) const BODY: Word = Word {
     word: "body",

@@ -16,7 +16,7 @@ use crate::lower::origin;
 use crate::name::{self, Name};
 use crate::system::{self, System, distance_between, length_name};
 
-const KIND: Kind = Kind("drive");
+const KIND: Kind = Kind::DRIVE;
 
 pub(crate) const DRIVE: Word = Word {
     word: "drive",

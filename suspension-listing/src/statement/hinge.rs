@@ -9,7 +9,7 @@ use crate::errors;
 use crate::kind::Kind;
 use crate::listing::{Check, Lowering, Named, Rank, Rigid, Statement};
 
-const KIND: Kind = Kind("hinge");
+const KIND: Kind = Kind::HINGE;
 
 pub(crate) const HINGE: Word = Word {
     word: "hinge",

@@ -9,7 +9,7 @@ use crate::listing::{Check, Lowering, Named, Rank, Rigid, Statement};
 use crate::lower::origin;
 use crate::name::Name;
 
-const KIND: Kind = Kind("link");
+const KIND: Kind = Kind::LINK;
 
 pub(crate) const LINK: Word = Word {
     word: "link",

@@ -1,15 +1,13 @@
 //! The exact motion as a function of a measure that leads in place of a drive.
 
-use std::cell::Cell;
-
 use suspension_core::listing::MeasureKind;
-use suspension_core::path::{Curve, Leader, Led, measured};
+use suspension_core::path::{Curve, Leader, Led};
 use suspension_core::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Values};
 
 use crate::bake::driven::{Derivatives, Driven, Output, Wish};
 use crate::bake::path::{ANCHORS, Exact, OutOfReach};
-use crate::mechanism::{Suspension, nearest, signal_nearest};
+use crate::mechanism::{Suspension, lead, nearest};
 
 /// The mechanism moved by a measure, one drive free and the others held.
 #[derive(Clone, Debug)]
@@ -96,25 +94,13 @@ impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
             max_steps: 10_000,
             ..Leader::default()
         };
-        let model = self.driven.model();
-        let [reached, _] = way;
-        let quantity = measured(model, self.measure).ok_or(Stopped {
-            reached,
-            refused: None,
-        })?;
-        let asked = Cell::new(0.0);
-        let target = |value| {
-            asked.set(value);
-            Signal {
-                value,
-                rate: 1.0,
-                second_rate: 0.0,
-            }
+        let target = |value| Signal {
+            value,
+            rate: 1.0,
+            second_rate: 0.0,
         };
-        let quantity =
-            |points: &Signal<L::Points>| signal_nearest(self.kind(), quantity(points), asked.get());
-        let held = |_| self.held;
-        leader.advance(model, held, quantity, target, way, led)?;
+        let (model, held) = (self.driven.model(), |_| self.held);
+        lead(leader, model, self.measure, held, target, way, led)?;
         Ok(())
     }
 

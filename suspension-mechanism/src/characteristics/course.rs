@@ -6,7 +6,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::characteristics::way::{ROLL, STEER, TRAVEL};
 use crate::kinematics::Kinematics;
-use crate::mechanism::{From, Grid, Names, Order, Pair, Place, Wheel};
+use crate::mechanism::{Names, Pair, Place, Wheel};
 
 /// What there is to move along.
 pub(super) struct Course {
@@ -103,10 +103,8 @@ impl Rises {
             let row = |wheel| wheels.iter().map(|of| rise(wheel, of)).collect();
             Self(wheels.iter().map(row).collect())
         };
-        let here = Grid::new(mechanism, Vec::new(), From::Start).unwrap_or_default();
-        let visited = mechanism.visit(&here, Order::First, interrupted, &mut read);
-        let mut places = visited.places.into_iter().flatten();
-        places.next().unwrap_or(Self(Vec::new()))
+        let rises = mechanism.at_start(interrupted, &mut read);
+        rises.unwrap_or(Self(Vec::new()))
     }
 
     fn per(&self, wheel: usize, drive_of: usize) -> Option<f64> {

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::characteristics::way::Way;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Description, From, Grid, Order, Place, State, Unit};
+use crate::mechanism::{Description, Place, State, Unit};
 use crate::quantities::{
     self, ACCELERATIONS, Column, Compiled, DRIVES, Kind, MARKERS, POSITIONS, Quantity, RESIDUAL,
     VELOCITIES, catalogue,
@@ -84,9 +84,8 @@ pub fn parameters(
         let parameter = |column| parameter(column, [mechanism.unit, unit], &state, &per);
         columns.iter().map(parameter).collect()
     };
-    let grid = Grid::new(mechanism, Vec::new(), From::Start).unwrap_or_default();
-    let visited = mechanism.visit(&grid, Order::First, interrupted, &mut read);
-    visited.places.into_iter().flatten().flatten().collect()
+    let parameters = mechanism.at_start(interrupted, &mut read);
+    parameters.unwrap_or_default()
 }
 
 /// What a drive measures, and the state with derivatives with respect to it; `None` where the mechanism locks.

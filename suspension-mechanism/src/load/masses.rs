@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use suspension_core::inertia::RigidBody;
+use suspension_listing::Kind;
 use suspension_listing::did_you_mean::unknown;
 use suspension_runtime::{Listing, Statement};
 use toml::Spanned;
@@ -62,11 +63,8 @@ impl Reader<'_> {
         let statements = self.listing.statements();
         let statement = statements.iter().find(|statement| statement.name == part);
         match (statement, stated.get_ref()) {
-            (Some(link), MassTable::Alone(mass)) if link.kind == "link" => {
-                match link.points.as_slice() {
-                    [from, to] => Ok(Mass::Rod([*from, *to], *mass)),
-                    _ => refuse(format!("link `{part}` has not two points")),
-                }
+            (Some(link), MassTable::Alone(mass)) if let Some(ends) = link.ends() => {
+                Ok(Mass::Rod(ends, *mass))
             }
             (Some(body), MassTable::OfBody(stated)) if is_body(body) => {
                 self.of_body(&body.points, stated, part)
@@ -74,7 +72,7 @@ impl Reader<'_> {
             (Some(body), MassTable::Alone(_)) if is_body(body) => refuse(format!(
                 "`{part}` is a body: write {{ mass = ..., centre = \"point\" or [x, y, z], inertia = [xx, yy, zz] }}"
             )),
-            (Some(link), _) if link.kind == "link" => {
+            (Some(link), _) if link.kind == Kind::LINK => {
                 refuse(format!("`{part}` is no body: write its mass alone, in kg"))
             }
             (Some(_), _) => Err(self.unknown(name)),
@@ -94,7 +92,7 @@ impl Reader<'_> {
 
     fn unknown(&self, name: &Spanned<String>) -> Failure {
         let statements = self.listing.statements().into_iter();
-        let parts = statements.filter(|part| part.kind == "link" || is_body(part));
+        let parts = statements.filter(|part| part.kind == Kind::LINK || is_body(part));
         let names = self.task.names;
         let known: Vec<&str> = parts
             .map(|part| part.name)
@@ -150,7 +148,7 @@ impl Reader<'_> {
 }
 
 fn is_body(statement: &Statement<'_>) -> bool {
-    ["body", "hinge"].contains(&&*statement.kind)
+    [Kind::BODY, Kind::HINGE].contains(&statement.kind)
 }
 
 /// Whether some distribution of mass has it.

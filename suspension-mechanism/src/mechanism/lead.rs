@@ -28,6 +28,32 @@ pub struct Lead<const N: usize> {
     pub start: Led<f64, N>,
 }
 
+/// Leads a mechanism by a measure, angles within half a turn of their target.
+pub(crate) fn lead<L: Linkage<N, Scalar = f64>, const N: usize>(
+    leader: Leader<f64>,
+    model: &L,
+    measure: usize,
+    held: impl Fn(f64) -> Inputs<Still, L::Drives>,
+    target: impl Fn(f64) -> Signal<f64>,
+    ends: [f64; 2],
+    led: &mut Led<f64, N>,
+) -> Result<Report<f64>, Stopped<f64>> {
+    let [reached, _] = ends;
+    let quantity = measured(model, measure).ok_or(Stopped {
+        reached,
+        refused: None,
+    })?;
+    let kind = model.measure_kind(measure);
+    let asked = Cell::new(0.0);
+    let target = |at| {
+        let target = target(at);
+        asked.set(target.value);
+        target
+    };
+    let quantity = |points: &Signal<L::Points>| signal_nearest(kind, quantity(points), asked.get());
+    leader.advance(model, held, quantity, target, ends, led)
+}
+
 impl<const N: usize> Lead<N> {
     /// Follows the motion from one time to another, in as many steps as it takes.
     ///
@@ -45,23 +71,8 @@ impl<const N: usize> Lead<N> {
             max_steps: MAX_STEPS,
             ..Leader::default()
         };
-        let Some(quantity) = measured(model, self.measure) else {
-            let [reached, _] = times;
-            return Err(Stopped {
-                reached,
-                refused: None,
-            });
-        };
-        let kind = model.measure_kind(self.measure);
-        let asked = Cell::new(0.0);
-        let target = |t| {
-            let target = self.law.at(t);
-            asked.set(target.value);
-            target
-        };
-        let quantity =
-            |points: &Signal<L::Points>| signal_nearest(kind, quantity(points), asked.get());
-        leader.advance(model, |t| drives.inputs(t), quantity, target, times, led)
+        let (held, target) = (|t| drives.inputs(t), |t| self.law.at(t));
+        lead(leader, model, self.measure, held, target, times, led)
     }
 
     /// The inputs `held`, the free drive as the mechanism has it.

@@ -111,7 +111,7 @@ impl Names {
     /// The same with the links of the listing.
     pub(crate) fn with_links_of(mut self, listing: &suspension_runtime::Listing) -> Self {
         let statements = listing.statements().into_iter();
-        let links = statements.filter(|statement| statement.kind == "link");
+        let links = statements.filter(|statement| statement.ends().is_some());
         let number = |link: &str| self.lengths.iter().position(|length| length == link);
         self.links = links.filter_map(|link| number(link.name)).collect();
         self
