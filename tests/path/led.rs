@@ -4,9 +4,9 @@ use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::HasWheel;
 use suspension_core::linkages::attia2003;
 use suspension_core::listing::Parts;
-use suspension_core::path::{Leader, Led, Place};
+use suspension_core::path::{Curve, Leader, Led, Place};
 use suspension_core::stepper::Stopped;
-use suspension_core::{Build, Motion, Newton, Signal, SolveError};
+use suspension_core::{Build, Inputs, Motion, Newton, Signal, SolveError};
 
 use super::case::{Case, attia, five_link};
 use crate::support::{self, INSTANTS, Reference, theta};
@@ -261,4 +261,39 @@ fn a_quantity_that_is_no_number_is_told() {
         ..height(points)
     };
     demand(&no_rate, here);
+}
+
+suspension_core::linkage! {
+    /// An arm about a line along y, near the place where its reach is greatest.
+    mod arm {
+        fixed: rear at [0.0, 0.0, 0.0], front at [0.0, 1.0, 0.0];
+        free: tip at [-0.5, 0.0, 0.002];
+        hinge arm: rear, front -> tip;
+        drive lift: tip.z;
+    }
+}
+
+/// The first step from rest is held to its side of the turning point as every other is.
+#[test]
+fn a_first_step_does_not_pass_the_turning_point_that_it_leads_away_from() {
+    let corner = arm::Corner::<f64>::design().expect("a regular design");
+    let inputs = Inputs::still(Signal::still(corner.drives()));
+    let reach = |points: &Signal<arm::Points<f64>>| points.map(|points| points.tip.x);
+    let start = reach(&corner.points()).value;
+    let curve = Curve::new(corner.model(), &inputs, 0).expect("a drive");
+    for by in [4e-5, 1e-4, 4e-3, 0.05] {
+        let target = |t: f64| Signal {
+            value: start + by * t,
+            rate: by,
+            second_rate: 0.0,
+        };
+        let mut led = Led::at_rest(&curve, &corner.motion().position).expect("regular");
+        let ends = [0.0, 1.0];
+        let advanced =
+            Leader::default().advance(corner.model(), |_| inputs, reach, target, ends, &mut led);
+        advanced.expect("away from the turning point");
+        let tip = led.points(corner.model(), &inputs).value.tip;
+        assert!((tip.x - start - by).abs() < 1e-14, "{by}: {tip:?}");
+        assert!(tip.z > 0.002, "{by}: {tip:?}");
+    }
 }

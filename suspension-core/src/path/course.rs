@@ -51,6 +51,10 @@ where
         dt: T,
         led: &Led<T, N>,
     ) -> Result<(Led<T, N>, Report<T>), SolveError<T>> {
+        let before = match led.increases {
+            Some(increases) => Some(increases),
+            None => self.increases(led)?,
+        };
         let Met {
             position,
             steepest,
@@ -71,8 +75,7 @@ where
         };
         let slope = self.slope(&position, &linear.tangent)?;
         let part = Part::Unknown(index_of_largest(&linear.tangent.unknowns));
-        let is_steep = slope.abs() > smallest_pivot::<T>() * steepest * linear.tangent.norm();
-        if !is_steep {
+        if !is_steep(slope, steepest, &linear) {
             return Err(SolveError::TurningPoint {
                 part,
                 asked: self.target.value,
@@ -80,7 +83,7 @@ where
             });
         }
         let increases = Some((slope > T::zero()) == linear.is_positive(&linear.tangent));
-        if led.increases.is_some() && led.increases != increases {
+        if before.is_some() && before != increases {
             return Err(SolveError::CrossedSingularity { part });
         }
         let next = Led {
@@ -90,6 +93,16 @@ where
             increases,
         };
         Ok((next, report))
+    }
+
+    /// See [`Led::increases`], of a motion that has made no step; unknown where the quantity turns there.
+    fn increases(&self, led: &Led<T, N>) -> Result<Option<bool>, SolveError<T>> {
+        let at = &led.configuration.value;
+        let linear = self.curve.linear(at, led.parameter)?;
+        let slope = self.slope(at, &linear.tangent)?;
+        let is_steep = is_steep(slope, self.steepest(at)?, &linear);
+        let increases = (slope > T::zero()) == linear.is_positive(&linear.tangent);
+        Ok(is_steep.then_some(increases))
     }
 
     /// Newton's method on the equations and the quantity together.
@@ -244,4 +257,13 @@ where
             extreme,
         })
     }
+}
+
+/// Whether a quantity that changes by `slope` along the tangent, and by `steepest` at most, is not about to turn.
+fn is_steep<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
+    slope: T,
+    steepest: T,
+    linear: &Linear<L, N>,
+) -> bool {
+    slope.abs() > smallest_pivot::<T>() * steepest * linear.tangent.norm()
 }
