@@ -90,6 +90,42 @@ fn places_beyond_a_lock_are_left_out_and_counted() {
     assert_eq!(rows(&table).len(), 2);
 }
 
+/// The tip of two arms reaches what is nearer than their sum and farther than their difference, past either of which a straight
+/// way may lead.
+#[test]
+fn every_place_that_neighbours_lead_to_is_reached_whatever_the_order_of_the_drives() {
+    let file = "statements = '''
+fixed: o1 at [0, 0, 0], o2 at [0, 0, 0.2];
+free: a at [0.25, 0.16583123951777, 0.0], a2 at [0.25, 0.16583123951777, 0.2], b at [0.35, 0.0, 0.0];
+hinge arm: o1, o2 -> a, a2;
+body fore: a, a2, b;
+drive px: b.x;
+drive py: b.y;
+'''
+unit = \"m\"
+time = { instants = [0.0] }
+drives = { px = 0.35, py = 0.0 }
+";
+    let folder = folder();
+    std::fs::write(folder.path().join("arm.toml"), file).expect("written");
+    let (upper, fore) = (0.3_f64, 0.193_649_167_310_370_84_f64);
+    let values = || (0..13).map(|step| -0.45 + 0.075 * f64::from(step));
+    let all = values().flat_map(|x| values().map(move |y| f64::hypot(x, y)));
+    let within = all.filter(|far| (upper - fore..upper + fore).contains(far));
+    let expected = within.count();
+    let range = "=-0.45:0.45:13";
+    for [one, other] in [["px", "py"], ["py", "px"]] {
+        let [first, second] = [one, other].map(|drive| format!("{drive}{range}"));
+        let grid = ["--drive", &first, "--drive", &second, "--absolute"];
+        let output = run(
+            folder.path(),
+            &[&["sweep", "arm.toml", "--csv", "-"], &grid[..]].concat(),
+        );
+        assert_eq!(output.status.code(), Some(3), "{output:?}");
+        assert_eq!(rows(&output.stdout).len(), expected, "{one} first");
+    }
+}
+
 #[test]
 fn one_place_is_told_in_the_singular() {
     let folder = folder();

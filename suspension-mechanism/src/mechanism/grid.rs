@@ -91,4 +91,58 @@ impl Grid {
         let mut counts = self.axes.iter().map(Vec::len);
         counts.try_fold(1_usize, usize::checked_mul)
     }
+
+    /// The drives at a place.
+    pub(super) fn drives_at(&self, place: usize) -> Vec<f64> {
+        let mut drives = self.start.clone();
+        for (axis, at) in self.axes.iter().zip(self.along(place)) {
+            for (drive, value) in &axis[at.number] {
+                drives[*drive] = *value;
+            }
+        }
+        drives
+    }
+
+    /// The places beside a place, along each axis.
+    pub(super) fn neighbours(&self, place: usize) -> impl Iterator<Item = usize> {
+        let along = self.along(place).into_iter();
+        along.flat_map(
+            move |At {
+                      number,
+                      count,
+                      stride,
+                  }| {
+                let below = (number > 0).then(|| place - stride);
+                let above = (number + 1 < count).then(|| place + stride);
+                below.into_iter().chain(above)
+            },
+        )
+    }
+
+    /// Where a place is along each axis.
+    fn along(&self, place: usize) -> Vec<At> {
+        let mut stride = 1;
+        let mut along: Vec<At> = Vec::new();
+        for axis in self.axes.iter().rev() {
+            let count = axis.len();
+            let number = place / stride % count;
+            along.push(At {
+                number,
+                count,
+                stride,
+            });
+            stride *= count;
+        }
+        along.reverse();
+        along
+    }
+}
+
+/// Where a place is along an axis.
+struct At {
+    number: usize,
+    /// How many places the axis has.
+    count: usize,
+    /// How far apart in number places are that are neighbours along it.
+    stride: usize,
 }

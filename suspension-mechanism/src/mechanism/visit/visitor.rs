@@ -1,0 +1,225 @@
+//! From place to place of a grid, away from the start, so that a lock on one side loses no other; then from places that
+//! were reached to their neighbours.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use nalgebra::SVector;
+use suspension_core::{Linkage, Motion, Values};
+
+use super::{OnPlace, Place, VisitEnd};
+use crate::mechanism::around::Around;
+use crate::mechanism::gradient::Gradient;
+use crate::mechanism::grid::Grid;
+use crate::mechanism::known::{Arrival, Known, Lists, Order};
+use crate::mechanism::names::Suspension;
+use crate::mechanism::positions::Positions;
+use crate::mechanism::ready::Mechanism;
+use crate::mechanism::state::State;
+
+/// The mechanism on its way, at a place.
+#[derive(Clone)]
+struct Reached<const N: usize> {
+    /// The place's number, as far as the axes before tell it.
+    index: usize,
+    drives: Vec<f64>,
+    motion: Motion<f64, N>,
+    residual: f64,
+    arrival: Option<Arrival<N>>,
+}
+
+/// What takes the mechanism to all places.
+pub(super) struct Visitor<'a, 'r, L: Linkage<N>, const N: usize> {
+    mechanism: &'a Mechanism<L, N>,
+    grid: &'a Grid,
+    order: Order,
+    interrupted: &'a AtomicBool,
+    on_place: &'a mut OnPlace<'r>,
+    lists: Lists,
+    /// The unknowns at each place that was reached.
+    positions: Vec<Option<SVector<f64, N>>>,
+    end: VisitEnd,
+}
+
+impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
+    pub(super) fn new(
+        mechanism: &'a Mechanism<L, N>,
+        grid: &'a Grid,
+        order: Order,
+        interrupted: &'a AtomicBool,
+        on_place: &'a mut OnPlace<'r>,
+    ) -> Self {
+        Self {
+            mechanism,
+            grid,
+            order,
+            interrupted,
+            on_place,
+            lists: Lists::of(&mechanism.names),
+            positions: vec![None; grid.places().unwrap_or_default()],
+            end: VisitEnd::default(),
+        }
+    }
+
+    /// Visits all places that the mechanism reaches.
+    pub(super) fn visit(mut self) -> VisitEnd {
+        let start = Reached {
+            index: 0,
+            drives: self.grid.start.clone(),
+            motion: self.mechanism.start,
+            residual: 0.0,
+            arrival: None,
+        };
+        self.along_axes(0, &start);
+        if !self.end.locks.is_empty() {
+            self.visit_neighbours();
+        }
+        if self.positions.iter().all(Option::is_some) {
+            self.end.locks.clear();
+        }
+        self.end
+    }
+
+    /// Visits places that are out of reach along one axis after the other from neighbours that are not.
+    fn visit_neighbours(&mut self) {
+        let places = 0..self.positions.len();
+        let mut reached: Vec<usize> = places.filter(|at| self.positions[*at].is_some()).collect();
+        while let Some(from) = reached.pop() {
+            for to in self.grid.neighbours(from) {
+                if self.interrupted.load(Ordering::Relaxed) {
+                    self.end.interrupted = true;
+                    return;
+                }
+                if self.positions[to].is_none() && self.visit_from(from, to) {
+                    reached.push(to);
+                }
+            }
+        }
+    }
+
+    /// Visits a place from another one; whether it is within reach from there.
+    fn visit_from(&mut self, from: usize, to: usize) -> bool {
+        let Some(position) = self.positions[from] else {
+            return false;
+        };
+        let [before, drives] = [from, to].map(|place| self.grid.drives_at(place));
+        let moved = (0..).zip(drives.iter().copied());
+        let moved = moved.filter(|(drive, value)| *value != before[*drive]);
+        let moved: Vec<(usize, f64)> = moved.collect();
+        let mut motion = Motion {
+            positive_determinant: self.mechanism.start.positive_determinant,
+            ..Motion::at_rest(position)
+        };
+        let Ok(report) = self.mechanism.drive_to(&before, &moved, &mut motion) else {
+            return false;
+        };
+        let changes: Vec<_> = moved
+            .iter()
+            .map(|(drive, value)| (*drive, value - before[*drive]))
+            .collect();
+        self.read_at(&Reached {
+            index: to,
+            drives,
+            arrival: Arrival::of(&motion, &changes),
+            motion,
+            residual: report.residual(),
+        });
+        true
+    }
+
+    /// Visits the places along the axes from `level` on, both ways from `here`.
+    fn along_axes(&mut self, level: usize, here: &Reached<N>) {
+        let grid = self.grid;
+        let Some(axis) = grid.axes.get(level) else {
+            self.read_at(here);
+            return;
+        };
+        // The drives of an axis move together: the first tells the way.
+        let above_here = |index: &usize| {
+            let first = axis[*index].first();
+            first.map_or(0.0, |(drive, value)| value - here.drives[*drive])
+        };
+        let mut order: Vec<usize> = (0..axis.len()).collect();
+        order.sort_by(|a, b| above_here(a).total_cmp(&above_here(b)));
+        let is_below = |index: &usize| above_here(index) < 0.0;
+        let (mut below, above): (Vec<usize>, Vec<usize>) = order.into_iter().partition(is_below);
+        below.reverse();
+        for (upwards, way) in [(true, above), (false, below)] {
+            let mut place = here.clone();
+            place.motion = Motion {
+                positive_determinant: here.motion.positive_determinant,
+                ..Motion::at_rest(here.motion.position)
+            };
+            for index in way {
+                if self.interrupted.load(Ordering::Relaxed) {
+                    self.end.interrupted = true;
+                    return;
+                }
+                let mechanism = self.mechanism;
+                match mechanism.drive_to(&place.drives, &axis[index], &mut place.motion) {
+                    Ok(report) => place.residual = report.residual(),
+                    Err((laws, stopped)) => {
+                        self.end.add(level, upwards, || {
+                            let lock = mechanism.lock(&laws, &stopped, 1.0, &place.motion);
+                            mechanism.lock_in_words(&lock)
+                        });
+                        break;
+                    }
+                }
+                let change = |(drive, value): &(usize, f64)| (*drive, value - place.drives[*drive]);
+                let changes: Vec<_> = axis[index].iter().map(change).collect();
+                place.arrival = Arrival::of(&place.motion, &changes);
+                for (drive, value) in &axis[index] {
+                    place.drives[*drive] = *value;
+                }
+                place.index = here.index * axis.len() + index;
+                self.along_axes(level + 1, &place);
+            }
+        }
+    }
+
+    fn read_at(&mut self, reached: &Reached<N>) {
+        let drives = L::Drives::from_values(reached.drives.iter().copied());
+        let position = &reached.motion.position;
+        self.positions[reached.index] = Some(*position);
+        let mechanism = self.mechanism;
+        let on_place = |around: &Around<'_, L, N>| {
+            let here = Here {
+                around,
+                residual: reached.residual,
+            };
+            (self.on_place)(reached.index, &here);
+        };
+        let known = Known {
+            order: self.order,
+            lists: &self.lists,
+            arrival: reached.arrival.as_ref(),
+        };
+        mechanism.around(drives, position, known, on_place);
+    }
+}
+
+/// What is read of a place.
+struct Here<'a, L: Suspension<N>, const N: usize> {
+    around: &'a Around<'a, L, N>,
+    residual: f64,
+}
+
+impl<L: Suspension<N>, const N: usize> Place for Here<'_, L, N> {
+    fn state(&self) -> State {
+        State {
+            residual: self.residual,
+            ..self.around.state()
+        }
+    }
+
+    fn per(&self, drive: usize) -> Option<State> {
+        Some(State {
+            residual: self.residual,
+            ..self.around.per(drive)?
+        })
+    }
+
+    fn gradient<'a>(&self, state: &'a State, first: usize) -> Box<dyn Positions<Gradient> + 'a> {
+        Box::new(self.around.gradient(state, first))
+    }
+}
