@@ -110,6 +110,41 @@ fn the_whole_curve_as_a_table_and_a_plot() {
     assert_eq!(plot.matches("<circle").count(), 2, "both ends");
 }
 
+/// A point on a circle moves by the radius for a radian, whatever unknowns an angle has, at the ends of the angle too.
+#[test]
+fn the_speed_is_that_of_points_and_an_angle_ends_without_a_poor_place() {
+    for (outer, drive) in [
+        (
+            "[0.4, 0.6, 0.3], mark at [0.4, 0.3, 0.0]",
+            "angle(inner -> mark, inner -> tip about inner -> outer)",
+        ),
+        ("[0.4, 0.7, 0.3]", "angle(outer -> tip, z)"),
+    ] {
+        let file = format!(
+            "statements = '''
+fixed: inner at [0.4, 0.3, 0.3], outer at {outer};
+free: tip at [0.0, 0.7, 0.3];
+hinge arm: inner, outer -> tip;
+drive turn: {drive};
+'''
+unit = \"m\"
+time = {{ instants = [0.0] }}
+drives = {{ turn = 1.5707963267948966 }}
+"
+        );
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["range", "a.toml", "--csv", "t.csv"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let report = text(&output.stdout);
+        assert!(report.contains("poor        nowhere"), "{report}");
+        let table = std::fs::read(folder.path().join("t.csv")).expect("a table");
+        for row in rows(&table) {
+            assert!((row["speed_m"] - 0.4).abs() < 1e-9, "{}", row["speed_m"]);
+        }
+    }
+}
+
 #[test]
 fn of_a_motion_that_begins_out_of_reach_the_ranges_are_those_from_the_design() {
     let folder = folder();

@@ -108,7 +108,8 @@ fn run<L: Suspension<N>, const N: usize>(
     let mut path = settings
         .path(curve, &mechanism.start.position, increasing)
         .map_err(|error| Failure::Solver(format!("the curve has no start: {}", lost(error))))?;
-    let at = |curve: &Curve<'_, L, N>, place: &Place<f64, N>, turns| {
+    let free = mechanism.names.free;
+    let at = |curve: &Curve<'_, L, N>, place: &Place<f64, N>, speed_at_turn: Option<f64>| {
         let drives = inputs.drives.value.with(index, place.value);
         let state = State {
             residual: place.residual,
@@ -116,13 +117,13 @@ fn run<L: Suspension<N>, const N: usize>(
         };
         Station {
             freed: index,
-            turns,
-            speed: speed(curve, place, turns),
+            turns: speed_at_turn.is_some(),
+            speed: speed_at_turn.unwrap_or_else(|| speed(curve, place, free)),
             state: mechanism.with_velocities(state, drives, &place.configuration.unknowns),
         }
     };
     let mut run = Run {
-        stations: vec![at(path.curve(), path.here(), false)],
+        stations: vec![at(path.curve(), path.here(), None)],
         turns: Vec::new(),
         limit: Limit::Cut,
         gap: None,
@@ -139,9 +140,15 @@ fn run<L: Suspension<N>, const N: usize>(
         if let Some(turning) = stretch.turning {
             run.turns
                 .push((run.stations.len(), turning.is_end_of_angle));
-            run.stations.push(at(path.curve(), &turning.place, true));
+            // At the end of an angle its cosine turns, while points move on with the angle.
+            let speed = match run.stations.last() {
+                Some(before) if turning.is_end_of_angle => before.speed,
+                _ => f64::INFINITY,
+            };
+            run.stations
+                .push(at(path.curve(), &turning.place, Some(speed)));
         }
-        run.stations.push(at(path.curve(), &stretch.place, false));
+        run.stations.push(at(path.curve(), &stretch.place, None));
         match stretch.end {
             Some(End::Closed { gap }) => run.gap = Some(gap),
             Some(End::Bifurcation { accuracy }) => run.limit = Limit::Bifurcation(accuracy),
@@ -155,18 +162,16 @@ fn run<L: Suspension<N>, const N: usize>(
 fn speed<L: Suspension<N>, const N: usize>(
     curve: &Curve<'_, L, N>,
     place: &Place<f64, N>,
-    turns: bool,
+    free: usize,
 ) -> f64 {
-    if turns {
-        return f64::INFINITY;
-    }
     let (tangent, at) = (&place.tangent, &place.configuration);
     let drive = curve.value(&Signal {
         value: at.drive,
         rate: tangent.drive,
         second_rate: 0.0,
     });
-    tangent.unknowns.norm() / drive.rate.abs()
+    // The unknowns begin with the coordinates of the free points.
+    tangent.unknowns.rows(0, 3 * free).norm() / drive.rate.abs()
 }
 
 impl Run {

@@ -10,7 +10,7 @@ pub struct Station {
     /// Whether the drive turns here.
     pub turns: bool,
     /// How far the free points move, the root of the sum of their squares, for a unit of the
-    /// drive: in the unit for a radian, or for one of its own. Infinite where the drive turns.
+    /// drive: in the unit for a radian, or for one of its own. Infinite where the drive turns, but at the end of an angle.
     pub speed: f64,
     /// The mechanism at rest.
     pub state: State,
