@@ -11,7 +11,6 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::Description;
 use crate::output::beside::name_of;
 use crate::output::figures::{draw, height_and_angles, path};
 use crate::output::files::{announce, print, refuse_plot};
@@ -72,16 +71,11 @@ impl Arguments {
         forms: &Forms,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let Description {
-            names,
-            unit,
-            instants,
-            ..
-        } = &**mechanism;
+        let instants = &mechanism.instants;
         let Self { file, plots, .. } = self;
         let stem = name_of(file);
         if let Some(folder) = plots {
-            let charts = height_and_angles(names, *unit, [&[], &[]]);
+            let charts = height_and_angles(mechanism, [&[], &[]]);
             let plots = charts.iter().map(|(name, _)| path(folder, &stem, name));
             let plots: Vec<PathBuf> = plots.collect();
             for (table, option) in forms.files() {

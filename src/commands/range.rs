@@ -87,7 +87,7 @@ impl Arguments {
         if let Some(folder) = plots {
             for range in &ranges {
                 let path = plot(folder, &range.name);
-                let chart = picture::chart(names, *unit, range);
+                let chart = picture::chart(mechanism, range);
                 if let Some(svg) = chart.and_then(|chart| chart.svg()) {
                     write_file(&path, &svg)?;
                     written.push(path);

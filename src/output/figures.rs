@@ -31,7 +31,7 @@ pub fn draw(
     mechanism: &dyn Kinematics,
     outcome: &Outcome,
     (folder, stem): (&Path, &str),
-    charts: impl Fn(&Names, Unit, [&[State]; 2]) -> Charts,
+    charts: impl Fn(&Description, [&[State]; 2]) -> Charts,
 ) -> Result<Vec<PathBuf>, Failure> {
     if outcome.solved == 0 || outcome.end == End::Cut {
         return Ok(Vec::new());
@@ -52,9 +52,8 @@ pub fn draw(
     } else {
         &[]
     };
-    let Description { names, unit, .. } = &**mechanism;
     let mut written = Vec::new();
-    for (name, chart) in charts(names, *unit, [&line, marks]) {
+    for (name, chart) in charts(mechanism, [&line, marks]) {
         if let Some(svg) = chart.svg() {
             let path = path(folder, stem, name);
             write_file(&path, &svg)?;
@@ -70,25 +69,38 @@ pub fn path(folder: &Path, stem: &str, name: &str) -> PathBuf {
 }
 
 /// Those of any linkage.
-pub fn height_and_angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Charts {
+pub fn height_and_angles(mechanism: &Description, states: [&[State]; 2]) -> Charts {
+    let Description { names, unit, .. } = mechanism;
     vec![
-        ("height", height(names, unit, states)),
-        ("angles", angles(names, unit, states)),
+        ("height", height(mechanism, states)),
+        ("angles", angles(names, *unit, states)),
     ]
 }
 
-fn height(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
+/// Heights are drawn upwards, whichever way z points: the sign of z, and what stands at the axis.
+pub fn upwards(mechanism: &Description) -> (f64, String) {
+    let [.., up] = mechanism.axes.signs();
+    let sign = if up < 0.0 { "-" } else { "" };
+    (up, format!("height {sign}z ({})", mechanism.unit.symbol()))
+}
+
+fn height(mechanism: &Description, states: [&[State]; 2]) -> Chart {
+    let Description { names, unit, .. } = mechanism;
+    let (up, quantity) = upwards(mechanism);
     let columns = columns([&CENTRE], names).into_iter();
     let heights = columns.filter(|column| column.axis == Some(Axis::Z));
     let curves = heights.zip(&names.wheels).map(|(height, wheel)| {
         let [_, centre] = wheel.points.axis;
         let name = named(&wheel.title(CENTRE.title), &names.points[centre]);
-        curve(name, &height, unit, states)
+        let mut curve = curve(name, &height, *unit, states);
+        let points = curve.line.iter_mut().chain(&mut curve.marks);
+        points.for_each(|(_, height)| *height *= up);
+        curve
     });
     Chart {
         title: format!("Height of the {}", CENTRE.title),
         across: TIME.to_owned(),
-        quantity: format!("height z ({})", unit.symbol()),
+        quantity,
         curves: curves.collect(),
     }
 }

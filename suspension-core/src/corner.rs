@@ -1,5 +1,6 @@
 //! A suspension that moves: its model, configuration, drives and time in one value.
 
+mod clock;
 mod drives;
 
 use crate::assemble::assemble;
@@ -16,6 +17,7 @@ use crate::substeps::Stopped;
 use crate::tracker::Tracker;
 use crate::values::Values;
 use crate::wheel::{Kingpin, Wheel};
+use clock::Clock;
 
 /// A suspension that moves on a chassis at rest: its model, configuration, drives and time.
 ///
@@ -47,7 +49,7 @@ where
     model: L,
     motion: Motion<L::Scalar, N>,
     drives: Signal<L::Drives>,
-    time: L::Scalar,
+    clock: Clock<L::Scalar>,
 }
 
 /// What follows the drives: points and measures, and in place of time derivatives those with respect to
@@ -96,7 +98,7 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
             tracker: Tracker::default(),
             motion: Motion::at_rest(model.unknowns(points)),
             drives: Signal::still(model.drives_at(points)),
-            time: T::zero(),
+            clock: Clock::at(T::zero()),
             model,
         }
     }
@@ -166,7 +168,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         });
         let report = stepped.map_err(|stopped| stopped.named(self.model.listing()))?;
         self.drives = drives;
-        self.time += dt;
+        self.clock.advance(dt);
         Ok(report)
     }
 
@@ -185,18 +187,18 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         to: T,
         drives: impl Fn(T) -> Signal<L::Drives>,
     ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
-        let (from, start) = (self.time, self.drives);
+        let (from, start) = (self.time(), self.drives);
         let at = |time: T| if time == from { start } else { drives(time) };
         let inputs = |time| Inputs::still(at(time));
         let advanced = drives::check(&self.model, &at(to), [from, to]).and_then(|()| {
             let motion = &mut self.motion;
             self.tracker.advance(&self.model, inputs, from, to, motion)
         });
-        self.time = match &advanced {
+        self.clock = Clock::at(match &advanced {
             Ok(_) => to,
             Err(stopped) => stopped.reached,
-        };
-        self.drives = at(self.time);
+        });
+        self.drives = at(self.time());
         advanced.map_err(|stopped| stopped.named(self.model.listing()))
     }
 
@@ -219,10 +221,10 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
                 .advance_between(&self.model, &mut inputs, &to, dt, motion)
         });
         self.drives = inputs.drives;
-        self.time += match &advanced {
+        self.clock.advance(match &advanced {
             Ok(_) => dt,
             Err(stopped) => stopped.reached,
-        };
+        });
         advanced.map_err(|stopped| stopped.named(self.model.listing()))
     }
 
@@ -299,7 +301,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
 
     /// The time, from zero where the corner was made.
     pub fn time(&self) -> T {
-        self.time
+        self.clock.time()
     }
 
     /// The geometry.

@@ -315,5 +315,5 @@ pub fn angle<T: Real>(coordinate: T, length: T) -> T {
     let across = ((length - coordinate) * (length + coordinate))
         .max(T::zero())
         .sqrt();
-    across.atan2(coordinate)
+    T::arc_tangent(across, coordinate)
 }

@@ -53,6 +53,12 @@ pub trait Real: Scalar + RealField {
 
     /// The larger of two magnitudes.
     fn larger_magnitude(self, other: Self) -> Self;
+
+    /// The angle of `(x, y)` from the first axis, from -pi to pi: of `f32` and `f64` the same bits on every target, and whatever
+    /// features of nalgebra other crates ask for.
+    fn arc_tangent(y: Self, x: Self) -> Self {
+        y.atan2(x)
+    }
 }
 
 impl Scalar for f32 {
@@ -77,6 +83,11 @@ impl Real for f32 {
     fn larger_magnitude(self, other: Self) -> Self {
         f32::max(f32::abs(self), f32::abs(other))
     }
+
+    #[inline]
+    fn arc_tangent(y: Self, x: Self) -> Self {
+        libm::atan2f(y, x)
+    }
 }
 
 impl Scalar for f64 {
@@ -100,6 +111,11 @@ impl Real for f64 {
     #[inline(always)]
     fn larger_magnitude(self, other: Self) -> Self {
         f64::max(f64::abs(self), f64::abs(other))
+    }
+
+    #[inline]
+    fn arc_tangent(y: Self, x: Self) -> Self {
+        libm::atan2(y, x)
     }
 }
 

@@ -115,6 +115,13 @@ pub(crate) fn same_point_twice(name: &Ident) -> Error {
     )
 }
 
+pub(crate) fn along_axis(from: &Ident, to: &Ident) -> Error {
+    let message = format!(
+        "the line `{from} -> {to}` is the axis that the angle is about, which it has no angle about; name a line beside it"
+    );
+    at(from, message)
+}
+
 pub(crate) fn prescribed_twice(name: &Ident, other: &Ident, kind: Kind) -> Error {
     at(
         name,

@@ -237,7 +237,7 @@ fn tokens(input: ParseStream<'_>) -> syn::Result<Vec<TokenTree>> {
 
 fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
     let docs = docs(input)?;
-    let word: Ident = input.parse()?;
+    let word: Ident = input.parse().map_err(|error| no_statement(&error))?;
     let mut statements = STATEMENTS.iter();
     let Some(statement) = statements.find(|statement| word == statement.word) else {
         return Err(unknown_statement(&word));
@@ -247,14 +247,27 @@ fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
         .map_err(|error| with_example(error, statement))
 }
 
-fn unknown_statement(word: &Ident) -> syn::Error {
+/// Where something stands that begins no statement, a second `;` say.
+fn no_statement(error: &syn::Error) -> syn::Error {
+    let message = format!(
+        "no statement begins like this; remove it, or write one of {}",
+        words()
+    );
+    syn::Error::new(error.span(), message)
+}
+
+/// The words with which statements begin.
+fn words() -> String {
     let words = STATEMENTS.iter().map(|other| format!("`{}`", other.word));
-    let words = words.collect::<Vec<_>>().join(", ");
+    words.collect::<Vec<_>>().join(", ")
+}
+
+fn unknown_statement(word: &Ident) -> syn::Error {
     let known = STATEMENTS.iter().map(|other| other.word);
     let hint = did_you_mean(&word.to_string(), known);
     errors::at(
         word,
-        format!("unknown statement `{word}`; write one of {words}{hint}"),
+        format!("unknown statement `{word}`; write one of {}{hint}", words()),
     )
 }
 

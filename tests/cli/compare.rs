@@ -223,7 +223,7 @@ fn a_travel_by_height_and_one_by_angle_are_not_mixed() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
     assert!(
-        report.contains("`bump` and `bump` are a length and an angle"),
+        report.contains("`bump` of A is a length, `bump` of B an angle"),
         "{report}"
     );
     assert!(

@@ -62,6 +62,22 @@ fn a_wheel_of_an_absurd_radius_ends() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
 }
 
+/// A load that no axis of a curve can span.
+#[test]
+fn a_spring_of_an_absurd_load_ends() {
+    let folder = folder();
+    let file = "linkage = \"trailing_arm\"
+unit = \"m\"
+time = { instants = [0.0] }
+vehicle = { wheel_radius = 0.3 }
+springs.absurd = { along = \"spring\", rate = 1e308, load = 1e308 }
+drives.bump = 0.3
+";
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml", "--out", "a.html"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+}
+
 #[test]
 fn beyond_a_lock_the_curves_end_and_the_page_is_written() {
     let folder = folder();

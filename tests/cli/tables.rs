@@ -100,22 +100,31 @@ fn a_linear_suspension_has_the_derivatives_of_differences() {
     for axle in [upright, &leaning] {
         let around = |drive: &str| {
             let table = swept(axle, &format!("{drive}=-{STEP}:{STEP}:3"));
-            move |name: &str| (table[2][name] - table[0][name]) / (2.0 * STEP)
+            move |value: &dyn Fn(&BTreeMap<String, f64>) -> f64| {
+                (value(&table[2]) - value(&table[0])) / (2.0 * STEP)
+            }
         };
         let (heave, steer) = (around("bump_left,bump_right"), around("steer"));
         for (wheel, side) in [("left", 1.0), ("right", -1.0)] {
             let found = carmaker_rows(&tables(axle, &["carmaker", "--wheel", wheel]));
-            let point = |axis: &str| format!("{wheel}_wheel_centre_{axis}");
-            let angle = |name: &str| format!("{wheel}_{name}_rad");
-            for (row, name, sign) in [
-                ("tx", point("x"), 1.0),
-                ("ty", point("y"), 1.0),
-                ("tz", point("z"), 1.0),
-                ("rx", angle("camber"), -side),
-                ("rz", angle("toe"), -side),
-            ] {
+            let point = |point: &str, axis: &str| format!("{wheel}_{point}_{axis}");
+            let spin_axis = |row: &BTreeMap<String, f64>| {
+                ["x", "y", "z"].map(|axis| {
+                    side * (row[&point("wheel_centre", axis)] - row[&point("axle", axis)])
+                })
+            };
+            let value = |row: &BTreeMap<String, f64>, name: &str| {
+                let [x, y, z] = spin_axis(row);
+                match name {
+                    "rx" => z.atan2(x.hypot(y)),
+                    "rz" => (-x).atan2(y),
+                    _ => row[&point("wheel_centre", &name[1..])],
+                }
+            };
+            for row in ["tx", "ty", "tz", "rx", "rz"] {
                 let [_, per_compression, per_steer] = found[row];
-                let expected = [sign * heave(&name), sign * steer(&name)];
+                let value = |place: &BTreeMap<String, f64>| value(place, row);
+                let expected = [heave(&value), steer(&value)];
                 assert!(
                     (per_compression - expected[0]).abs() < 1e-5,
                     "{wheel} {row}: {found:?} {expected:?}"

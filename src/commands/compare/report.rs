@@ -13,7 +13,7 @@ use crate::output::csv_file::CsvFile;
 use crate::output::heading::Heading;
 use crate::output::page::in_digits;
 use crate::output::target::Target;
-use crate::quantities::WHEEL_TRAVEL;
+use crate::quantities::{Kind, WHEEL_TRAVEL};
 
 /// Which file is which, a line each.
 pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
@@ -67,8 +67,17 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
         .into_iter()
         .filter(|[a, b]| a.kind != b.kind);
     let unlike = unlike.map(|[a, b]| {
-        let (a, b) = (&a.title, &b.title);
-        format!("`{a}` and `{b}` are a length and an angle: nothing along them is compared")
+        let what = |curves: &Curves| match curves.kind == Kind::Angle {
+            true => "an angle",
+            false => "a length",
+        };
+        format!(
+            "`{}` of A is {}, `{}` of B {}: nothing along them is compared",
+            a.title,
+            what(a),
+            b.title,
+            what(b)
+        )
     });
     let unlike_travel = same_ways(sides).into_iter().filter_map(unlike_travel);
     let [a, b] = sides;
@@ -94,7 +103,7 @@ fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
     is_unlike.then(|| {
         let (rise_a, rise_b) = (in_digits(rise_a), in_digits(rise_b));
         format!(
-            "per unit of the drive the wheel rises by {rise_a} along `{}` of A and by {rise_b} along `{}` of B: what is \
+            "on average over the curve the wheel rises by {rise_a} per unit of `{}` of A and by {rise_b} of `{}` of B: what is \
              compared over {} is at equal changes of the drives, not of the wheels",
             a.title, b.title, a.way
         )

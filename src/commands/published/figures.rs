@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::mechanism::{Names, State, Unit};
+use crate::mechanism::{Description, Names, State, Unit};
 use crate::output::figures::{Charts, TIME};
 use crate::output::plot::{Chart, Curve};
 use crate::quantities::{Axis, CAMBER, CENTRE, Column, KINGPIN, Quantity, columns};
@@ -109,8 +109,8 @@ pub(super) fn text(names: &Names, states: &[State]) -> String {
 }
 
 /// Both figures, by what they show.
-pub(super) fn charts(names: &Names, _: Unit, states: [&[State]; 2]) -> Charts {
-    let curves: Vec<_> = Shown::all(names)
+pub(super) fn charts(mechanism: &Description, states: [&[State]; 2]) -> Charts {
+    let curves: Vec<_> = Shown::all(&mechanism.names)
         .iter()
         .map(|shown| shown.curve(states))
         .collect();

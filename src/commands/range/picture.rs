@@ -1,14 +1,17 @@
 //! The whole curve of a drive as a plot.
 
-use crate::mechanism::{Names, Unit};
+use crate::mechanism::Description;
+use crate::output::figures::upwards;
 use crate::output::plot::{Chart, Curve};
 use crate::quantities::{Axis, CENTRE, Kind, columns};
 use crate::reach::{DriveRange, Station};
 
 /// The height of the centre of the wheel that the drive moves, else of the first, against the drive: the whole curve, and over it the part to
 /// which the drive leads, its ends marked. `None` where there is no wheel.
-pub(super) fn chart(names: &Names, unit: Unit, range: &DriveRange) -> Option<Chart> {
-    let (scale, symbol) = Kind::from(range.kind).for_people(unit);
+pub(super) fn chart(mechanism: &Description, range: &DriveRange) -> Option<Chart> {
+    let names = &mechanism.names;
+    let (scale, symbol) = Kind::from(range.kind).for_people(mechanism.unit);
+    let (up, quantity) = upwards(mechanism);
     let moved = names.wheels.iter().position(|wheel| {
         let drive = wheel.travel.and_then(|drive| names.drives.get(drive));
         drive.is_some_and(|drive| drive.name == range.name)
@@ -18,7 +21,8 @@ pub(super) fn chart(names: &Names, unit: Unit, range: &DriveRange) -> Option<Cha
     let height = heights.nth(moved.unwrap_or_default())?;
     let line = |stations: &[Station]| -> Vec<(f64, f64)> {
         let points = stations.iter();
-        let point = |station: &Station| (station.value() * scale, height.value(&station.state));
+        let point =
+            |station: &Station| (station.value() * scale, up * height.value(&station.state));
         points.map(point).collect()
     };
     let usable = line(&range.usable);
@@ -29,7 +33,7 @@ pub(super) fn chart(names: &Names, unit: Unit, range: &DriveRange) -> Option<Cha
             CENTRE.title, range.name
         ),
         across: format!("{} ({symbol})", range.name),
-        quantity: format!("height z ({})", unit.symbol()),
+        quantity,
         curves: vec![
             Curve {
                 name: "out of the drive's reach".to_owned(),

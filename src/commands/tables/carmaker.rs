@@ -38,8 +38,8 @@ pub(super) fn text(
         mechanism.linkage,
         env!("CARGO_PKG_VERSION"),
     );
-    // A wheel that leans outboard, or points inboard, is turned so about the axes.
-    let turned = Vector3::new(wheel.camber, 0.0, wheel.toe) * -wheel.side;
+    // A wheel on the left that points inboard is turned to the right.
+    let turned = Vector3::new(wheel.roll, 0.0, -wheel.side * wheel.toe);
     let steer = wheel.per_steer.as_ref();
     let mut row = |name: &str, value: f64, of: &dyn Fn(&Rates) -> f64| {
         let numbers = [value, of(&wheel.per_compression), steer.map_or(0.0, of)];

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::Vector3;
 use suspension_core::body::{angular_velocity, pose};
 use suspension_core::listing::DriveKind;
-use suspension_core::wheel::{camber, camber_rate, steer_rate, toe};
+use suspension_core::wheel::{camber, steer_rate, toe};
 
 use crate::characteristics::Along;
 use crate::kinematics::Kinematics;
@@ -21,6 +21,8 @@ pub(super) struct Wheel {
     /// At the design position.
     pub(super) camber: f64,
     pub(super) toe: f64,
+    /// The rotation there about x as toe has turned it: the spin axis out of the plane of x and y, where camber is as seen from ahead.
+    pub(super) roll: f64,
     /// At places of the travel, from below.
     pub(super) changes: Vec<Change>,
     pub(super) per_compression: Rates,
@@ -45,8 +47,8 @@ pub(super) struct Change {
 pub(super) struct Rates {
     /// Of the wheel centre.
     pub(super) velocity: Vector3<f64>,
-    /// Of the carrier: about x, y and z, by turns about z, then x, then the spin axis. The first is that of camber, the last one
-    /// that of toe.
+    /// Of the carrier: about x, y and z, by turns about z, then x, then the spin axis. The first is that of
+    /// [`Wheel::roll`], the last one that of toe.
     pub(super) angles: Vector3<f64>,
     /// Of the measures.
     pub(super) measures: Vec<f64>,
@@ -163,6 +165,7 @@ impl Wheel {
             name: wheel.name.clone(),
             side: design.axis.y.signum(),
             camber: without_rounding(camber(&design.axis)),
+            roll: without_rounding(roll(&design.axis)),
             toe: without_rounding(toe(&design.axis)),
             changes,
             per_steer: of_steer.map(at_height).map(to_the_left),
@@ -211,11 +214,16 @@ fn rates(
 fn angle_rates(omega: &Vector3<f64>, spin_axis: &Vector3<f64>) -> Vector3<f64> {
     let axis_rate = omega.cross(spin_axis);
     let side = spin_axis.y.signum();
-    let about_x = -side * camber_rate(spin_axis, &axis_rate);
+    let about_x = side * axis_rate.z / spin_axis.xy().norm();
     let about_z = steer_rate(spin_axis, &axis_rate);
     // Along x as toe has turned it, and along the spin axis to the left.
     let ahead = Vector3::new(spin_axis.y, -spin_axis.x, 0.0).normalize() * side;
     let left = spin_axis.normalize() * side;
     let about_y = (omega - Vector3::z() * about_z - ahead * about_x).dot(&left);
     Vector3::new(about_x, about_y, about_z)
+}
+
+/// See [`Wheel::roll`].
+fn roll(spin_axis: &Vector3<f64>) -> f64 {
+    spin_axis.y.signum() * spin_axis.z.atan2(spin_axis.xy().norm())
 }

@@ -34,9 +34,9 @@ impl<T: Real> Turn<T> {
     pub fn new([d, e, n]: [Vector3<T>; 3], length: T) -> Option<Self> {
         let axis = n.norm();
         let [along, across] = Self::parts([d, e, n], axis);
-        let radius = along.hypot(across);
+        let radius = (along * along + across * across).sqrt();
         let flat = T::EPSILON.sqrt() * d.norm() * e.norm() * axis;
-        let (sine, cosine) = sine_cosine(across.atan2(along) * T::constant(0.25));
+        let (sine, cosine) = sine_cosine(T::arc_tangent(across, along) * T::constant(0.25));
         (radius > flat).then(|| Self {
             length,
             inverse: T::one() / length,

@@ -57,7 +57,7 @@ impl<T: Real> Chart<T> {
             Self::Value => coordinate,
             Self::Cosine { length } => parts::angle(coordinate, length),
             Self::QuarterSine { length } => {
-                coordinate.atan2(beside(coordinate, length)) * T::constant(4.0)
+                T::arc_tangent(coordinate, beside(coordinate, length)) * T::constant(4.0)
             }
         }
     }

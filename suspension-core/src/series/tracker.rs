@@ -59,6 +59,12 @@ impl<T: Real, const K: usize> SeriesTracker<T, K> {
         L: Linkage<N, Scalar = T>,
         C: ChassisSeries<T, L::Fixed, K>,
     {
+        const {
+            assert!(
+                K >= 2,
+                "of order 2 or more: the acceleration is the second term"
+            )
+        };
         let (series, turning) = series_from::<T, L, C, N, K>(linkage, inputs, dt, motion)?;
         self.check_length(&series, turning, dt)?;
         let [error] = difference(&motion.position, &series.unknowns.value).data.0;

@@ -46,7 +46,7 @@ impl<T: Real> Number for T {
 
     #[inline]
     fn arc_tangent(y: Self, x: Self) -> Self {
-        y.atan2(x)
+        T::arc_tangent(y, x)
     }
 
     #[inline]
@@ -86,7 +86,7 @@ impl<T: Real> Number for Signal<T> {
         let swept = x.value * y.second_rate - y.value * x.second_rate;
         let outward = x.value * x.rate + y.value * y.rate;
         Self {
-            value: y.value.atan2(x.value),
+            value: T::arc_tangent(y.value, x.value),
             rate,
             second_rate: (swept - two * rate * outward) / square,
         }

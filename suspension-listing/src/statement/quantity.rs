@@ -71,6 +71,11 @@ impl Quantity {
                         check.report(errors::same_point_twice(to));
                     }
                 }
+                let axis = about.as_ref().map(undirected);
+                let along = lines.iter().find(|line| Some(undirected(line)) == axis);
+                if let Some([from, to]) = along {
+                    check.report(errors::along_axis(from, to));
+                }
             }
             Self::Length { .. } | Self::Along { .. } => {}
         }

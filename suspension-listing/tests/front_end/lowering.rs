@@ -272,3 +272,18 @@ fn drives_prescribe_the_same_where_one_is_a_multiple_of_the_other() {
     assert!(!is_refused(quote!(drive two: w along [1.0, 1.0, 0.0];)));
     assert!(is_refused(quote!(drive two: w along [0.0, -1.0, 0.0];)));
 }
+
+#[test]
+fn a_measured_angle_has_no_line_along_its_axis() {
+    let messages = messages(quote! {
+        mod arm {
+            fixed: a, b, c;
+            free: p;
+            hinge arm: a, b -> p;
+            drive lift: p.z;
+            measure turn: angle(a -> p, b -> a about a -> b);
+        }
+    });
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    assert!(messages[0].starts_with("the line `b -> a` is the axis"));
+}
