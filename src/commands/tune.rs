@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Source};
+use crate::file::{MotionFile, Source, tell};
 use crate::load::load;
 use crate::output::beside::name_of;
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
@@ -67,6 +67,9 @@ impl Arguments {
             tuned: &tuned,
         };
         print(&report.text())?;
+        if let Some(held) = report.held() {
+            tell(format_args!("{}: {held}", source.name()));
+        }
         let text = rewritten(&source, &stated, mechanism, &tuned, &mechanism.points());
         check(&out, &text, &tuned)?;
         write_file(&out, &text)?;

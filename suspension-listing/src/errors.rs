@@ -115,6 +115,14 @@ pub(crate) fn same_point_twice(name: &Ident) -> Error {
     )
 }
 
+/// Two points whose distance nothing keeps, where it has to stay.
+pub(crate) fn loose(from: &Ident, to: &Ident, as_what: &str) -> Error {
+    let message = format!(
+        "nothing keeps `{from}` and `{to}` apart {as_what}; list both in one body, join them by a link, or put both on the chassis"
+    );
+    at(from, message)
+}
+
 pub(crate) fn along_axis(from: &Ident, to: &Ident) -> Error {
     let message = format!(
         "the line `{from} -> {to}` is the axis that the angle is about, which it has no angle about; name a line beside it"

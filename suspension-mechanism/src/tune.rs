@@ -39,6 +39,8 @@ pub struct Tuned {
     pub points: Vec<Vector3<f64>>,
     /// The drives at the design, in the file's coordinates.
     pub drives: Vec<f64>,
+    /// Points, by number, that assembly puts elsewhere than the moves do: what holds them was not moved.
+    pub held: Vec<usize>,
     /// Whether the user interrupted before the best was found.
     pub interrupted: bool,
 }
@@ -88,6 +90,7 @@ pub fn tune(
         targets: before.into_iter().zip(after).map(|(a, b)| [a, b]).collect(),
         points: tuned.points(),
         drives: tuned.given(&tuned.first_drives()),
+        held: held(mechanism, changes(moves, &at).points),
         interrupted: is_cut,
     })
 }
@@ -96,4 +99,23 @@ pub fn tune(
 fn changes(moves: &[Move], moved: &DVector<f64>) -> Changes {
     let each = moves.iter().zip(moved.iter());
     Changes::together(each.map(|(each, by)| each.per_unit.times(*by)))
+}
+
+/// The points that are not where they were moved to once the mechanism is assembled.
+fn held(mechanism: &dyn Kinematics, points: Vec<(usize, Vector3<f64>)>) -> Vec<usize> {
+    /// Of how far they were moved.
+    const OFF: f64 = 1e-3;
+    let before = mechanism.points();
+    let moved = points.clone();
+    let lengths = Vec::new();
+    let assembled = mechanism.changed(&Changes { points, lengths });
+    let after = assembled.map_or_else(Vec::new, |mechanism| mechanism.points());
+    let is_held = |(point, by): &(usize, Vector3<f64>)| {
+        let off = after
+            .get(*point)
+            .map(|after| (after - before[*point] - by).norm());
+        off.is_some_and(|off| off > OFF * by.norm())
+    };
+    let held = moved.iter().filter(|moved| is_held(moved));
+    held.map(|(point, _)| *point).collect()
 }

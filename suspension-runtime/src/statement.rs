@@ -58,6 +58,17 @@ impl Listing {
         moved.map(|site| self.place_of(site)).collect()
     }
 
+    /// The markers that points carry which are not rigid, each with two of these that nothing keeps apart, by name.
+    pub fn loose_markers(&self) -> Vec<[&str; 3]> {
+        let system = self.system();
+        let markers = system.markers.iter();
+        let loose = markers.filter_map(|marker| {
+            let [from, to] = system.loose_pair(&marker.frame)?;
+            Some([&marker.named.name, from, to].map(|name| name.as_str()))
+        });
+        loose.collect()
+    }
+
     /// Each marker, by its place among all points, with three points of the body that carries it.
     pub fn carriers(&self) -> Vec<(usize, [usize; 3])> {
         let system = self.system();

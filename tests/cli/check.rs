@@ -183,3 +183,17 @@ fn a_motion_that_is_out_of_reach_is_told_from_the_design_too() {
         assert!(motion.contains("OUT OF REACH") && page.contains("own motion is out of reach"));
     }
 }
+
+/// A seat that is stated on the points of two parts is no point of either.
+#[test]
+fn a_marker_on_points_that_are_not_rigid_is_noted() {
+    let seat = "point seat: front, rear, tip at [0.0, 0.3, 0.1];\nmeasure spring: length(seat -> front);\ndrive bump";
+    let rigid = arm("[0.0, 0.4, 0.0]").replace("drive bump", seat);
+    let output = check(&rigid, &[]);
+    assert!(line(&output, "notes").ends_with("none"), "{output:?}");
+    let loose = rigid.replace("link aft: rear -> tip;", "drive side: tip.x - rear.x;");
+    let output = check(&loose.replace("bump = 0.0", "bump = 0.0, side = 0.2"), &[]);
+    let note = line(&output, "note");
+    let said = "nothing keeps `rear` and `tip` apart, which carry `seat`";
+    assert!(note.contains(said), "{note}");
+}

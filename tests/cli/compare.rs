@@ -290,9 +290,9 @@ fn travel_by_a_damper_is_not_that_of_the_wheel() {
     let (_folder, output) = compare(&up, &by_damper, &[]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
-    let said = "the wheel rises by 1 along `bump` of A and by 0.6";
+    let said = "the wheel rises by 1 per unit of `bump` of A and by 0.6";
     assert!(report.contains(said), "{report}");
-    assert!(report.contains("along `bump upwards` of B"), "{report}");
+    assert!(report.contains("of `bump upwards` of B"), "{report}");
 }
 
 #[test]

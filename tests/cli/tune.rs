@@ -219,3 +219,29 @@ fn a_length_is_a_move_too() {
     let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
     assert!(written.contains(&format!("{DRIVES}\n")) && !written.contains("\nrack ="));
 }
+
+/// The rack slides on a line of the chassis, onto which it is assembled.
+#[test]
+fn a_point_that_its_slide_holds_is_told() {
+    let moves = |points: &str, mirrored: &str| {
+        format!(
+            "[tune.moves.rack_height]\npoints = [{points}]\nmirrored = [{mirrored}]\nalong = \"z\"\nby = [-0.02, 0.02]\n\
+             [tune.targets.bump_steer]\nof = \"left_toe\"\nper = \"bump_left\"\nvalue = 0.02\nwithin = 0.001\n"
+        )
+    };
+    let drives = "steer = 0.34\nbump_left = 0.3\nbump_right = 0.3";
+    let folder = folder();
+    let alone = moves("\"rack_left\"", "\"rack_right\"");
+    let output = tuned(folder.path(), &file("steered_axle", drives, &alone));
+    let said = text(&output.stderr);
+    assert!(
+        said.contains("`rack_left`, `rack_right` did not go where the moves say"),
+        "{said}"
+    );
+    let both = moves(
+        "\"rack_left\", \"housing_left\"",
+        "\"rack_right\", \"housing_right\"",
+    );
+    let output = met(folder.path(), &file("steered_axle", drives, &both));
+    assert!(!text(&output.stderr).contains("did not go"), "{output:?}");
+}

@@ -74,6 +74,20 @@ impl Report<'_> {
         (target.name.clone(), is, rest)
     }
 
+    /// The points that did not go with their moves.
+    pub(super) fn held(&self) -> Option<String> {
+        let names = &self.mechanism.names.points;
+        let held = self.tuned.held.iter();
+        let held: Vec<String> = held.map(|point| format!("`{}`", names[*point])).collect();
+        (!held.is_empty()).then(|| {
+            format!(
+                "note: {} did not go where the moves say: the design is assembled again, and what holds a point, the line of a \
+                 slide say, stays; move that with it",
+                held.join(", ")
+            )
+        })
+    }
+
     /// The targets that are not met, and the boxes that may have stopped them.
     pub(super) fn unmet(&self) -> Option<String> {
         let targets = self.targets.iter().zip(&self.tuned.targets);

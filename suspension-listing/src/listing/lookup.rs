@@ -53,6 +53,12 @@ impl Listing {
             && !statements.any(|statement| statement.moves() == Some(point))
     }
 
+    /// Whether all names are declared; what is not is reported as an operand.
+    pub(crate) fn declares<'a>(&self, names: impl IntoIterator<Item = &'a Ident>) -> bool {
+        let is_declared = |name: &Ident| self.declared().any(|(declared, _)| declared == name);
+        names.into_iter().all(is_declared)
+    }
+
     /// Whether two points stay as far apart as they are: by an equation, in a body or on the chassis.
     pub(crate) fn keeps_apart(&self, system: &System, ends: [&Ident; 2]) -> bool {
         let names = ends.map(Name::from);

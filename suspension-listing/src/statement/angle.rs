@@ -62,8 +62,7 @@ impl Statement for Angle {
 
     /// Checks that the lines keep their lengths, and that they are not of one body.
     fn check_lowered(&self, listing: &Listing, system: &System, errors: &mut Errors) {
-        let known = |point: &Ident| listing.declared().any(|(name, _)| name == point);
-        if !self.operands().into_iter().all(known) {
+        if !listing.declares(self.operands()) {
             return;
         }
         let names: Vec<Name> = self.operands().into_iter().map(Name::from).collect();
@@ -72,7 +71,7 @@ impl Statement for Angle {
         }
         for [from, to] in &self.lines {
             if from != to && !listing.keeps_apart(system, [from, to]) {
-                errors.push(loose_line(from, to));
+                errors.push(errors::loose(from, to, "as a line at an angle"));
             }
         }
     }
@@ -85,16 +84,6 @@ fn of_one_body(angle: &Ident, body: &Body) -> Error {
             "both lines of `{angle}` are of body `{}`, which keeps their angle; remove it, or take \
              a line of another body",
             body.name
-        ),
-    )
-}
-
-fn loose_line(from: &Ident, to: &Ident) -> Error {
-    errors::at(
-        from,
-        format!(
-            "nothing keeps `{from}` and `{to}` apart as a line at an angle; list both in one body, join \
-             them by a link, or put both on the chassis"
         ),
     )
 }

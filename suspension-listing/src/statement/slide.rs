@@ -68,16 +68,15 @@ impl Statement for Slide {
 
     /// Checks that the line keeps its length, and that the point is not fixed to it.
     fn check_lowered(&self, listing: &Listing, system: &System, errors: &mut Errors) {
-        let known = |point| listing.declared().any(|(name, _)| name == point);
         let [point, from, to] = &self.points;
-        if !self.points.iter().all(known) || from == to {
+        if !listing.declares(&self.points) || from == to {
             return;
         }
         if let Some(body) = system.body_of(&self.points.each_ref().map(Name::from)) {
             errors.push(cannot_slide(point, body));
         }
         if !listing.keeps_apart(system, [from, to]) {
-            errors.push(loose_line(from, to));
+            errors.push(errors::loose(from, to, "as a line to slide on"));
         }
     }
 }
@@ -89,16 +88,6 @@ fn cannot_slide(point: &Ident, body: &Body) -> Error {
             "`{point}` and the line that it slides on are points of body `{}`; take the line of \
              another body",
             body.name
-        ),
-    )
-}
-
-fn loose_line(from: &Ident, to: &Ident) -> Error {
-    errors::at(
-        from,
-        format!(
-            "nothing keeps `{from}` and `{to}` apart as a line to slide on; list both in one body, \
-             or put both on the chassis"
         ),
     )
 }

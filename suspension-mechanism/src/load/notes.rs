@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 use suspension_core::Values;
+use suspension_runtime::Listing;
 
 use crate::load::outlier::Outlier;
 use crate::load::task::Task;
@@ -52,6 +53,18 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     let of_outlier = outlier.map(|outlier| outlier.note(task.source));
     let notes = notes.map(|note| format!("{name}: {note}"));
     of_outlier.into_iter().chain(notes).collect()
+}
+
+/// Notes on markers that are no points of a body.
+pub(super) fn loose_markers(task: &Task<'_>, listing: &Listing) -> Vec<String> {
+    let markers = listing.loose_markers().into_iter();
+    let notes = markers.map(|[marker, from, to]| {
+        format!(
+            "{}: nothing keeps `{from}` and `{to}` apart, which carry `{marker}`: it moves with all three points, as no point of a body does",
+            task.source.name()
+        )
+    });
+    notes.collect()
 }
 
 /// The points are in another unit, as it seems.

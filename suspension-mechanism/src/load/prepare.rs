@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
 use crate::load::design::at_design;
 use crate::load::masses::masses;
-use crate::load::notes::{notes, short_of_stop};
+use crate::load::notes::{loose_markers, notes, short_of_stop};
 use crate::load::outlier::Outlier;
 use crate::load::sharing::sharing;
 use crate::load::springs::springs;
@@ -119,6 +119,9 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         None => Vec::new(),
     };
     let mut notes = notes(&task, &guess, &design.points, design.off, outlier.as_ref());
+    if let Some(statements) = statements {
+        notes.extend(loose_markers(&task, statements));
+    }
     let sharing = sharing(&names, &design);
     notes.extend(said_of_wheels::notes(&task, &design, &sharing));
     if to != Start::Design {

@@ -201,9 +201,8 @@ pub(super) fn check(
     system: &System,
 ) -> Option<Error> {
     let points: Vec<&Ident> = lines.iter().chain([about]).flatten().collect();
-    let known = |point: &Ident| listing.declared().any(|(name, _)| name == point);
     // Anything else is reported as an operand.
-    if !points.iter().all(|point| known(point)) {
+    if !listing.declares(points.iter().copied()) {
         return None;
     }
     let names: Vec<Name> = points.into_iter().map(Name::from).collect();
@@ -211,7 +210,8 @@ pub(super) fn check(
         return Some(of_one_body(drive, body));
     }
     let [from, to] = about;
-    (from != to && !listing.keeps_apart(system, [from, to])).then(|| loose_axis(from, to))
+    (from != to && !listing.keeps_apart(system, [from, to]))
+        .then(|| errors::loose(from, to, "as the axis of an angle"))
 }
 
 pub(super) fn about_no_axis(drive: &Ident) -> Error {
@@ -228,16 +228,6 @@ fn of_one_body(drive: &Ident, body: &Body) -> Error {
         format!(
             "the lines of `{drive}` and its axis are of body `{}`, which keeps their angle; take a line of another body",
             body.name
-        ),
-    )
-}
-
-fn loose_axis(from: &Ident, to: &Ident) -> Error {
-    errors::at(
-        from,
-        format!(
-            "nothing keeps `{from}` and `{to}` apart as the axis of an angle; list both in one body, join them by a \
-             link, or put both on the chassis"
         ),
     )
 }
