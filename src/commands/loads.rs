@@ -190,7 +190,12 @@ impl Work<'_> {
             let of_case = outcomes.iter().map(|outcomes| outcomes[number].clone());
             Found::new(self.source, case, of_case.collect())
         });
-        let found = found.collect::<Result<Vec<_>, _>>()?;
+        let (found, without): (Vec<_>, Vec<_>) = found.partition(Result::is_ok);
+        let found: Vec<Found<'_>> = found.into_iter().flatten().collect();
+        let without = without.into_iter().find_map(Result::err);
+        if found.is_empty() {
+            return without.map_or(Ok(()), Err);
+        }
         if !forms.is_empty() {
             table::write(
                 self.mechanism,
@@ -216,17 +221,17 @@ impl Work<'_> {
             });
             announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
         }
-        if [&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
-            return Ok(());
+        if ![&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
+            let report = Report {
+                file: self.source,
+                mechanism: self.mechanism,
+                structure: self.structure,
+            };
+            found
+                .iter()
+                .try_for_each(|found| print(&report.text(found)))?;
         }
-        let report = Report {
-            file: self.source,
-            mechanism: self.mechanism,
-            structure: self.structure,
-        };
-        found
-            .iter()
-            .try_for_each(|found| print(&report.text(found)))
+        without.map_or(Ok(()), Err)
     }
 }
 
@@ -257,7 +262,8 @@ acceleration = [-8.0, 0.0, 0.0] of the chassis, m/s^2. With --motion their inert
 accelerations of the file's motion. Friction is left out. Tables of motion, sweep and sheet have effective_mass then: what
 the masses are at the wheel in travel.
 
-What a drive bears is the work of the loads per unit of the drive: what holds the drive must bear it. With
+The drives hold the mechanism where it is: springs of [springs] do not act by themselves. What a drive bears is the work of the
+loads per unit of the drive: what holds the drive must bear it. With
 bump = \"damper\" the drive bears nothing, and the force in the measure damper that takes its load is printed: negative
 where a spring pulls.
 

@@ -317,6 +317,15 @@ fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
     let is_told = text(&output.stderr).contains("load case `a` has no answer");
     assert!(is_told && output.status.code() == Some(3), "{output:?}");
     assert!(!folder.path().join("a.csv").exists());
+    // Other cases have theirs.
+    let other = format!("{case}[loads.b]\ncontact = [0.0, 0.0, 4000.0]\n");
+    std::fs::write(folder.path().join("a.toml"), loaded(&other)).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml", "--csv", "a.csv"]);
+    let is_told = text(&output.stderr).contains("load case `a` has no answer");
+    assert!(is_told && output.status.code() == Some(3), "{output:?}");
+    let row = &rows(&std::fs::read(folder.path().join("a.csv")).expect("a table"))[0];
+    assert!(row.contains_key("b_bump_N") && !row.contains_key("a_bump_N"));
+    assert!(text(&output.stdout).contains("tie_rod"), "{output:?}");
 }
 
 /// The published five-point suspension locks at theta = 2.178426 rad.

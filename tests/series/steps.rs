@@ -114,7 +114,6 @@ fn towards_the_lock<const K: usize>() -> [usize; 2] {
 #[test]
 fn no_order_and_no_tolerance_leads_beyond_a_turning_point() {
     let taken = [
-        towards_the_lock::<1>(),
         towards_the_lock::<2>(),
         towards_the_lock::<3>(),
         towards_the_lock::<4>(),
