@@ -279,34 +279,3 @@ fn three_forces_are_together_as_one_with_a_moment() {
         assert!((turning - place.cross(&force) - moment).norm() <= 1e-12 * largest);
     }
 }
-
-/// An arm whose tip is driven near the lowest place that it has, where the height leaves its sideways place open.
-#[test]
-fn loads_are_refused_near_a_lock_where_statics_are() {
-    let listing = Listing::parse(
-        "fixed: front at [0.2, 0.0, 0.3], rear at [-0.2, 0.0, 0.3];
-         free: tip at [0.0, 0.4, 0.0];
-         link fore: front -> tip;
-         link aft: rear -> tip;
-         drive bump: tip.z;",
-    );
-    let listing = listing.expect("a listing");
-    let fitted = listing.fitted::<15>().expect("a small listing");
-    let design = Values::from_values(listing.design().expect("places"));
-    let model = Model::<f64, 15>::of(fitted, &design).expect("a model");
-    let forces = design.map(|_| Vector3::new(1.0, 2.0, 3.0));
-    let sideways = (0..30).map(|step| 1e-8 * 1.25_f64.powi(step));
-    let refused = sideways.map(|y| {
-        let z = 0.3 - (0.25 - y * y).sqrt();
-        let mut q = model.unknowns(&design);
-        (q[1], q[2]) = (y, z);
-        let drives = model.drives_at(&design).with(0, z);
-        let statics = Statics::new(&model, drives, &q);
-        let statics = statics.and_then(|statics| statics.under(&forces)).err();
-        let loads = Loads::new(&model, drives, &q, &forces).err();
-        assert_eq!(loads, statics, "{y}");
-        loads.is_some()
-    });
-    let refused = refused.filter(|refused| *refused).count();
-    assert!((1..30).contains(&refused), "{refused}");
-}
