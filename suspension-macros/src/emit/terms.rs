@@ -87,14 +87,21 @@ pub(super) fn assign(row: &Name, term: &TokenStream) -> TokenStream {
     quote!(rows[#row] = #term;)
 }
 
-/// The same for the three rows of a vector equation, from the vector `term`.
-pub(super) fn assign_vector(name: &Name, term: &impl ToTokens) -> TokenStream {
+/// The same for the three rows of a vector equation.
+pub(super) fn assign_vector(name: &Name, vector: &impl ToTokens) -> TokenStream {
     let entries = (0..3).map(|axis| {
         let row = coordinate_name(name, axis);
         let axis = ident(AXES[axis]);
-        assign(&row, &quote!(#term.#axis))
+        assign(&row, &quote!(term.#axis))
     });
-    quote!(#(#entries)*)
+    quote!(let term = #vector; #(#entries)*)
+}
+
+/// From one point to another, in two structs of points.
+pub(super) fn line(ends: [&Site; 2], free: &str, fixed: &str) -> TokenStream {
+    let (free, fixed) = (ident(free), ident(fixed));
+    let [from, to] = ends.map(|site| value_of(site, &free, &fixed));
+    quote!(difference(#to, #from))
 }
 
 /// A vector whose rows are zero but for those that are set, behind the variables that this reads. The zeros are negative: a compiler that keeps to the rules of arithmetic leaves out their

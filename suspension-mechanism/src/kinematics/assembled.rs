@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 use suspension_core::listing::{DriveKind, Kind, Parts};
 use suspension_core::lu::Lu;
+use suspension_core::motion::Prescribed;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
 use crate::assemblies::{Assemblies, Tally, Watch};
@@ -129,7 +130,7 @@ fn assembly<L: Suspension<N>, const N: usize>(
     let length = |along: &[f64]| along.iter().map(|x| x * x).sum::<f64>().sqrt();
     let farthest = moved.chunks(3).map(length).fold(0.0, f64::max);
     let points = Motion::at_rest(*q).points(model, inputs).value;
-    let fixed = model.drive_anchors(*model.fixed(), &model.coordinates(&inputs.drives).value);
+    let fixed = Prescribed::new(model, inputs).fixed.value;
     let factored = Lu::factor(&model.jacobian(q, &fixed));
     let sides = model.linked().zip(model.mirrored(q, &fixed));
     let mirrored = sides.filter(|(_, mirrored)| *mirrored > 0.5);

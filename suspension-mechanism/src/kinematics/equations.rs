@@ -1,6 +1,7 @@
 //! The equations of a mechanism at a place, as numbers.
 
 use nalgebra::DMatrix;
+use suspension_core::motion::Prescribed;
 use suspension_core::pivots::Elimination;
 
 use crate::mechanism::{Mechanism, Suspension};
@@ -22,16 +23,16 @@ impl Equations {
         let Mechanism { model, start, .. } = mechanism;
         let q = &start.position;
         let [first, _] = mechanism.instants.ends();
-        let drives = mechanism.drives.inputs::<L::Drives>(first).drives;
-        let coordinates = model.coordinates(&drives).value;
-        let fixed = model.drive_anchors(*model.fixed(), &coordinates);
+        let inputs = mechanism.drives.inputs::<L::Drives>(first);
+        let Prescribed { fixed, drives } = Prescribed::new(model, &inputs);
+        let (fixed, drives) = (fixed.value, drives.value);
         let jacobian = model.jacobian(q, &fixed);
         // A model has room for more unknowns than the listing has.
         let size = mechanism.names.unknowns.len();
         Self {
             jacobian: DMatrix::from_fn(size, size, |row, column| jacobian[(row, column)]),
             elimination: Elimination::at(model, q, &fixed),
-            residual: model.residual(q, &fixed, &coordinates).amax(),
+            residual: model.residual(q, &fixed, &drives).amax(),
         }
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::local::LocalOrigin;
+use suspension_core::motion::Prescribed;
 use suspension_core::{Linkage, Newton, Signal, Values, assemble};
 
 use crate::failure::Failure;
@@ -61,8 +62,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
     let at_rest = DriveLaws::held(drives.values());
     let inputs = at_rest.inputs::<L::Drives>(0.0);
     let mut q = model.unknowns(guess);
-    let coordinates = model.coordinates(&inputs.drives).value;
-    let fixed = model.drive_anchors(*model.fixed(), &coordinates);
+    let fixed = Prescribed::new(&model, &inputs).fixed.value;
     let off = unsatisfied(task, &model, guess);
     if off.is_some() || file.lengths.is_some() || file.design.is_some() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
@@ -98,9 +98,8 @@ fn unsatisfied<L: Suspension<N>, const N: usize>(
     }
     let drives = DriveLaws::held(model.drives_at(points).values());
     let inputs = drives.inputs::<L::Drives>(0.0);
-    let coordinates = model.coordinates(&inputs.drives).value;
-    let fixed = model.drive_anchors(*model.fixed(), &coordinates);
-    let residual = model.residual(&model.unknowns(points), &fixed, &coordinates);
+    let Prescribed { fixed, drives } = Prescribed::new(model, &inputs);
+    let residual = model.residual(&model.unknowns(points), &fixed.value, &drives.value);
     Unsatisfied::of(&residual, model.size())
 }
 

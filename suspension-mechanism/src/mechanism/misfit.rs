@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::lu::Lu;
+use suspension_core::motion::Prescribed;
 use suspension_core::{Linkage, Values};
 
 use crate::mechanism::drives::DriveLaws;
@@ -100,12 +101,11 @@ struct Place<'a, L: Linkage<N>, const N: usize> {
 impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
     fn at(model: &'a L, drives: &DriveLaws, t: f64) -> Self {
         let inputs = drives.inputs::<L::Drives>(t);
-        let drives = model.coordinates(&inputs.drives).value;
-        let fixed = model.drive_anchors(*model.fixed(), &drives);
+        let Prescribed { fixed, drives } = Prescribed::new(model, &inputs);
         Self {
             model,
-            fixed,
-            drives,
+            fixed: fixed.value,
+            drives: drives.value,
         }
     }
 

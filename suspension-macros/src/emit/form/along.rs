@@ -58,12 +58,7 @@ impl Emit for Along {
 
     fn residual(&self, name: &Name) -> TokenStream {
         let (point, from, ends) = (place(&self.point), place(&self.from), ends(self));
-        let entries = assign_vector(name, &ident("term"));
-        let term = quote! {
-            let term = self.#name.residual(#point, #from, #ends);
-            #entries
-        };
-        term
+        assign_vector(name, &quote!(self.#name.residual(#point, #from, #ends)))
     }
 
     fn gradient(&self, name: &Name) -> Gradient<'_> {
@@ -96,12 +91,8 @@ impl Emit for Along {
             });
             quote!([#(#lines),*])
         });
-        let entries = assign_vector(name, &ident("term"));
-        let term = quote! {
-            let term = self.#name.curvature(#(#changes),*);
-            #entries
-        };
-        Some(term)
+        let [v, w] = changes;
+        Some(assign_vector(name, &quote!(self.#name.curvature(#v, #w))))
     }
 
     fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
@@ -123,14 +114,9 @@ impl Emit for Along {
                 quote!(- fixed_rate.#site #factor)
             })
             .collect();
-        let entries = assign_vector(name, &ident("term"));
         (!terms.is_empty()).then(|| {
-            let term = quote! {
-                #gradient
-                let term = #(#terms)*;
-                #entries
-            };
-            term
+            let rows = assign_vector(name, &quote!(#(#terms)*));
+            quote!(#gradient #rows)
         })
     }
 

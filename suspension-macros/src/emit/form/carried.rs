@@ -41,7 +41,7 @@ impl Emit for Carried {
             value_of(&self.point, &ident("free"), &ident("fixed")),
             frame_name(&self.body),
         );
-        in_rows(name, &quote!(self.#name.residual(#point, &#frame)))
+        assign_vector(name, &quote!(self.#name.residual(#point, &#frame)))
     }
 
     fn gradient(&self, name: &Name) -> Gradient<'_> {
@@ -58,7 +58,7 @@ impl Emit for Carried {
     fn curvature(&self, name: &Name) -> Option<TokenStream> {
         let frame = frame_name(&self.body);
         let [v, w] = ["v", "w"].map(|rate| format_ident!("{frame}_{rate}"));
-        Some(in_rows(name, &quote!(self.#name.curvature(&#v, &#w))))
+        Some(assign_vector(name, &quote!(self.#name.curvature(&#v, &#w))))
     }
 
     fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
@@ -71,17 +71,11 @@ impl Emit for Carried {
             })
             .collect();
         let statements = self.gradient(name).statements;
-        let rows = in_rows(name, &quote!(#(#terms)*));
+        let rows = assign_vector(name, &quote!(#(#terms)*));
         (!terms.is_empty()).then(|| quote!(#statements #rows))
     }
 
     fn cost(&self) -> [Operations; 3] {
         [(15, 15), (6, 5), (15, 9)].map(Operations::from)
     }
-}
-
-/// Rows read off a vector.
-fn in_rows(name: &Name, vector: &TokenStream) -> TokenStream {
-    let entries = assign_vector(name, &ident("term"));
-    quote!(let term = #vector; #entries)
 }

@@ -10,7 +10,7 @@ use suspension_listing::system::{SiteMotion, System};
 use super::{Emit, Operations};
 use crate::emit::fields::length_index;
 use crate::emit::gradient::{By, Gradient};
-use crate::emit::terms::{assign, ident, value_of};
+use crate::emit::terms::{assign, line};
 
 impl Emit for Distance {
     fn constant(&self) -> Option<TokenStream> {
@@ -32,13 +32,13 @@ impl Emit for Distance {
     }
 
     fn residual(&self, name: &Name) -> TokenStream {
-        let vector = vector(self, "free", "fixed");
+        let vector = line([&self.from, &self.to], "free", "fixed");
         let row = assign(name, &quote!(self.#name.residual(d)));
         quote!(let d = #vector; #row)
     }
 
     fn gradient(&self, name: &Name) -> Gradient<'_> {
-        let vector = vector(self, "free", "fixed");
+        let vector = line([&self.from, &self.to], "free", "fixed");
         Gradient {
             statements: quote! {
                 let d = #vector;
@@ -52,7 +52,8 @@ impl Emit for Distance {
     }
 
     fn curvature(&self, name: &Name) -> Option<TokenStream> {
-        let (v, w) = (vector(self, "v", "v_fixed"), vector(self, "w", "w_fixed"));
+        let [v, w] = [("v", "v_fixed"), ("w", "w_fixed")]
+            .map(|(free, fixed)| line([&self.from, &self.to], free, fixed));
         let row = assign(name, &quote!(self.#name.curvature(v_d, w_d)));
         let rows = quote! {
             let v_d = #v;
@@ -72,11 +73,4 @@ impl Emit for Distance {
     fn cost(&self) -> [Operations; 3] {
         [(7, 6), (3, 3), (4, 8)].map(Operations::from)
     }
-}
-
-/// From one point to the other, in two structs of points.
-fn vector(Distance { from, to }: &Distance, free: &str, fixed: &str) -> TokenStream {
-    let (free, fixed) = (ident(free), ident(fixed));
-    let (from, to) = (value_of(from, &free, &fixed), value_of(to, &free, &fixed));
-    quote!(difference(#to, #from))
 }

@@ -11,7 +11,7 @@ use super::{Emit, Operations};
 use crate::emit::fields::point_index;
 use crate::emit::gradient::{By, Gradient};
 use crate::emit::lengths::kept_length;
-use crate::emit::terms::{assign, ident, value_of};
+use crate::emit::terms::{assign, line};
 
 impl Emit for Product {
     fn constant(&self) -> Option<TokenStream> {
@@ -97,11 +97,8 @@ impl Emit for Product {
 
 /// Both lines, in two structs of points.
 fn lines(form: &Product, free: &str, fixed: &str) -> [TokenStream; 2] {
-    let (free, fixed) = (ident(free), ident(fixed));
-    form.lines.each_ref().map(|line| {
-        let [from, to] = line.each_ref().map(|site| value_of(site, &free, &fixed));
-        quote!(difference(#to, #from))
-    })
+    let lines = form.lines.each_ref();
+    lines.map(|ends| line(ends.each_ref(), free, fixed))
 }
 
 /// Each end: of which line, and whether it is the last.

@@ -10,7 +10,7 @@ use suspension_listing::system::{Site, SiteMotion, System};
 use super::{Emit, Operations};
 use crate::emit::fields::point_index;
 use crate::emit::gradient::{By, Gradient};
-use crate::emit::terms::{assign, ident, value_of};
+use crate::emit::terms::{assign, ident, line};
 
 impl Emit for Stretch {
     fn constant(&self) -> Option<TokenStream> {
@@ -38,12 +38,14 @@ impl Emit for Stretch {
     }
 
     fn residual(&self, name: &Name) -> TokenStream {
-        let (vector, length) = (vector(self, "free", "fixed"), &self.length);
+        let vector = line([&self.from, &self.to], "free", "fixed");
+        let length = &self.length;
         assign(name, &quote!(self.#name.residual(#vector, free.#length)))
     }
 
     fn gradient(&self, name: &Name) -> Gradient<'_> {
-        let (vector, length) = (vector(self, "free", "fixed"), &self.length);
+        let vector = line([&self.from, &self.to], "free", "fixed");
+        let length = &self.length;
         Gradient {
             statements: quote! {
                 let d = #vector;
@@ -59,7 +61,8 @@ impl Emit for Stretch {
 
     fn curvature(&self, name: &Name) -> Option<TokenStream> {
         let changes = ["v", "w"].map(|rate| {
-            let (vector, free) = (vector(self, rate, &format!("{rate}_fixed")), ident(rate));
+            let vector = line([&self.from, &self.to], rate, &format!("{rate}_fixed"));
+            let free = ident(rate);
             let length = &self.length;
             quote!((#vector, #free.#length))
         });
@@ -76,11 +79,4 @@ impl Emit for Stretch {
     fn cost(&self) -> [Operations; 3] {
         [(6, 6), (4, 3), (5, 9)].map(Operations::from)
     }
-}
-
-/// From one point to the other, in two structs of points.
-fn vector(Stretch { from, to, .. }: &Stretch, free: &str, fixed: &str) -> TokenStream {
-    let (free, fixed) = (ident(free), ident(fixed));
-    let (from, to) = (value_of(from, &free, &fixed), value_of(to, &free, &fixed));
-    quote!(difference(#to, #from))
 }
