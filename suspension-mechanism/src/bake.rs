@@ -6,8 +6,10 @@
 //! segments is the smallest with which the tolerance is met ([`fit`]); two drives make a
 //! [`surface`]. Curves are written as files that people read ([`source`]).
 
+mod anchors;
 pub mod certify;
 mod driven;
+mod exact;
 pub mod fit;
 mod led;
 pub mod path;
@@ -18,8 +20,9 @@ pub mod widest;
 
 pub use certify::Reached;
 pub use driven::{Derivatives, Output, Wish};
+pub use exact::{Exact, OutOfReach};
 pub use fit::{Baked, Unmet, Wanted, bake};
 pub use led::LedPath;
-pub use path::{Exact, OutOfReach, Path};
+pub use path::Path;
 pub use scheme::{Continuity, TERMS};
 pub use surface::{BakedSurface, UnmetSurface, WantedSurface, bake_surface};

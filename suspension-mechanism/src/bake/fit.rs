@@ -7,7 +7,7 @@ use suspension_core::baked::Curve;
 
 use crate::bake::certify::{Reached, bound, places};
 use crate::bake::driven::{Derivatives, Output};
-use crate::bake::path::{Exact, OutOfReach};
+use crate::bake::exact::{Exact, OutOfReach};
 use crate::bake::scheme::{Coefficients, Continuity, TERMS};
 use crate::number::number;
 

@@ -2,21 +2,26 @@
 
 use suspension_core::listing::MeasureKind;
 use suspension_core::path::{Curve, Leader, Led};
-use suspension_core::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Values};
 
+use crate::bake::anchors::Anchors;
 use crate::bake::driven::{Derivatives, Driven, Output, Wish};
-use crate::bake::path::{ANCHORS, Exact, OutOfReach};
+use crate::bake::exact::{Exact, OutOfReach, Stop};
 use crate::mechanism::{Suspension, lead, nearest};
 
 /// The mechanism moved by a measure, one drive free and the others held.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct LedPath<'a, L: Linkage<N>, const N: usize> {
+    way: Way<'a, L, N>,
+    anchors: Anchors<Led<f64, N>>,
+}
+
+/// The way of the measure.
+#[derive(Clone)]
+struct Way<'a, L: Linkage<N>, const N: usize> {
     driven: Driven<'a, L>,
     held: Inputs<Still, L::Drives>,
     measure: usize,
-    /// Configurations evenly over the range, with the measure's value.
-    anchors: Vec<(f64, Led<f64, N>)>,
 }
 
 impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
@@ -34,48 +39,26 @@ impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
         range: [f64; 2],
         wish: Wish,
     ) -> Result<Self, OutOfReach> {
-        let mut path = Self {
+        let way = Way {
             driven: Driven::new(model, wish),
             held: Inputs::still(Signal::still(held)),
             measure,
-            anchors: Vec::new(),
         };
         let unreached = |cause| OutOfReach {
             reached: range,
             cause,
         };
-        let curve = Curve::new(model, &path.held, drive).ok_or_else(|| unreached(None))?;
+        let curve = Curve::new(model, &way.held, drive).ok_or_else(|| unreached(None))?;
         let led = Led::at_rest(&curve, &start.position);
         let led = led.map_err(|cause| unreached(Some(cause)))?;
         let [from, to] = range;
-        let now = nearest(path.kind(), path.measured(&led), 0.5 * (from + to));
-        let [mut first, mut last] = [led; 2];
-        let ways = [
-            path.follow([now, from], &mut first),
-            path.follow([now, to], &mut last),
-        ];
-        if ways.iter().any(Result::is_err) {
-            let reached = |way: &Result<(), Stopped<f64>>, end| match way {
-                Ok(()) => end,
-                Err(stopped) => stopped.reached,
-            };
-            let [down, up] = &ways;
-            let mut refused = ways.iter().filter_map(|way| way.err()?.refused);
-            return Err(OutOfReach {
-                reached: [reached(down, from), reached(up, to)],
-                cause: refused.next().map(|(_, cause)| cause),
-            });
-        }
-        let (mut at, mut led) = (from, first);
-        for part in 0..ANCHORS {
-            let next = from + (to - from) * f64::from(part) / f64::from(ANCHORS - 1);
-            path.lead([at, next], &mut led)?;
-            path.anchors.push((next, led));
-            at = next;
-        }
-        Ok(path)
+        let now = nearest(way.kind(), way.measured(&led), 0.5 * (from + to));
+        let anchors = Anchors::over(range, (now, led), |ends, led| way.follow(ends, led))?;
+        Ok(Self { way, anchors })
     }
+}
 
+impl<L: Suspension<N>, const N: usize> Way<'_, L, N> {
     fn kind(&self) -> MeasureKind {
         self.driven.model().measure_kind(self.measure)
     }
@@ -89,7 +72,7 @@ impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
     }
 
     /// Leads from one value to another, rates those per unit of the measure.
-    fn follow(&self, way: [f64; 2], led: &mut Led<f64, N>) -> Result<(), Stopped<f64>> {
+    fn follow(&self, ends: [f64; 2], led: &mut Led<f64, N>) -> Result<(), Stop> {
         let leader = Leader {
             max_steps: 10_000,
             ..Leader::default()
@@ -100,33 +83,23 @@ impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
             second_rate: 0.0,
         };
         let (model, held) = (self.driven.model(), |_| self.held);
-        lead(leader, model, self.measure, held, target, way, led)?;
-        Ok(())
-    }
-
-    fn lead(&self, way: [f64; 2], led: &mut Led<f64, N>) -> Result<(), OutOfReach> {
-        let [from, _] = way;
-        self.follow(way, led).map_err(|stopped| OutOfReach {
-            reached: [from, stopped.reached],
-            cause: stopped.refused.map(|(_, cause)| cause),
-        })
+        let led = lead(leader, model, self.measure, held, target, ends, led);
+        led.map(drop)
+            .map_err(|stopped| (stopped.reached, stopped.refused.map(|(_, cause)| cause)))
     }
 }
 
 impl<L: Suspension<N>, const N: usize> Exact for LedPath<'_, L, N> {
     fn outputs(&self) -> Vec<Output> {
-        self.driven.outputs()
+        self.way.driven.outputs()
     }
 
     fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach> {
-        let distance = |(from, _): &&(f64, Led<f64, N>)| (from - at).abs();
-        let anchors = self.anchors.iter();
-        let nearest = anchors.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let Some((from, mut led)) = nearest.copied() else {
+        let Way { driven, held, .. } = &self.way;
+        let follow = |ends, led: &mut _| self.way.follow(ends, led);
+        let Some(led) = self.anchors.led_to(at, follow)? else {
             return Ok(Vec::new());
         };
-        self.lead([from, at], &mut led)?;
-        let points = led.points(self.driven.model(), &self.held);
-        Ok(self.driven.read(&points))
+        Ok(driven.read(&led.points(driven.model(), held)))
     }
 }

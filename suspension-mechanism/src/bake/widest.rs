@@ -3,8 +3,8 @@
 use std::cell::Cell;
 use std::ops::Range;
 
+use crate::bake::exact::Exact;
 use crate::bake::fit::{Fit, MOST_SEGMENTS, Met, Wanted};
-use crate::bake::path::Exact;
 
 /// Parts of the range, by the ends of which it is searched.
 const PARTS: u32 = 64;

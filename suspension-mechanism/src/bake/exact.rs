@@ -1,0 +1,53 @@
+//! A motion along what leads it, wherever it is asked for.
+
+use std::fmt;
+
+use suspension_core::SolveError;
+
+use crate::bake::driven::{Derivatives, Output};
+use crate::number::number;
+
+/// The value where a mechanism stopped, and why.
+pub(super) type Stop = (f64, Option<SolveError<f64>>);
+
+/// The mechanism does not go through the range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutOfReach {
+    /// The drive's first and last value towards the range that the mechanism reaches.
+    pub reached: [f64; 2],
+    /// Why it goes no further.
+    pub cause: Option<SolveError<f64>>,
+}
+
+impl fmt::Display for OutOfReach {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [from, to] = self.reached.map(number);
+        write!(f, "the mechanism takes the drive from {from} to {to} only")?;
+        self.cause.map_or(Ok(()), |cause| write!(f, ": {cause}"))
+    }
+}
+
+impl std::error::Error for OutOfReach {}
+
+impl OutOfReach {
+    /// On a way that began at a value.
+    pub(super) fn on_the_way(from: f64, (reached, cause): Stop) -> Self {
+        Self {
+            reached: [from, reached],
+            cause,
+        }
+    }
+}
+
+/// A motion along a drive, whatever its linkage.
+pub trait Exact {
+    /// What the outputs are.
+    fn outputs(&self) -> Vec<Output>;
+
+    /// The outputs where the drive has the value `at`.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfReach`].
+    fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach>;
+}
