@@ -130,7 +130,8 @@ The table, one row a place, in the order along the curve:
   freed              the number of the drive that is free, from 1
   turns              1 where it turns, else 0
   each drive         in the file's units
-  speed              how far the free points move for a unit of the drive, of angles a radian; inf where it turns
+  speed_UNIT         how far the free points move for a unit of the drive, of angles a radian; inf where it turns, but at the
+                     end of an angle
   points             _x _y _z, in the unit
   kingpin, caster, camber, toe in the unit of angles; residual in the unit
 

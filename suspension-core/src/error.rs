@@ -87,7 +87,7 @@ pub enum SolveError<T> {
     /// The quantity that leads the motion turns before it meets its target: beyond its extreme
     /// value there is no configuration on this branch.
     TurningPoint {
-        /// The unknown that moves most there, or the drive.
+        /// The unknown that moves most there.
         part: Part,
         /// The target, in the quantity's unit.
         asked: T,
