@@ -1,4 +1,4 @@
-//! The commands, each with its options, its work and its report. `check` reports what `assemblies` finds, otherwise none knows another.
+//! The commands, each with its options, its work and its report. None knows another.
 
 pub mod assemblies;
 pub mod bake;

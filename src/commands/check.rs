@@ -9,13 +9,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 
 use crate::assemblies::Tally;
-use crate::commands::assemblies::listed::GENERAL;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::output::files::print;
-use crate::output::progress::Found;
+use crate::output::progress::{Found, GENERAL};
 use crate::reach::DriveRange;
 use condition::Condition;
 use report::Report;

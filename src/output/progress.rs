@@ -10,6 +10,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 /// What takes longer is shown.
 const LONG: Duration = Duration::from_secs(1);
 
+/// What a search for all assemblies finds first.
+pub const GENERAL: &str = "assemblies of such a mechanism with general lengths";
+
 /// Counts steps; shows a bar once the work has taken a second and only on a terminal.
 #[derive(Debug)]
 pub struct Progress {

@@ -16,6 +16,7 @@ mod kind;
 mod lexed;
 mod listing;
 mod lower;
+pub mod matching;
 mod mistake;
 pub mod name;
 pub mod parse;

@@ -5,10 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use crate::assemblies::Tally;
 use crate::failure::Failure;
 use crate::kinematics::{Assembly, Kinematics};
-use crate::output::progress::Found;
-
-/// What is searched for first.
-pub const GENERAL: &str = "assemblies of such a mechanism with general lengths";
+use crate::output::progress::{Found, GENERAL};
 
 /// Where assemblies are wanted.
 #[derive(Clone, Debug, Default, PartialEq)]

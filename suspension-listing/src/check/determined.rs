@@ -6,6 +6,7 @@ use syn::{Error, Ident};
 use crate::errors::{self, Errors};
 use crate::kind::Kind;
 use crate::listing::Listing;
+use crate::matching::augment;
 use crate::name::Name;
 use crate::system::{AXES, Equation, System};
 
@@ -99,26 +100,6 @@ fn structural_rank(listing: &Listing, system: &System, errors: &mut Errors) {
     for column in (0..system.size()).filter(|column| row_of[*column].is_none()) {
         errors.push(undetermined(listing, system, column));
     }
-}
-
-/// Finds a column for `row`, moving earlier rows to other columns where need be (augmenting path
-/// of a bipartite matching).
-fn augment(
-    row: usize,
-    pattern: &[Vec<usize>],
-    row_of: &mut [Option<usize>],
-    seen: &mut [bool],
-) -> bool {
-    pattern[row].iter().any(|&column| {
-        if std::mem::replace(&mut seen[column], true) {
-            return false;
-        }
-        let free = row_of[column].is_none_or(|other| augment(other, pattern, row_of, seen));
-        if free {
-            row_of[column] = Some(row);
-        }
-        free
-    })
 }
 
 fn redundant_equation(name: &Ident) -> Error {

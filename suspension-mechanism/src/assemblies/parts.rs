@@ -6,6 +6,7 @@
 use std::array;
 
 use nalgebra::{Complex, SMatrix};
+use suspension_listing::matching::augment;
 
 use crate::assemblies::factors::Vector;
 
@@ -152,39 +153,20 @@ impl Part {
     }
 }
 
-/// An unknown of each equation, no two the same: augmenting paths. `None` where there are none such.
+/// An unknown of each equation, no two the same. `None` where there are none such.
 fn matching<const N: usize>(pattern: &Pattern<N>) -> Option<[[usize; 2]; N]> {
+    let columns = |row: &[bool; N]| (0..N).filter(|column| row[*column]).collect();
+    let columns: Vec<Vec<usize>> = pattern.iter().map(columns).collect();
     let mut row_of = [None; N];
-    for row in 0..N {
-        if !find(pattern, row, &mut [false; N], &mut row_of) {
-            return None;
-        }
+    let mut rows = 0..N;
+    if !rows.all(|row| augment(row, &columns, &mut row_of, &mut [false; N])) {
+        return None;
     }
     let mut matched = [[0; 2]; N];
     for (column, row) in row_of.into_iter().enumerate() {
         matched[row?] = [row?, column];
     }
     Some(matched)
-}
-
-/// Finds an unknown for an equation, where another may take a different one instead.
-fn find<const N: usize>(
-    pattern: &Pattern<N>,
-    row: usize,
-    tried: &mut [bool; N],
-    row_of: &mut [Option<usize>; N],
-) -> bool {
-    for column in 0..N {
-        if !pattern[row][column] || tried[column] {
-            continue;
-        }
-        tried[column] = true;
-        if row_of[column].is_none_or(|other| find(pattern, other, tried, row_of)) {
-            row_of[column] = Some(row);
-            return true;
-        }
-    }
-    false
 }
 
 /// Which equations must be solved before each one: those of its unknowns, and theirs in turn (Warshall 1962).

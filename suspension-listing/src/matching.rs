@@ -1,0 +1,21 @@
+//! Bipartite matching: an unknown of each equation, no two the same.
+
+/// Finds a column for `row` among those of its `pattern`, moving earlier rows to other columns where need be (an augmenting path).
+/// `seen` has a place for each column, none of them seen yet.
+pub fn augment(
+    row: usize,
+    pattern: &[Vec<usize>],
+    row_of: &mut [Option<usize>],
+    seen: &mut [bool],
+) -> bool {
+    pattern[row].iter().any(|&column| {
+        if std::mem::replace(&mut seen[column], true) {
+            return false;
+        }
+        let free = row_of[column].is_none_or(|other| augment(other, pattern, row_of, seen));
+        if free {
+            row_of[column] = Some(row);
+        }
+        free
+    })
+}
