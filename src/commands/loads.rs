@@ -13,7 +13,7 @@ use clap::Args;
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::file::Source;
+use crate::file::{Source, tell};
 use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::load::load;
@@ -27,7 +27,7 @@ use crate::output::rows::Forms;
 use crate::output::target::Target;
 use crate::quantities::{DRIVES, Quantity, TIME};
 use drawing::drawing;
-use found::Found;
+use found::{Found, without_answer};
 use report::Report;
 
 /// What `suspension loads` is given.
@@ -146,8 +146,8 @@ impl Work<'_> {
             });
         let failure = visited.failure(self.source);
         let places = visited.places.into_iter().flatten();
-        self.write(&[&DRIVES], places.unzip(), forms)?;
-        failure.map_or(Ok(()), Err)
+        let without = self.write(&[&DRIVES], places.unzip(), forms)?;
+        ended(failure, without)
     }
 
     fn in_motion(&self, forms: &Forms, interrupted: &AtomicBool) -> Result<(), Failure> {
@@ -164,9 +164,9 @@ impl Work<'_> {
                 ControlFlow::Continue(())
             })
         })?;
-        self.write(&[&TIME, &DRIVES], states, forms)?;
+        let without = self.write(&[&TIME, &DRIVES], states, forms)?;
         let failure = end.failure(self.source, "the rows up to there were written");
-        failure.map_or(Ok(()), Err)
+        ended(failure, without)
     }
 
     /// What each case does at a state.
@@ -176,25 +176,29 @@ impl Work<'_> {
         outcomes.collect()
     }
 
-    /// `outcomes` are those of each case, at each of the states, whose `leading` quantities come first in tables.
+    /// `outcomes` are those of each case, at each of the states, whose `leading` quantities come first in tables. Returns what is to be
+    /// said of cases without an answer.
     fn write(
         &self,
         leading: &[&Quantity],
         (outcomes, states): (Vec<Vec<Option<Outcome>>>, Vec<State>),
         forms: &Forms,
-    ) -> Result<(), Failure> {
+    ) -> Result<Option<String>, Failure> {
         if states.is_empty() {
-            return Ok(());
+            return Ok(None);
         }
-        let found = self.cases.iter().enumerate().map(|(number, case)| {
-            let of_case = outcomes.iter().map(|outcomes| outcomes[number].clone());
-            Found::new(self.source, case, of_case.collect())
-        });
-        let (found, without): (Vec<_>, Vec<_>) = found.partition(Result::is_ok);
+        let cases = self.cases.iter().enumerate();
+        let (found, without): (Vec<_>, Vec<_>) = cases
+            .map(|(number, case)| {
+                let of_case = outcomes.iter().map(|outcomes| outcomes[number].clone());
+                Found::new(case, of_case.collect())
+            })
+            .partition(Result::is_ok);
         let found: Vec<Found<'_>> = found.into_iter().flatten().collect();
-        let without = without.into_iter().find_map(Result::err);
+        let without = without.into_iter().filter_map(Result::err);
+        let without = without_answer(self.source, &without.collect::<Vec<_>>());
         if found.is_empty() {
-            return without.map_or(Ok(()), Err);
+            return Ok(without);
         }
         if !forms.is_empty() {
             table::write(
@@ -231,7 +235,19 @@ impl Work<'_> {
                 .iter()
                 .try_for_each(|found| print(&report.text(found)))?;
         }
-        without.map_or(Ok(()), Err)
+        Ok(without)
+    }
+}
+
+/// Why not all was computed, what ended the grid or the motion before what is said of cases `without` an answer.
+fn ended(failure: Option<Failure>, without: Option<String>) -> Result<(), Failure> {
+    match (failure, without) {
+        (Some(failure), Some(without)) => {
+            tell(without);
+            Err(failure)
+        }
+        (Some(failure), None) => Err(failure),
+        (None, without) => without.map_or(Ok(()), |without| Err(Failure::Solver(without))),
     }
 }
 
@@ -276,7 +292,7 @@ Over a grid of drives, or a motion, the least and the greatest are printed, and 
 a motion, the drives, then of each case what drives and measures bear, links and joints: braking_bump_N, braking_damper_N,
 braking_tie_rod_N, braking_upright_lower_ball_x_N.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration, 130 interrupted.
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration, or\nsome cases no answer, 130 interrupted.
 
 Example:
   suspension loads examples/double_wishbone_rocker.toml --drive bump=-0.05:0.05:21";

@@ -128,7 +128,7 @@ travel, or over heave and roll of an axle, and over steering; and all points. Th
 travel and steering and gives the wheel radius, which all quantities at the ground need, and the car's data for anti-dive.
 
 A browser makes a PDF of it, of a few A4 pages: chromium --headless --print-to-pdf=sheet.pdf out/NAME_sheet.html; and a
-picture: chromium --headless --screenshot=sheet.png --window-size=1250,4000 out/NAME_sheet.html.
+picture: chromium --headless --screenshot=sheet.png --window-size=1250,10000 out/NAME_sheet.html, of an axle twice as high.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (the page is
 written), 130 interrupted.

@@ -105,17 +105,23 @@ fn changes(moves: &[Move], moved: &DVector<f64>) -> Changes {
 fn held(mechanism: &dyn Kinematics, points: Vec<(usize, Vector3<f64>)>) -> Vec<usize> {
     /// Of how far they were moved.
     const OFF: f64 = 1e-3;
+    /// Of the largest coordinate.
+    const ROUNDING: f64 = 1e-9;
     let before = mechanism.points();
-    let moved = points.clone();
+    let mut moved = vec![Vector3::zeros(); before.len()];
+    for (point, by) in &points {
+        moved[*point] += by;
+    }
     let lengths = Vec::new();
     let assembled = mechanism.changed(&Changes { points, lengths });
     let after = assembled.map_or_else(Vec::new, |mechanism| mechanism.points());
-    let is_held = |(point, by): &(usize, Vector3<f64>)| {
-        let off = after
-            .get(*point)
-            .map(|after| (after - before[*point] - by).norm());
-        off.is_some_and(|off| off > OFF * by.norm())
-    };
-    let held = moved.iter().filter(|moved| is_held(moved));
-    held.map(|(point, _)| *point).collect()
+    let size = before
+        .iter()
+        .fold(0.0, |most, point| f64::max(most, point.amax()));
+    let each = before.iter().zip(&after).zip(&moved).enumerate();
+    let held = each.filter(|(_, ((before, after), by))| {
+        let off = (*after - *before - *by).norm();
+        **by != Vector3::zeros() && off > (OFF * by.norm()).max(ROUNDING * size)
+    });
+    held.map(|(point, _)| point).collect()
 }

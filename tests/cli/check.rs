@@ -197,3 +197,15 @@ fn a_marker_on_points_that_are_not_rigid_is_noted() {
     let said = "nothing keeps `rear` and `tip` apart, which carry `seat`";
     assert!(note.contains(said), "{note}");
 }
+
+/// Links keep a point to the chassis without a statement that names it and the marker's other points.
+#[test]
+fn a_marker_on_points_that_links_make_rigid_is_not_noted() {
+    let links = "link one: front -> q;\nlink two: rear -> q;\nlink three: up -> q;\npoint mk: q, front, post at [0.1, 0.1, 0.6];\n\
+                 measure high: mk.z;\ndrive bump";
+    let points = "rear at [-0.2, 0.0, 0.3], up at [0.0, 0.0, 0.8], post at [0.1, 0.5, 0.5];\nfree: q at [0.1, 0.2, 0.4], tip";
+    let file = arm("[0.0, 0.4, 0.0]").replace("rear at [-0.2, 0.0, 0.3];\nfree: tip", points);
+    let output = check(&file.replace("drive bump", links), &[]);
+    assert!(line(&output, "equations").contains("6 for 6"), "{output:?}");
+    assert!(line(&output, "notes").ends_with("none"), "{output:?}");
+}

@@ -323,6 +323,20 @@ fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
     let output = run(folder.path(), &["loads", "a.toml", "--csv", "a.csv"]);
     let is_told = text(&output.stderr).contains("load case `a` has no answer");
     assert!(is_told && output.status.code() == Some(3), "{output:?}");
+    let beyond = [
+        "loads",
+        "a.toml",
+        "--csv",
+        "a.csv",
+        "--drive",
+        "bump=-0.3:0.3:7",
+    ];
+    let output = run(folder.path(), &beyond);
+    let said = text(&output.stderr);
+    assert!(
+        said.contains("load case `a` has no answer") && said.contains("out of reach"),
+        "{said}"
+    );
     let row = &rows(&std::fs::read(folder.path().join("a.csv")).expect("a table"))[0];
     assert!(row.contains_key("b_bump_N") && !row.contains_key("a_bump_N"));
     assert!(text(&output.stdout).contains("tie_rod"), "{output:?}");

@@ -1,5 +1,7 @@
 //! Grids of drives.
 
+use std::collections::BTreeMap;
+
 use super::program::{CORNER, folder, rows, run, text};
 
 #[test]
@@ -123,6 +125,49 @@ drives = { px = 0.35, py = 0.0 }
         );
         assert_eq!(output.status.code(), Some(3), "{output:?}");
         assert_eq!(rows(&output.stdout).len(), expected, "{one} first");
+    }
+}
+
+/// A platform on three driven lengths changes its assembly round a cusp of its drives, where the determinant keeps its sign.
+#[test]
+fn no_place_is_reached_in_another_assembly_round_a_cusp() {
+    let file = "statements = '''
+fixed: a1 at [0, 0, 0], a2 at [1.591, 0, 0], a3 at [0, 1, 0];
+free: p1 at [-0.8726595331862909, 1.2175669752170042, 0],
+      p2 at [0.0666141680120635, -0.20418578607348953, 0],
+      p3 at [1.1999999147867941, 1.0004522296838942, 0];
+plane l1: p1 on a1, a2, a3;
+plane l2: p2 on a1, a2, a3;
+plane l3: p3 on a1, a2, a3;
+body platform: p1, p2, p3;
+drive r1: length(a1 -> p1);
+drive r2: length(a2 -> p2);
+drive r3: length(a3 -> p3);
+'''
+unit = \"m\"
+time = { instants = [0.0] }
+drives = { r1 = 1.498, r2 = 1.538, r3 = 1.2 }
+";
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let places = |drives: [&str; 2]| {
+        let grid = drives.map(|drive| ["--drive", drive]).concat();
+        let sweep = [&["sweep", "a.toml", "--csv", "-"], &grid[..]].concat();
+        let table = rows(&run(folder.path(), &sweep).stdout);
+        let place = |row: &BTreeMap<String, f64>| {
+            let drives = ["r2_m", "r3_m"].map(|drive| (row[drive] * 1e6).round() as i64);
+            (drives, row["p1_x"])
+        };
+        table.iter().map(place).collect::<BTreeMap<_, _>>()
+    };
+    let (r2, r3) = ("r2=-1.3:1.3:27", "r3=-1.1:1.4:26");
+    let [one, other] = [places([r2, r3]), places([r3, r2])];
+    assert!(one.len() > 100 && other.len() > 100);
+    for (drives, x) in &one {
+        let same = other
+            .get(drives)
+            .is_none_or(|other| (other - x).abs() < 1e-9);
+        assert!(same, "{drives:?}");
     }
 }
 

@@ -245,3 +245,19 @@ fn a_point_that_its_slide_holds_is_told() {
     let output = met(folder.path(), &file("steered_axle", drives, &both));
     assert!(!text(&output.stderr).contains("did not go"), "{output:?}");
 }
+
+/// A point in two moves, and one that stays, are where they were put.
+#[test]
+fn a_point_of_several_moves_is_not_held() {
+    let each = |name: &str, along: &str| {
+        format!(
+            "[tune.moves.{name}]\npoints = [\"tie_ball\"]\nalong = \"{along}\"\nby = [-0.01, 0.01]\n"
+        )
+    };
+    for value in [0.0, 0.002] {
+        let folder = folder();
+        let tune = each("up", "z") + &each("out", "y") + &target("toe", value, 0.0001);
+        let output = tuned(folder.path(), &file("double_wishbone", DRIVES, &tune));
+        assert!(!text(&output.stderr).contains("did not go"), "{output:?}");
+    }
+}

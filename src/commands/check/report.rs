@@ -95,11 +95,15 @@ impl Report<'_> {
         let of_drives = equations
             .iter()
             .filter(|name| drives.contains(&name.as_str()));
+        let of_drives = of_drives.count();
+        let others = match drives.len() - of_drives {
+            0 => "",
+            _ => "; a drive of a chassis point adds none",
+        };
         format!(
-            "{} for {} unknowns, {} of them of drives",
+            "{} for {} unknowns, {of_drives} of them of drives{others}",
             equations.len(),
             unknowns.len(),
-            of_drives.count()
         )
     }
 

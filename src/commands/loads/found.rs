@@ -1,6 +1,5 @@
 //! What a load case does at each place.
 
-use crate::failure::Failure;
 use crate::loads::{Case, Outcome};
 
 /// A case with what it does at each place, in their order; `None` where the mechanism locks.
@@ -14,19 +13,10 @@ pub(super) struct Found<'a> {
 impl<'a> Found<'a> {
     /// # Errors
     ///
-    /// [`Failure::Solver`] where the case does nothing at any place.
-    pub(super) fn new(
-        file: &str,
-        case: &'a Case,
-        outcomes: Vec<Option<Outcome>>,
-    ) -> Result<Self, Failure> {
-        let Some(first) = outcomes.iter().flatten().next().cloned() else {
-            return Err(Failure::Solver(format!(
-                "{file}: load case `{}` has no answer: the drives lock, or the measure that is to bear the load of a drive does \
-                 not change with it",
-                case.name
-            )));
-        };
+    /// The case's name, where it does nothing at any place.
+    pub(super) fn new(case: &'a Case, outcomes: Vec<Option<Outcome>>) -> Result<Self, &'a str> {
+        let first = outcomes.iter().flatten().next().cloned();
+        let first = first.ok_or(case.name.as_str())?;
         Ok(Self {
             case,
             outcomes,
@@ -38,4 +28,18 @@ impl<'a> Found<'a> {
     pub(super) fn all(&self) -> Vec<&Outcome> {
         self.outcomes.iter().flatten().collect()
     }
+}
+
+/// What is said of cases without an answer; `None` where all have one.
+pub(super) fn without_answer(file: &str, cases: &[&str]) -> Option<String> {
+    let names: Vec<String> = cases.iter().map(|name| format!("`{name}`")).collect();
+    let what = match cases {
+        [] => return None,
+        [_] => "case",
+        _ => "cases",
+    };
+    Some(format!(
+        "{file}: load {what} {} no answer: the drives lock, or the measure that is to bear the load of a drive does not change with it",
+        names.join(", ") + if cases.len() == 1 { " has" } else { " have" }
+    ))
 }

@@ -85,7 +85,7 @@ const FILE: &str = r#"The file:
                                      # listing = "corner.linkage", a file of statements beside this one, or
                                      # statements = '''...''' with the statements themselves
   unit = "m"                         # or "mm" or "in": of all lengths here, and of results; no conversion
-  angle = "rad"                      # or "deg"; may be left out: of all angles here, and of results
+  angle = "rad"                      # or "deg"; "rad" if left out: of all angles here, and of results
   axes = "ISO 8855"                  # or "Adams" or "SAE"; may be left out: of all coordinates here, and of results
   [points]                           # chassis points, free points and markers, each by name
   p1 = [-1.396, -0.025, -0.082]
@@ -101,7 +101,7 @@ const FILE: &str = r#"The file:
   travel = "bump"                    # the drive that moves the wheel up and down; of several wheels one each,
                                      # { left = "bump_left", right = "bump_right" }; if left out, the drive
                                      # named bump_left or left_bump for the wheel left, or bump
-  steer = "steer"                    # the drive that steers it, likewise; if left out, steer_left or steer
+  steer = "steer"                    # the drive that steers it, likewise; if left out, steer_left, left_steer or steer
   wheelbase = 2.6                    # in the unit: Ackermann, turning circle
   axle = "front"                     # or "rear": with wheelbase and the next three anti-dive, anti-lift, anti-squat
   cg_height = 0.5                    # of the car's centre of gravity above the ground, in the unit

@@ -74,7 +74,9 @@ fn motion(mechanism: &Description, range: &DriveRange) -> String {
                 rounded(t, DIGITS)
             )
         }
-        None if mechanism.led_by.is_some() => "led by a measure, not by this drive".to_owned(),
+        None if mechanism.led_by.is_some() => {
+            "the file's motion is led by a measure: its end is not looked for".to_owned()
+        }
         None => format!(
             "the file's motion, carried on to {CARRIED_ON} times its duration, brings this drive to \
              neither end"

@@ -1,6 +1,7 @@
 //! The design position: where the mechanism is assembled and its markers are attached.
 
 use nalgebra::{SVector, Vector3};
+use suspension_core::directions::Directions;
 use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::local::LocalOrigin;
 use suspension_core::motion::Prescribed;
@@ -28,6 +29,15 @@ impl<L: Suspension<N>, const N: usize> Design<L, N> {
     /// The drives' values in the file's coordinates, from local ones.
     pub(super) fn given(&self, local: &L::Drives) -> Vec<f64> {
         given(&self.origin, &self.model, local)
+    }
+
+    /// How the points move for a unit of a drive; `None` where the mechanism locks.
+    pub(super) fn per(&self, drive: usize) -> Option<Vec<Vector3<f64>>> {
+        let change = L::Drives::from_values([]).with(drive, 1.0);
+        let moved = Directions::at(&self.model, self.drives, &self.q, |directions| {
+            directions.points(change)
+        });
+        Some(moved.ok()?.rate.values().collect())
     }
 
     /// What the linkage measures, in local coordinates.

@@ -62,10 +62,11 @@ impl Reader<'_> {
         }
         let statements = self.listing.statements();
         let statement = statements.iter().find(|statement| statement.name == part);
+        let ends = statement.and_then(Statement::ends);
+        if let (Some(ends), MassTable::Alone(mass)) = (ends, stated.get_ref()) {
+            return Ok(Mass::Rod(ends, *mass));
+        }
         match (statement, stated.get_ref()) {
-            (Some(link), MassTable::Alone(mass)) if let Some(ends) = link.ends() => {
-                Ok(Mass::Rod(ends, *mass))
-            }
             (Some(body), MassTable::OfBody(stated)) if is_body(body) => {
                 self.of_body(&body.points, stated, part)
             }

@@ -6,11 +6,12 @@ use nalgebra::Vector3;
 use suspension_core::Values;
 use suspension_runtime::Listing;
 
+use crate::load::design::Design;
 use crate::load::outlier::Outlier;
 use crate::load::task::Task;
 use crate::load::unsatisfied::Unsatisfied;
 use crate::load::wrong_side::only_on_wrong_side;
-use crate::mechanism::{Instants, Length, Wheel};
+use crate::mechanism::{Instants, Length, Suspension, Wheel};
 use crate::number::{number, rounded};
 
 /// No suspension is so large, in metres, nor so small.
@@ -56,8 +57,24 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
 }
 
 /// Notes on markers that are no points of a body.
-pub(super) fn loose_markers(task: &Task<'_>, listing: &Listing) -> Vec<String> {
-    let markers = listing.loose_markers().into_iter();
+pub(super) fn loose_markers<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    design: &Design<L, N>,
+    listing: &Listing,
+) -> Vec<String> {
+    let points: Vec<_> = design.points.values().collect();
+    let drives = 0..task.names.drives.len();
+    let rates: Vec<_> = drives.filter_map(|drive| design.per(drive)).collect();
+    let is_loose = |[_, from, to]: &[&str; 3]| {
+        let [from, to] = [from, to].map(|name| listing.point(name).unwrap_or_default());
+        let line = points[to] - points[from];
+        // How fast a distance changes that rounding alone changes, for a unit of a drive.
+        let grows = |rates: &Vec<Vector3<f64>>| {
+            (rates[to] - rates[from]).dot(&line).abs() > 1e-9 * line.norm()
+        };
+        rates.iter().any(grows)
+    };
+    let markers = listing.loose_markers().into_iter().filter(is_loose);
     let notes = markers.map(|[marker, from, to]| {
         format!(
             "{}: nothing keeps `{from}` and `{to}` apart, which carry `{marker}`: it moves with all three points, as no point of a body does",

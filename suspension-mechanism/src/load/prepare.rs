@@ -120,7 +120,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     };
     let mut notes = notes(&task, &guess, &design.points, design.off, outlier.as_ref());
     if let Some(statements) = statements {
-        notes.extend(loose_markers(&task, statements));
+        notes.extend(loose_markers(&task, &design, statements));
     }
     let sharing = sharing(&names, &design);
     notes.extend(said_of_wheels::notes(&task, &design, &sharing));

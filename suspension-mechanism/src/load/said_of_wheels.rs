@@ -2,7 +2,6 @@
 
 use nalgebra::Vector3;
 use suspension_core::Values;
-use suspension_core::directions::Directions;
 use suspension_motion_file::Torque;
 use toml::Spanned;
 
@@ -32,21 +31,14 @@ pub(super) fn notes<L: Suspension<N>, const N: usize>(
     let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
     let names_travel = vehicle.is_some_and(|vehicle| vehicle.travel.is_some());
     let names_steer = vehicle.is_some_and(|vehicle| vehicle.steer.is_some());
-    let by = |drive| {
-        let change = L::Drives::from_values([]).with(drive, 1.0);
-        let moved = Directions::at(&design.model, design.drives, &design.q, |directions| {
-            directions.points(change)
-        });
-        Some(moved.ok()?.rate.values().collect::<Vec<_>>())
-    };
     let of_wheel = |wheel: &Wheel| {
         let travel = wheel.travel.filter(|_| names_travel);
         let steer = wheel.steer.filter(|_| names_steer);
         [
-            travel.and_then(|drive| crossed(task, (wheel, drive), &by(drive)?)),
+            travel.and_then(|drive| crossed(task, (wheel, drive), &design.per(drive)?)),
             steer.and_then(|drive| {
                 let size = design.model.size();
-                unsteered(task, (wheel, drive), (&points, &by(drive)?), size)
+                unsteered(task, (wheel, drive), (&points, &design.per(drive)?), size)
             }),
         ]
     };

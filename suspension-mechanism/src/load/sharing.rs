@@ -1,8 +1,5 @@
 //! Which wheels move each other, as on a twist beam.
 
-use suspension_core::Values;
-use suspension_core::directions::Directions;
-
 use crate::load::design::Design;
 use crate::mechanism::{Names, Suspension};
 
@@ -16,11 +13,7 @@ pub(super) fn sharing<L: Suspension<N>, const N: usize>(
 ) -> Vec<bool> {
     let wheels = names.wheels.iter().enumerate();
     let moves_another = |(number, travel): (usize, usize)| {
-        let change = L::Drives::from_values([]).with(travel, 1.0);
-        let moved = Directions::at(&design.model, design.drives, &design.q, |directions| {
-            directions.points(change)
-        });
-        let rates: Vec<_> = moved.ok()?.rate.values().collect();
+        let rates = design.per(travel)?;
         let others = names.wheels.iter().enumerate();
         let others = others.filter(|(other, _)| *other != number);
         let mut points = others.flat_map(|(_, wheel)| wheel.points.carrier);

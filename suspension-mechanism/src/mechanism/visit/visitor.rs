@@ -79,28 +79,57 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
         self.end
     }
 
-    /// Visits places that are out of reach along one axis after the other from neighbours that are not.
+    /// Visits places that are out of reach along one axis after the other from neighbours that are not: none where two neighbours
+    /// lead to different assemblies of the same drives.
     fn visit_neighbours(&mut self) {
         let places = 0..self.positions.len();
         let mut reached: Vec<usize> = places.filter(|at| self.positions[*at].is_some()).collect();
+        let mut ways = Vec::new();
         while let Some(from) = reached.pop() {
             for to in self.grid.neighbours(from) {
                 if self.interrupted.load(Ordering::Relaxed) {
                     self.end.interrupted = true;
                     return;
                 }
-                if self.positions[to].is_none() && self.visit_from(from, to) {
+                if self.positions[to].is_some() {
+                    continue;
+                }
+                if let Some(place) = self.reach(from, to) {
+                    self.positions[to] = Some(place.motion.position);
+                    ways.push([from, to]);
                     reached.push(to);
                 }
             }
         }
+        if ways.iter().all(|[_, place]| self.is_one_assembly(*place)) {
+            let places = ways.iter().filter_map(|[from, to]| self.reach(*from, *to));
+            let places: Vec<_> = places.collect();
+            places.iter().for_each(|place| self.read_at(place));
+        } else {
+            ways.iter()
+                .for_each(|[_, place]| self.positions[*place] = None);
+        }
     }
 
-    /// Visits a place from another one; whether it is within reach from there.
-    fn visit_from(&mut self, from: usize, to: usize) -> bool {
-        let Some(position) = self.positions[from] else {
-            return false;
-        };
+    /// Whether all neighbours that lead to a place lead to the assembly that was reached there.
+    fn is_one_assembly(&self, place: usize) -> bool {
+        /// How far apart two are that rounding does not part, as a part of the mechanism's size.
+        const APART: f64 = 1e-6;
+        let mut neighbours = self.grid.neighbours(place);
+        neighbours.all(|from| {
+            let there = self
+                .reach(from, place)
+                .map(|reached| reached.motion.position);
+            let pair = there.zip(self.positions[place]);
+            pair.is_none_or(|(one, other)| {
+                (one - other).amax() < APART * self.mechanism.model.size()
+            })
+        })
+    }
+
+    /// A place as another one that was reached leads to it; `None` where that does not.
+    fn reach(&self, from: usize, to: usize) -> Option<Reached<N>> {
+        let position = self.positions[from]?;
         let [before, drives] = [from, to].map(|place| self.grid.drives_at(place));
         let moved = (0..).zip(drives.iter().copied());
         let moved = moved.filter(|(drive, value)| *value != before[*drive]);
@@ -109,21 +138,18 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
             positive_determinant: self.mechanism.start.positive_determinant,
             ..Motion::at_rest(position)
         };
-        let Ok(report) = self.mechanism.drive_to(&before, &moved, &mut motion) else {
-            return false;
-        };
-        let changes: Vec<_> = moved
+        let report = self.mechanism.drive_to(&before, &moved, &mut motion).ok()?;
+        let changes = moved
             .iter()
-            .map(|(drive, value)| (*drive, value - before[*drive]))
-            .collect();
-        self.read_at(&Reached {
+            .map(|(drive, value)| (*drive, value - before[*drive]));
+        let changes: Vec<_> = changes.collect();
+        Some(Reached {
             index: to,
             drives,
             arrival: Arrival::of(&motion, &changes),
             motion,
             residual: report.residual(),
-        });
-        true
+        })
     }
 
     /// Visits the places along the axes from `level` on, both ways from `here`.

@@ -108,7 +108,7 @@ catalogue! {
         name: "heave_rate",
         sign: "positive where the springs push back",
         definition: "of an axle whose wheels have drives of their own, the wheel rate of each wheel where both centres rise alike, half of \
-                     that of the axle: what ride frequencies follow from, without the anti-roll bar",
+                     that of the axle: what ride frequencies follow from; where both sides stand alike an anti-roll bar has no part in it",
         source: "virtual work",
         shown: Shown::InTables,
         read: |names| sprung::of_heave(names, |sprung| sprung.rate),
