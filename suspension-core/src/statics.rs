@@ -149,9 +149,9 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
     ///
     /// # Errors
     ///
-    /// Those of [`Statics::under`]; [`SolveError::Singular`] where a pivot is not above 8 times the square root of `EPSILON`, so near a
-    /// lock that rounding of the position alone changes the forces by their own size. [`Statics::new`] refuses about twice as far
-    /// from it, in 2 kB of code more.
+    /// Those of [`Statics::under`]; [`SolveError::Singular`] where a pivot is not above 8 times the square root of `EPSILON`.
+    /// [`Statics::new`] looks at what rounding of the position changes too, which takes more code: it refuses a little farther from
+    /// a lock.
     pub fn new(
         linkage: &'a L,
         drives: L::Drives,

@@ -147,7 +147,7 @@ impl dyn Kinematics + '_ {
         Visited { places, end }
     }
 
-    /// Reads the place where the mechanism starts; `None` where it locks there.
+    /// Reads the place where the mechanism starts; `None` where it locks there, and where the user interrupts.
     pub fn at_start<R>(&self, interrupted: &AtomicBool, read: &mut Read<'_, R>) -> Option<R> {
         let here = Grid::new(self, Vec::new(), From::Start).ok()?;
         let visited = self.visit(&here, Order::First, interrupted, read);

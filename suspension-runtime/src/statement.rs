@@ -58,13 +58,13 @@ impl Listing {
         moved.map(|site| self.place_of(site)).collect()
     }
 
-    /// The markers that points carry which are not rigid, each with two of these that nothing keeps apart, by name.
+    /// Markers, each with two of the points that carry it which no equation, no body and not the chassis keeps apart, by name.
     pub fn loose_markers(&self) -> Vec<[&str; 3]> {
         let system = self.system();
         let markers = system.markers.iter();
-        let loose = markers.filter_map(|marker| {
-            let [from, to] = system.loose_pair(&marker.frame)?;
-            Some([&marker.named.name, from, to].map(|name| name.as_str()))
+        let loose = markers.flat_map(|marker| {
+            let pairs = system.loose_pairs(&marker.frame).into_iter();
+            pairs.map(|[from, to]| [&marker.named.name, from, to].map(|name| name.as_str()))
         });
         loose.collect()
     }

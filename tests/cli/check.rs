@@ -208,4 +208,8 @@ fn a_marker_on_points_that_links_make_rigid_is_not_noted() {
     let output = check(&file.replace("drive bump", links), &[]);
     assert!(line(&output, "equations").contains("6 for 6"), "{output:?}");
     assert!(line(&output, "notes").ends_with("none"), "{output:?}");
+    let links = links.replace("q, front, post", "q, post, tip");
+    let output = check(&file.replace("drive bump", &links), &[]);
+    let note = line(&output, "note");
+    assert!(note.contains("nothing keeps `q` and `tip` apart"), "{note}");
 }

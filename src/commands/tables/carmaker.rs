@@ -39,7 +39,7 @@ pub(super) fn text(
         env!("CARGO_PKG_VERSION"),
     );
     // A wheel on the left that points inboard is turned to the right.
-    let turned = Vector3::new(wheel.roll, 0.0, -wheel.side * wheel.toe);
+    let turned = Vector3::new(wheel.about_x, 0.0, -wheel.side * wheel.toe);
     let steer = wheel.per_steer.as_ref();
     let mut row = |name: &str, value: f64, of: &dyn Fn(&Rates) -> f64| {
         let numbers = [value, of(&wheel.per_compression), steer.map_or(0.0, of)];

@@ -21,8 +21,9 @@ pub(super) struct Wheel {
     /// At the design position.
     pub(super) camber: f64,
     pub(super) toe: f64,
-    /// The rotation there about x as toe has turned it: the spin axis out of the plane of x and y, where camber is as seen from ahead.
-    pub(super) roll: f64,
+    /// The rotation there about x, once toe has turned the wheel about z: the angle between the spin axis and the plane of x and y.
+    /// Camber is that angle as seen from ahead.
+    pub(super) about_x: f64,
     /// At places of the travel, from below.
     pub(super) changes: Vec<Change>,
     pub(super) per_compression: Rates,
@@ -47,8 +48,8 @@ pub(super) struct Change {
 pub(super) struct Rates {
     /// Of the wheel centre.
     pub(super) velocity: Vector3<f64>,
-    /// Of the carrier: about x, y and z, by turns about z, then x, then the spin axis. The first is that of
-    /// [`Wheel::roll`], the last one that of toe.
+    /// Of the carrier: about x, y and z, by turns about z, then x, then the spin axis: the first is that of
+    /// [`Wheel::about_x`], the last one that of toe.
     pub(super) angles: Vector3<f64>,
     /// Of the measures.
     pub(super) measures: Vec<f64>,
@@ -165,7 +166,7 @@ impl Wheel {
             name: wheel.name.clone(),
             side: design.axis.y.signum(),
             camber: without_rounding(camber(&design.axis)),
-            roll: without_rounding(roll(&design.axis)),
+            about_x: without_rounding(about_x(&design.axis)),
             toe: without_rounding(toe(&design.axis)),
             changes,
             per_steer: of_steer.map(at_height).map(to_the_left),
@@ -223,7 +224,7 @@ fn angle_rates(omega: &Vector3<f64>, spin_axis: &Vector3<f64>) -> Vector3<f64> {
     Vector3::new(about_x, about_y, about_z)
 }
 
-/// See [`Wheel::roll`].
-fn roll(spin_axis: &Vector3<f64>) -> f64 {
+/// See [`Wheel::about_x`].
+fn about_x(spin_axis: &Vector3<f64>) -> f64 {
     spin_axis.y.signum() * spin_axis.z.atan2(spin_axis.xy().norm())
 }

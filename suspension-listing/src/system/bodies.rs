@@ -14,16 +14,16 @@ impl System {
         self.bodies.iter().find(has)
     }
 
-    /// Two points of a frame whose distance nothing keeps: no equation, no body, and not the chassis.
-    pub fn loose_pair<'f>(&self, [a, b, c]: &'f [Site; 3]) -> Option<[&'f Name; 2]> {
-        let is_loose = |[a, b]: &[&Site; 2]| {
+    /// The pairs of points of a frame that no equation, no body and not the chassis keeps apart. Several links together still may.
+    pub fn loose_pairs<'f>(&self, [a, b, c]: &'f [Site; 3]) -> Vec<[&'f Name; 2]> {
+        let is_loose = |[a, b]: &[&'f Site; 2]| {
             distance_between(&self.equations, &a.name, &b.name).is_none()
                 && self.body_of(&[a.name.clone(), b.name.clone()]).is_none()
                 && [a, b]
                     .into_iter()
                     .any(|site| site.motion != SiteMotion::Anchor)
         };
-        let mut pairs = [[a, b], [a, c], [b, c]].into_iter();
-        pairs.find(is_loose).map(|pair| pair.map(|site| &site.name))
+        let pairs = [[a, b], [a, c], [b, c]].into_iter().filter(is_loose);
+        pairs.map(|pair| pair.map(|site| &site.name)).collect()
     }
 }

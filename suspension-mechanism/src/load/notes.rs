@@ -62,9 +62,14 @@ pub(super) fn loose_markers<L: Suspension<N>, const N: usize>(
     design: &Design<L, N>,
     listing: &Listing,
 ) -> Vec<String> {
+    let mut markers = listing.loose_markers();
+    if markers.is_empty() {
+        return Vec::new();
+    }
     let points: Vec<_> = design.points.values().collect();
     let drives = 0..task.names.drives.len();
     let rates: Vec<_> = drives.filter_map(|drive| design.per(drive)).collect();
+    // Several links together may keep them apart.
     let is_loose = |[_, from, to]: &[&str; 3]| {
         let [from, to] = [from, to].map(|name| listing.point(name).unwrap_or_default());
         let line = points[to] - points[from];
@@ -74,11 +79,13 @@ pub(super) fn loose_markers<L: Suspension<N>, const N: usize>(
         };
         rates.iter().any(grows)
     };
-    let markers = listing.loose_markers().into_iter().filter(is_loose);
-    let notes = markers.map(|[marker, from, to]| {
+    markers.retain(is_loose);
+    markers.dedup_by_key(|[marker, ..]| *marker);
+    let name = task.source.name();
+    let notes = markers.iter().map(|[marker, from, to]| {
         format!(
-            "{}: nothing keeps `{from}` and `{to}` apart, which carry `{marker}`: it moves with all three points, as no point of a body does",
-            task.source.name()
+            "{name}: nothing keeps `{from}` and `{to}` apart, which carry `{marker}`: its distances from them change as they move; \
+             let a body carry it, or three points of one"
         )
     });
     notes.collect()

@@ -87,8 +87,7 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
         let mut ways = Vec::new();
         while let Some(from) = reached.pop() {
             for to in self.grid.neighbours(from) {
-                if self.interrupted.load(Ordering::Relaxed) {
-                    self.end.interrupted = true;
+                if self.is_interrupted() {
                     return;
                 }
                 if self.positions[to].is_some() {
@@ -101,14 +100,30 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
                 }
             }
         }
-        if ways.iter().all(|[_, place]| self.is_one_assembly(*place)) {
-            let places = ways.iter().filter_map(|[from, to]| self.reach(*from, *to));
-            let places: Vec<_> = places.collect();
-            places.iter().for_each(|place| self.read_at(place));
-        } else {
-            ways.iter()
-                .for_each(|[_, place]| self.positions[*place] = None);
+        for [_, place] in &ways {
+            if self.is_interrupted() {
+                return;
+            }
+            if !self.is_one_assembly(*place) {
+                ways.iter()
+                    .for_each(|[_, place]| self.positions[*place] = None);
+                return;
+            }
         }
+        // The way is gone once more: what is read of a place is larger than its position.
+        for [from, to] in ways {
+            if self.is_interrupted() {
+                return;
+            }
+            if let Some(place) = self.reach(from, to) {
+                self.read_at(&place);
+            }
+        }
+    }
+
+    fn is_interrupted(&mut self) -> bool {
+        self.end.interrupted |= self.interrupted.load(Ordering::Relaxed);
+        self.end.interrupted
     }
 
     /// Whether all neighbours that lead to a place lead to the assembly that was reached there.
@@ -176,8 +191,7 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
                 ..Motion::at_rest(here.motion.position)
             };
             for index in way {
-                if self.interrupted.load(Ordering::Relaxed) {
-                    self.end.interrupted = true;
+                if self.is_interrupted() {
                     return;
                 }
                 let mechanism = self.mechanism;

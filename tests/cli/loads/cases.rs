@@ -1,0 +1,107 @@
+//! What load cases may state, and several of them in one file.
+
+use super::super::program::{folder, rows, run, text};
+use super::{loaded, table};
+
+#[test]
+fn what_is_no_load_is_refused_with_its_place() {
+    for (case, expected) in [
+        ("", "no load case; write [loads.braking]"),
+        (
+            "[loads.a]\ncontakt = [0.0, 0.0, 1.0]\n",
+            "unknown place `contakt`; loads act at contact, ",
+        ),
+        ("[loads.a]\ncontact = [0.0, 1.0]\n", "a force [x, y, z]"),
+        (
+            "[loads.a]\ncontact = [0.0, nan, 1.0]\n",
+            "load `contact` is not finite",
+        ),
+        (
+            "[loads.a]\ncontact = 3.0\n",
+            "`contact` is a place: write a force [x, y, z] in N",
+        ),
+        (
+            "[loads.a]\ndamper = [0.0, 0.0, 1.0]\n",
+            "`damper` is a measure: write one number",
+        ),
+        (
+            "[loads.a]\nlower_front = [0.0, 0.0, 1.0]\n",
+            "`lower_front` is a chassis point",
+        ),
+        (
+            "[loads.a]\nrack = { moment = [1.0, 0.0, 0.0] }\n",
+            "`rack` is a chassis point",
+        ),
+        (
+            "[loads.a]\nbump = \"dampr\"\n",
+            "unknown measure `dampr`; known are damper, bar_arm; did you mean `damper`?",
+        ),
+        (
+            "[loads.\"../a\"]\ncontact = [0.0, 0.0, 1.0]\n",
+            "the name of a load case is part of names of files and columns; leave out `/`",
+        ),
+        (
+            "[loads.a]\nbum = \"damper\"\n",
+            "`bum` is no drive; the drives are bump, steer",
+        ),
+        (
+            "[loads.a]\nlower_ball = { moment = [1.0, 0.0, 0.0] }\n",
+            "several bodies join at `lower_ball`",
+        ),
+    ] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), loaded(case)).expect("written");
+        let output = run(folder.path(), &["loads", "a.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{case}: {output:?}");
+        assert!(
+            text(&output.stderr).contains(expected),
+            "{expected}: {output:?}"
+        );
+    }
+}
+
+/// Cases differ in what bears their loads, and so do their columns.
+#[test]
+fn each_case_has_its_own_columns() {
+    let cases = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\nbump = \"damper\"\n[loads.b]\ncontact = [0.0, 0.0, 4000.0]\n";
+    let row = &table(&loaded(cases), &[])[0];
+    assert!(row.contains_key("a_damper_N") && !row.contains_key("b_damper_N"));
+    assert!(row["a_bump_N"].abs() < 1e-8 && (row["b_bump_N"] - 4000.0).abs() < 100.0);
+    // The pushrod passes the load on to the damper, and carries nothing where the drive bears it.
+    assert!(row["a_pushrod_N"] < -1000.0 && row["b_pushrod_N"].abs() < 1e-8);
+}
+
+#[test]
+fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
+    let folder = folder();
+    // The bar's arm is tied to the rocker, which steering does not move where the wheel stays.
+    let case = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\nsteer = \"bar_arm\"\nbump = \"damper\"\n";
+    std::fs::write(folder.path().join("a.toml"), loaded(case)).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml", "--csv", "a.csv"]);
+    let is_told = text(&output.stderr).contains("load case `a` has no answer");
+    assert!(is_told && output.status.code() == Some(3), "{output:?}");
+    assert!(!folder.path().join("a.csv").exists());
+    // Other cases have theirs.
+    let other = format!("{case}[loads.b]\ncontact = [0.0, 0.0, 4000.0]\n");
+    std::fs::write(folder.path().join("a.toml"), loaded(&other)).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml", "--csv", "a.csv"]);
+    let is_told = text(&output.stderr).contains("load case `a` has no answer");
+    assert!(is_told && output.status.code() == Some(3), "{output:?}");
+    let beyond = [
+        "loads",
+        "a.toml",
+        "--csv",
+        "a.csv",
+        "--drive",
+        "bump=-0.3:0.3:7",
+    ];
+    let output = run(folder.path(), &beyond);
+    let said = text(&output.stderr);
+    assert!(
+        said.contains("load case `a` has no answer") && said.contains("out of reach"),
+        "{said}"
+    );
+    let row = &rows(&std::fs::read(folder.path().join("a.csv")).expect("a table"))[0];
+    assert!(row.contains_key("b_bump_N") && !row.contains_key("a_bump_N"));
+    assert!(text(&output.stdout).contains("tie_rod"), "{output:?}");
+}
