@@ -17,6 +17,7 @@ mod subsystem;
 mod table;
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -24,7 +25,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::load::load;
-use crate::mechanism::{self, Axes, Length};
+use crate::mechanism::{Axes, Length};
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
 use axle::Axle;
 use choice::choose;
@@ -198,20 +199,14 @@ fn written_out(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
     let unmoved = file(&draft.text(&vec![0.0; draft.drives()]));
     let text = draft.text(&load(&unmoved)?.at_design_without_notes()?.design);
     let written = file(&text);
-    note_spin_axis(&load(&written)?.at_design()?.names);
-    Ok(text)
-}
-
-/// Says which line stands in for the spin axis where that is of two points of the hardpoint file.
-fn note_spin_axis(names: &mechanism::Names) {
-    if let Some([inner, centre]) = names.wheels.first().map(|wheel| wheel.points.axis)
-        && inner < names.chassis + names.free
-    {
-        let [inner, centre] = [inner, centre].map(|point| &names.points[point]);
+    let loaded = load(&written)?;
+    loaded.at_design()?;
+    if let Some(why) = loaded.own_motion_ends(&AtomicBool::new(false))? {
         tell(format_args!(
-            "note: camber and toe are those of the line from {inner} to {centre} in this layout"
+            "note: {why}; state a shorter motion under [drives]"
         ));
     }
+    Ok(text)
 }
 
 const NOTES: &str = "\

@@ -120,15 +120,15 @@ fn two_commands_lead_from_adams_names_to_the_sheet() {
     // At the design position the wheel stands as the file says, and the kingpin as the ball joints do.
     let design = &motion[0];
     let close = |name: &str, expected: f64| {
-        let off = (design[name].to_degrees() - expected).abs();
+        let off = (design[name] - expected).abs();
         assert!(off < 1e-9, "{name} is {off:e} deg off");
     };
-    close("toe_rad", -0.2);
-    close("kingpin_rad", (25.0_f64).atan2(202.0).to_degrees());
-    close("caster_rad", (18.0_f64).atan2(202.0).to_degrees());
+    close("toe_deg", -0.2);
+    close("kingpin_deg", (25.0_f64).atan2(202.0).to_degrees());
+    close("caster_deg", (18.0_f64).atan2(202.0).to_degrees());
     // Adams/Car turns the wheel by toe, then by camber, which is to the ground.
     let camber = (1.2_f64.to_radians().tan() / 0.2_f64.to_radians().cos()).atan();
-    close("camber_rad", -camber.to_degrees());
+    close("camber_deg", -camber.to_degrees());
     let length = (2.0_f64.powi(2) + 190.0_f64.powi(2) + 15.0_f64.powi(2)).sqrt();
     assert!((design["damper_mm"] - length).abs() < 1e-9);
 }
@@ -174,12 +174,61 @@ fn every_listing_is_found_by_its_own_names() {
         assert_eq!(imported.points(), expected.collect(), "{linkage}");
         let told = "camber and toe are those of the line from upper_rear_outer to wheel_centre";
         assert_eq!(imported.notes.contains(told), *linkage == "five_link");
+        let head = std::fs::read_to_string(folder.path().join("motion.toml")).expect("written");
+        assert_eq!(head.contains(&format!("# {told}")), *linkage == "five_link");
         let output = run(
             folder.path(),
             &["sheet", "motion.toml", "--travel", "0:0.001"],
         );
         assert_eq!(output.status.code(), Some(0), "{linkage}: {output:?}");
     }
+}
+
+#[test]
+fn angles_of_drives_are_in_degrees_and_start_at_the_design_position() {
+    let folder = folder();
+    let listed = listed("five_link");
+    let points: Vec<_> = listed
+        .iter()
+        .map(|(name, at)| (name.as_str(), *at))
+        .collect();
+    let imported = import(
+        folder.path(),
+        "own.csv",
+        &table(&points),
+        &["--linkage", "five_link"],
+    );
+    assert_eq!(imported.text("angle"), "deg");
+    let [rise, reach] = [0.027 + 0.082, 0.400 + 0.025].map(f64::abs);
+    let length = f64::hypot(f64::hypot(-1.315 + 1.396, reach), rise);
+    let start = imported.motion["drives"]["theta"][0]
+        .as_float()
+        .expect("a number");
+    assert!(
+        (start - (rise / length).acos().to_degrees()).abs() < 1e-12,
+        "{start}"
+    );
+}
+
+#[test]
+fn a_motion_that_reaches_a_lock_is_noted() {
+    let folder = folder();
+    let small = CORNER.map(|(name, at)| (name, at.map(|coordinate| coordinate / 8.0)));
+    let imported = import(folder.path(), "own.csv", &table(&small), &["--unit", "mm"]);
+    assert!(
+        imported
+            .notes
+            .contains("the drive `bump` locks at +10.13 mm"),
+        "{}",
+        imported.notes
+    );
+    assert!(
+        imported
+            .notes
+            .contains("; state a shorter motion under [drives]"),
+        "{}",
+        imported.notes
+    );
 }
 
 #[test]

@@ -35,10 +35,10 @@ couple rack:        left_rack.y = right_rack.y;
 drive steer: left_rack.y;
 ";
 
-/// What is said above a corner's listing, whose coordinates are those of the catalogue.
+/// What is said above a corner's listing, which states no coordinates.
 const ABOVE_CORNER: &str = "\
-// A corner of the axle: statements of the catalogue, without a rack of its own. The hardpoints are those of the motion file
-// that includes it, under [points]; the coordinates here only hold where it states none.
+//! A corner of the axle: statements of the catalogue, without a rack of its own. The motion file that includes it states the
+//! hardpoints, under [points].
 ";
 
 /// A point of layouts with an anti-roll bar, and how much that is twisted. The bar's middle may be in the middle of the
@@ -65,7 +65,7 @@ impl Axle {
         let name = name_of(out);
         let name = format!("{name}_corner.linkage");
         let corner = choice.text.replace(RACK, FREE_RACK).replace(STEER, "");
-        let corner = format!("{ABOVE_CORNER}{corner}");
+        let corner = format!("{ABOVE_CORNER}{}", without_places(&corner));
         Self {
             statements: mirrored(&format!("{name:?}")) + SHARED_RACK,
             corner: Some((out.with_file_name(name), corner)),
@@ -136,4 +136,18 @@ impl Axle {
             ))
         })
     }
+}
+
+/// The statements of a layout of the catalogue without their coordinates, which are in metres, and without what is said above them.
+fn without_places(text: &str) -> String {
+    let statements = text.lines().skip_while(|line| line.starts_with("//!"));
+    let unplaced = statements.map(|line| {
+        let mut line = line.to_owned();
+        while let Some(at) = line.find(" at [") {
+            let end = line[at..].find(']').map_or(line.len(), |end| at + end + 1);
+            line.replace_range(line[..at].trim_end().len()..end, "");
+        }
+        line + "\n"
+    });
+    unplaced.collect()
 }

@@ -27,9 +27,9 @@ pub(super) struct Draft<'a> {
     wheel_radius: Option<[String; 2]>,
 }
 
-/// How far the travel goes in the motion, m and rad.
+/// How far the travel goes in the motion, m and degrees.
 const TRAVEL: f64 = 0.03;
-const TURN: f64 = 0.1;
+const TURN: f64 = 5.0;
 
 /// The drive of travel where no drive has another name.
 const BUMP: &str = "bump";
@@ -55,6 +55,17 @@ fn wheel_radius(imported: &Imported<'_>) -> Option<[String; 2]> {
     } = imported;
     let radius = number(stated, names, "wheel_radius", corner.side)?;
     Some([format!("{:?}", radius.value), stated.line(&radius.place)])
+}
+
+/// Which line stands in for the spin axis where that is of two points of the hardpoint file.
+fn spin_axis_between_hardpoints(listing: &Listing) -> Option<String> {
+    let [inner, centre] = listing.wheel(0)?.axis;
+    let moving = [Kind::ChassisPoint, Kind::FreePoint].map(|kind| listing.count(kind));
+    let [inner, centre] = (inner < moving.iter().sum())
+        .then_some([inner, centre])?
+        .map(|point| listing.name(Part::Point(point)));
+    let line = format!("the line from {inner} to {centre}");
+    Some(format!("camber and toe are those of {line} in this layout"))
 }
 
 impl<'a> Draft<'a> {
@@ -100,6 +111,7 @@ impl<'a> Draft<'a> {
         let (unit, _) = imported.unit();
         let mut remarks = imported.of_file();
         remarks.extend(of_corners);
+        remarks.extend(spin_axis_between_hardpoints(listing));
         if wheel_radius.is_none() {
             remarks.push("the file has no tire_radius; wheel_radius under [vehicle] gives what needs the ground".to_owned());
         }
@@ -114,7 +126,7 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// The file, the drives starting where they are at the design position.
+    /// The file, the drives starting where they are at the design position, whose values are in radians where they are angles.
     pub(super) fn text(&self, design: &[f64]) -> String {
         let mut text = format!("# Of {}, by suspension import:\n", self.source);
         for remark in &self.remarks {
@@ -122,6 +134,7 @@ impl<'a> Draft<'a> {
         }
         line(&mut text, format_args!("{}", self.stated));
         line(&mut text, format_args!("unit = \"{}\"", self.unit.symbol()));
+        text += "angle = \"deg\"\n";
         line(&mut text, format_args!("\n[points]"));
         for [name, position, remark] in &self.points {
             line(&mut text, format_args!("{name} = {position}  # {remark}"));
@@ -145,9 +158,9 @@ impl<'a> Draft<'a> {
         text += "\n# In seconds.\n[time]\nstart = 0.0\nstop = 1.0\nstep = 0.02\n";
         text += "\n# The drives' own values, which start at the design position; polynomials of time.\n[drives]\n";
         for (drive, start) in design.iter().enumerate() {
-            let rate = match self.listing.drive_kind(drive) {
-                DriveKind::Coordinate => TRAVEL * self.unit.metre(),
-                DriveKind::Angle | DriveKind::Turn => TURN,
+            let (start, rate) = match self.listing.drive_kind(drive) {
+                DriveKind::Coordinate => (*start, TRAVEL * self.unit.metre()),
+                DriveKind::Angle | DriveKind::Turn => (start.to_degrees(), TURN),
             };
             let name = self.drive(drive);
             if self.is_travel(drive) {

@@ -41,7 +41,9 @@ impl Chosen {
         let (name, listing) = match (&file.linkage, &file.listing, &file.statements) {
             (Some(name), ..) => (name.get_ref().clone(), of_catalogue(source, file, name)?),
             (None, Some(path), _) => of_file(source, file, path)?,
-            (None, None, Some(text)) => ("statements".to_owned(), of_text(source, file, text)?),
+            (None, None, Some(text)) => {
+                (stem(Path::new(source.name())), of_text(source, file, text)?)
+            }
             (None, None, None) => return Err(source.refuse(place, "no listing")),
         };
         let axes = match file.linkage {
@@ -136,10 +138,13 @@ fn of_file(
     included::check_unit(source, file, place, &parsed)?;
     let (listing, _) = parsed;
     check_places(&text, &listing, file)?;
-    let name = path
-        .file_stem()
-        .map_or("listing".into(), |stem| stem.to_string_lossy());
-    Ok((name.into_owned(), listing))
+    Ok((stem(&path), listing))
+}
+
+/// What a listing is called that is in a file, or in a motion file.
+fn stem(file: &Path) -> String {
+    let stem = file.file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
 }
 
 /// Two points in one place are the listing's mistake where the motion file states neither.

@@ -67,7 +67,7 @@ fn two_commands_lead_from_a_file_of_both_sides_to_the_sheet_of_the_axle() {
     }
     // At the design position, by hand: the contact points stand below the wheel's lean.
     let design = &swept(path, "front.toml", &["steer=0"])[0];
-    assert_near(design["total_toe_rad"], 0.6_f64.to_radians(), "total toe");
+    assert_near(design["total_toe_deg"], 0.6, "total toe");
     let lean = (-1.2_f64).to_radians().sin() * 0.3_f64.to_radians().cos();
     assert_near(design["track_mm"], 2.0 * (610.0 - 229.0 * lean), "track");
 }
@@ -87,12 +87,12 @@ fn each_side_is_the_corner_alone_and_the_rack_is_one() {
     );
     assert_eq!((alone.len(), both.len()), (9, 9));
     let quantities = [
-        "camber_rad",
-        "toe_rad",
-        "caster_rad",
+        "camber_deg",
+        "toe_deg",
+        "caster_deg",
         "damper_mm",
         "tie_ball_z_mm",
-        "camber_rad_per_bump",
+        "camber_deg_per_bump",
     ];
     let mut compared = 0;
     for (place, row) in both.iter().enumerate() {
@@ -150,8 +150,8 @@ fn every_corner_of_the_catalogue_makes_an_axle_within_the_limits() {
         for row in &rows {
             assert!(row["residual_m"] < 1e-12, "{linkage}: {row:?}");
         }
-        assert_near(design["right_toe_rad"], design["left_toe_rad"], linkage);
-        assert_near(moved["right_toe_rad"], design["right_toe_rad"], linkage);
+        assert_near(design["right_toe_deg"], design["left_toe_deg"], linkage);
+        assert_near(moved["right_toe_deg"], design["right_toe_deg"], linkage);
         assert!(
             moved["left_wheel_centre_z"] > design["left_wheel_centre_z"] + 1e-4
                 || *linkage == "five_link"
@@ -197,8 +197,8 @@ fn a_bar_of_both_sides_is_halved() {
         heave.abs() < 1e-6 * roll.abs() && roll.abs() > 100.0,
         "{heave} {roll}"
     );
-    assert_near(both_up["bar_twist_rad"], design["bar_twist_rad"], "twist");
-    assert!(design["roll_rate_Nm_rad"] > 0.0, "{design:?}");
+    assert_near(both_up["bar_twist_deg"], design["bar_twist_deg"], "twist");
+    assert!(design["roll_rate_Nm_deg"] > 0.0, "{design:?}");
 }
 
 #[test]
@@ -265,4 +265,41 @@ fn what_cannot_be_built_leaves_all_as_it_was() {
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     let kept = std::fs::read_to_string(path.join("a_corner.linkage"));
     assert_eq!(kept.expect("there"), "mine");
+}
+
+/// The catalogue's coordinates are in metres, and the motion file in the unit of the hardpoint file.
+#[test]
+fn a_point_that_is_deleted_from_an_axle_does_not_come_from_the_catalogue() {
+    let folder = folder();
+    let path = folder.path();
+    import(path, "front.csv", &symmetric(), &["--axle"]);
+    let listing = std::fs::read_to_string(path.join("motion_corner.linkage")).expect("a listing");
+    assert!(
+        !listing.contains(" at ") && !listing.contains("metres"),
+        "{listing}"
+    );
+    let motion = std::fs::read_to_string(path.join("motion.toml")).expect("a motion file");
+    let without = motion
+        .lines()
+        .filter(|line| !line.starts_with("left_rocker_rear"));
+    let without: Vec<&str> = without.collect();
+    assert_eq!(without.len() + 1, motion.lines().count());
+    std::fs::write(path.join("without.toml"), without.join("\n")).expect("written");
+    let output = run(path, &["check", "without.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let expected = "point `left_rocker_rear` has no position";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
+}
+
+#[test]
+fn statements_in_a_motion_file_are_called_as_the_file() {
+    let folder = folder();
+    let path = folder.path();
+    import(path, "front.csv", &symmetric(), &["--axle"]);
+    let output = run(path, &["check", "motion.toml"]);
+    let report = text(&output.stdout);
+    assert!(
+        report.starts_with("motion.toml: motion, lengths in mm"),
+        "{report}"
+    );
 }

@@ -48,13 +48,13 @@ fn numbers_of_each_side_stay_with_it() {
     );
     let design = &swept(folder.path(), "motion.toml", &["steer=0"])[0];
     assert_near(
-        design["left_camber_rad"],
-        (-1.0_f64).to_radians(),
+        design["left_camber_deg"],
+        -1.0,
         "left camber",
     );
     assert_near(
-        design["right_camber_rad"],
-        (-1.5_f64).to_radians(),
+        design["right_camber_deg"],
+        -1.5,
         "right camber",
     );
     let radius = imported.motion["vehicle"]["wheel_radius"]
