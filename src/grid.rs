@@ -123,7 +123,6 @@ fn stated(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Gr
 
 /// Doubts about the values that options give drives, in words.
 fn doubts(mechanism: &dyn Kinematics, swept: &[Swept], absolute: bool) -> Vec<String> {
-    let size = Coordinate::extent(mechanism.points());
     let (from, way) = if absolute {
         (From::Zero, "; leave out --absolute to state changes")
     } else {
@@ -131,20 +130,32 @@ fn doubts(mechanism: &dyn Kinematics, swept: &[Swept], absolute: bool) -> Vec<St
     };
     let of_one = |of_one: &Swept| {
         let (name, _) = of_one.drives().next()?;
-        let drives = mechanism.names.drives.iter().zip(&mechanism.design);
-        let (drive, design) = drives.into_iter().find(|(drive, _)| drive.name == name)?;
-        let coordinate = Coordinate {
-            name,
-            design: *design,
-            size,
-            unit: mechanism.unit.length,
-        };
+        let drive = mechanism.names.chosen_drive(Some(name)).ok()?;
         let ends = [of_one.from.min(of_one.to), of_one.from.max(of_one.to)];
-        let is_one = drive.kind == DriveKind::Coordinate;
-        is_one.then(|| coordinate.doubt(ends, from, way)).flatten()
+        doubt(mechanism, drive, ends, from, way)
     };
     let doubts = swept.iter().filter_map(of_one);
     doubts.map(|doubt| format!("--drive: {doubt}")).collect()
+}
+
+/// What is doubtful in the values between two that a drive is to take, which are in the file's unit and count `from`; `way`
+/// says what to write instead.
+pub fn doubt(
+    mechanism: &dyn Kinematics,
+    drive: usize,
+    ends: [f64; 2],
+    from: From,
+    way: &str,
+) -> Option<String> {
+    let named = &mechanism.names.drives[drive];
+    let coordinate = Coordinate {
+        name: &named.name,
+        design: mechanism.design[drive],
+        size: Coordinate::extent(mechanism.points()),
+        unit: mechanism.unit.length,
+    };
+    let is_one = named.kind == DriveKind::Coordinate;
+    is_one.then(|| coordinate.doubt(ends, from, way)).flatten()
 }
 
 #[cfg(test)]

@@ -9,9 +9,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::bake::source::{About, Ranged, Sheet, Table};
 use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
+use crate::file::tell;
+use crate::grid::doubt;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Angle, Description, Unit};
-use crate::number::exact;
+use crate::mechanism::{Angle, Description, From, Unit};
+use crate::number::{exact, rounded};
 
 pub use measure::WishedMeasure;
 
@@ -196,7 +198,20 @@ impl Ordered<'_> {
         if let Some(bounds) = bounds.find_map(|end| angle.bounds_exceeded(kind, end)) {
             return Err(self.refuse(&format!("{in_words}: {bounds}")));
         }
+        if let [Some(from), Some(to)] = wished.range {
+            self.note_doubt(drive, [from, to]);
+        }
         Ok(range)
+    }
+
+    /// Says where a range seems to count from the design position, as those of other commands do.
+    fn note_doubt(&self, drive: usize, range: [f64; 2]) {
+        let design = self.mechanism.design[drive];
+        let [from, to] = range.map(|end| rounded(design + end, DIGITS));
+        let way = format!("; changes from there are --from {from} --to {to}");
+        if let Some(doubt) = doubt(self.mechanism, drive, range, From::Zero, &way) {
+            tell(format_args!("note: {}: {doubt}", self.file));
+        }
     }
 
     /// A drive's value in the file's coordinates, from a local one.

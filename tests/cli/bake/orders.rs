@@ -113,3 +113,24 @@ fn wrong_orders_are_exit_code_2_and_one_sentence() {
         "{message}"
     );
 }
+
+/// Other commands count from the design position.
+#[test]
+fn a_range_that_seems_to_count_from_the_design_is_noted_with_the_one_that_does() {
+    let folder = folder();
+    std::fs::write(
+        folder.path().join("a.toml"),
+        example("double_wishbone.toml"),
+    )
+    .expect("written");
+    let bake = |range: &str| {
+        let output = run(folder.path(), &["bake", "a.toml", "--drive", range]);
+        text(&output.stderr).to_owned()
+    };
+    let said = bake("bump=-0.03:0.03");
+    let expected = "note: a.toml: `bump` takes the drive's own value, not a change from the design position: `bump` is 0.3 m at \
+                    the design position; changes from there are --from 0.27 --to 0.33\n";
+    assert!(said.starts_with(expected), "{said}");
+    let said = bake("bump=0.27:0.33");
+    assert!(!said.contains("note:"), "{said}");
+}

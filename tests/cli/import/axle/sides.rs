@@ -47,16 +47,8 @@ fn numbers_of_each_side_stay_with_it() {
         imported.notes
     );
     let design = &swept(folder.path(), "motion.toml", &["steer=0"])[0];
-    assert_near(
-        design["left_camber_deg"],
-        -1.0,
-        "left camber",
-    );
-    assert_near(
-        design["right_camber_deg"],
-        -1.5,
-        "right camber",
-    );
+    assert_near(design["left_camber_deg"], -1.0, "left camber");
+    assert_near(design["right_camber_deg"], -1.5, "right camber");
     let radius = imported.motion["vehicle"]["wheel_radius"]
         .as_table()
         .expect("a table");
