@@ -258,7 +258,8 @@ Load cases are tables of the motion file, a line for each load:
   contact = [-3000.0, 0.0, 4000.0]     # N, in the file's axes, where the tyre touches the ground
   wheel_centre = { force = [0.0, 500.0, 0.0], moment = [0.0, -90.0, 0.0] }   # N, and N m, at a point of a body
   bump_stop = 1200.0                   # N in a measured length, pushing its ends apart
-  bump = \"damper\"                    # the spring along the measure damper carries the wheel, not the drive bump
+  bump = \"damper\"                    # the spring along the measure damper carries the wheel, not the drive bump; a spring of
+                                     # [springs] may be named too
 
 A load acts at a point of the listing by its name, at `contact` (left_contact of a wheel named left; the file states
 wheel_radius under [vehicle]), or in a measure: a number, positive where it makes the measure larger, N m of an angle.

@@ -10,7 +10,7 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::{Load, MotionFile, Source, Wrench, in_order};
 use crate::loads::{Case, Site};
-use crate::mechanism::{Description, Wheel};
+use crate::mechanism::{Description, Spring, Wheel};
 
 /// Where a wheel touches the ground, in the names of loads.
 const CONTACT: &str = "contact";
@@ -111,19 +111,31 @@ impl Reader<'_> {
                 let load = [Vector3::from(*force), Vector3::from(*moment)];
                 case.at.push((site, load));
             }
-            (Load::By(by), _) => match (drive, measure(by)) {
+            (Load::By(by), _) => match (drive, measure(by).or(self.measure_of_spring(by))) {
                 (Some(drive), Some(measure)) => case.borne_by.push((drive, measure)),
                 (None, _) => {
                     let drives = self.mechanism.names.of_drives().join(", ");
                     return refuse(format!("`{name}` is no drive; the drives are {drives}"));
                 }
                 (_, None) => {
-                    let measures = self.mechanism.names.of_measures();
-                    return refuse(unknown("measure", by, &measures));
+                    let mut known = self.mechanism.names.of_measures();
+                    known.extend(self.springs().map(|spring| spring.name.as_str()));
+                    return refuse(unknown("measure or spring", by, &known));
                 }
             },
         }
         Ok(())
+    }
+
+    fn springs(&self) -> impl Iterator<Item = &Spring> {
+        self.mechanism.names.vehicle.springs.iter()
+    }
+
+    /// The measure along which a spring of that name acts.
+    fn measure_of_spring(&self, name: &str) -> Option<usize> {
+        let mut springs = self.springs();
+        let spring = springs.find(|spring| spring.name == name)?;
+        Some(spring.measure)
     }
 
     /// What a field that the case states adds: gravity in place of the usual one, and the chassis' acceleration, m/s^2.

@@ -1,7 +1,7 @@
 //! What load cases may state, and several of them in one file.
 
 use super::super::program::{folder, rows, run, text};
-use super::{loaded, table};
+use super::{GRID, loaded, table};
 
 #[test]
 fn what_is_no_load_is_refused_with_its_place() {
@@ -34,7 +34,7 @@ fn what_is_no_load_is_refused_with_its_place() {
         ),
         (
             "[loads.a]\nbump = \"dampr\"\n",
-            "unknown measure `dampr`; known are damper, bar_arm; did you mean `damper`?",
+            "unknown measure or spring `dampr`; known are damper, bar_arm; did you mean `damper`?",
         ),
         (
             "[loads.\"../a\"]\ncontact = [0.0, 0.0, 1.0]\n",
@@ -58,6 +58,19 @@ fn what_is_no_load_is_refused_with_its_place() {
             "{expected}: {output:?}"
         );
     }
+}
+
+/// A spring has a name of its own beside that of the measure along which it acts.
+#[test]
+fn what_bears_the_load_may_be_named_as_a_spring() {
+    let springs = "[springs.coil]\nalong = \"damper\"\nrate = 28000.0\nload = 3800.0\n";
+    let case = |by: &str| {
+        let case = format!("[loads.a]\ncontact = [0.0, 0.0, 4000.0]\nbump = \"{by}\"\n");
+        loaded(&format!("{springs}{case}"))
+    };
+    let by_measure = table(&case("damper"), &GRID);
+    assert!(by_measure[0].contains_key("a_damper_N"));
+    assert_eq!(by_measure, table(&case("coil"), &GRID));
 }
 
 /// Cases differ in what bears their loads, and so do their columns.
