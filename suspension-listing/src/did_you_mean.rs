@@ -19,7 +19,7 @@ pub fn unknown(what: &str, wanted: &str, known: &[&str]) -> String {
     format!("unknown {what} `{wanted}`; known are {known}{hint}")
 }
 
-/// The known name that is nearest, or else the only one that has a word in common.
+/// The known name that is nearest, or else the longest whose words the wanted one has, or the only one with a word in common.
 pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // A name that is known may stand where another kind is wanted.
     let known = known.into_iter().filter(|name| *name != wanted);
@@ -30,7 +30,9 @@ pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Op
     };
     let near = known.iter().filter_map(|name| Some((off(name)?, *name)));
     let nearest = near.min_by_key(|(off, _)| *off).map(|(_, name)| name);
-    nearest.or_else(|| {
+    let within = known.iter().filter(|name| has_words_of(wanted, name));
+    let within = within.max_by_key(|name| name.len()).copied();
+    nearest.or(within).or_else(|| {
         let mut related = known.iter().filter(|name| share_a_word(wanted, name));
         related.next().filter(|_| related.next().is_none()).copied()
     })
@@ -54,6 +56,12 @@ fn is_within(off: usize, a: &[u8], b: &[u8]) -> bool {
                 || is_within(off - 1, a, rest_of_b)
         }
     }
+}
+
+/// Whether a name has all words of another one, which are no mere letters.
+fn has_words_of(a: &str, b: &str) -> bool {
+    let mut words = b.split('_');
+    words.all(|word| word.len() > MISTYPED && a.split('_').any(|other| other == word))
 }
 
 /// Whether two names have a word in common that is no mere letter or two.

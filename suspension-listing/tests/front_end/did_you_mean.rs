@@ -46,3 +46,19 @@ fn letters_in_another_order_are_one_mistake() {
     assert!(!is_near("link", "lnki") && is_near("links", "lnkis"));
     assert!(!is_near("links", "lnkit"));
 }
+
+#[test]
+fn a_name_with_a_word_too_many_is_taken_for_the_one_without_it() {
+    let known = [
+        "camber",
+        "camber_to_ground",
+        "toe",
+        "total_toe",
+        "roll_centre",
+    ];
+    assert_eq!(nearest("toe_angle", known), Some("toe"));
+    assert_eq!(nearest("camber_angle", known), Some("camber"));
+    assert_eq!(nearest("total_toe_angle", known), Some("total_toe"));
+    assert_eq!(nearest("roll_centre_height", known), Some("roll_centre"));
+    assert_eq!(nearest("front_camber_toe", ["a", "x_y"]), None);
+}
