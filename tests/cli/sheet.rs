@@ -41,7 +41,12 @@ fn design_values_derivatives_and_curves_are_on_one_page() {
         per_bump.is_ok_and(|per_bump| per_bump < -0.5),
         "{of_roll_centre:?}"
     );
-    for heading in ["Over bump", "Over steer", "motion ratio: damper per bump"] {
+    for heading in [
+        "Over bump",
+        "Over steer",
+        "motion ratio: damper per bump",
+        "<code>toe</code>: of the spin axis",
+    ] {
         assert!(page.contains(heading), "{heading}");
     }
     assert!(page.matches("<svg").count() > 40, "curves");

@@ -7,6 +7,7 @@ use crate::characteristics::{Curves, Derivative, Line, Parameter, Way};
 use crate::mechanism::{Description, Names};
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
+use crate::quantities::Quantity;
 
 /// All that the page shows.
 pub(super) struct Page<'a> {
@@ -117,7 +118,7 @@ impl Page<'_> {
                     }
                     @let next = groups.get(number + 1).map(|next| next[0].quantity);
                     @if !next.is_some_and(|next| std::ptr::eq(next, group[0].quantity)) {
-                        tr.definition { td colspan=(columns) { (definition(group[0])) } }
+                        tr.definition { td colspan=(columns) { (definition(group[0].quantity)) } }
                     }
                 }
             }
@@ -194,11 +195,17 @@ fn symbol(derivative: Option<&Derivative>) -> &str {
     derivative.map_or("", |derivative| &derivative.symbol)
 }
 
-fn definition(parameter: &Parameter) -> String {
-    let quantity = parameter.quantity;
-    let sign = match quantity.sign {
-        "" => String::new(),
-        sign => format!("; {sign}"),
-    };
-    format!("{}{sign} ({})", quantity.definition, quantity.source)
+/// What a quantity is, behind the name by which commands and files know it.
+fn definition(quantity: &Quantity) -> Markup {
+    let Quantity {
+        name,
+        definition,
+        sign,
+        source,
+        ..
+    } = quantity;
+    html! {
+        @if !name.is_empty() { code { (name) } ": " }
+        (definition) @if !sign.is_empty() { "; " (sign) } " (" (source) ")"
+    }
 }

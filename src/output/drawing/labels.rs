@@ -15,9 +15,10 @@ pub(super) struct Boxed {
 /// The ends of a line on the sheet.
 pub(super) type Segment = [(i32, i32); 2];
 
-/// Names that were put, and places, beyond the sheet's sides too, and lines that they must keep clear of.
+/// Names that were put, and places, those beyond the sheet's sides too, and lines that they must keep clear of.
 pub(super) struct Labels {
     taken: Vec<[i32; 4]>,
+    sides: [[i32; 4]; 4],
     lines: Vec<Segment>,
     unit: i32,
     /// Of a name, as shown.
@@ -36,6 +37,8 @@ const GAPS: [i32; 4] = [9, 22, 40, 62];
 /// another.
 const STRUCK: f64 = 12.0;
 const AWAY: f64 = 90.0;
+/// How much what is beyond a side, and not seen, counts more than what overlaps.
+const CUT: f64 = 20.0;
 
 impl Labels {
     /// Beside points on a sheet of a size as shown; `unit` drawing units are one as shown.
@@ -55,7 +58,8 @@ impl Labels {
         let half = 6 * unit;
         let around = |&(x, y): &(i32, i32)| [x - half, y - half, x + half, y + half];
         Self {
-            taken: points.iter().map(around).chain(sides).collect(),
+            taken: points.iter().map(around).collect(),
+            sides,
             lines,
             unit,
             font_size: if points.len() > MANY {
@@ -123,7 +127,9 @@ impl Labels {
         let unit = f64::from(self.unit);
         let overlap = |other: &[i32; 4]| common(place, other) as f64 / (unit * unit);
         let struck = |line: &Segment| STRUCK * inside(line, place) / unit;
-        self.taken.iter().map(overlap).sum::<f64>() + self.lines.iter().map(struck).sum::<f64>()
+        self.taken.iter().map(overlap).sum::<f64>()
+            + self.sides.iter().map(overlap).sum::<f64>() * CUT
+            + self.lines.iter().map(struck).sum::<f64>()
     }
 }
 
@@ -168,7 +174,7 @@ mod tests {
         for point in points {
             labels.put("upper_front", point);
         }
-        let [a, b, c] = &labels.taken[7..] else {
+        let [a, b, c] = &labels.taken[3..] else {
             panic!("three names")
         };
         assert_eq!([common(a, b), common(a, c), common(b, c)], [0; 3]);
@@ -176,12 +182,13 @@ mod tests {
 
     #[test]
     fn names_of_points_at_the_sides_stay_on_the_sheet() {
-        let points = [(10, 100), (290, 100), (10, 120), (290, 120)];
+        let at = |y: i32| [(20, y), (40, y), (280, y), (260, y)];
+        let points: Vec<_> = (0..7).flat_map(|row| at(100 + 12 * row)).collect();
         let mut labels = Labels::among(&points, Vec::new(), (300, 300), 1);
-        for point in points {
-            labels.put("upper_front", point);
+        for point in &points {
+            labels.put("upper_front", *point);
         }
-        let names = &labels.taken[8..];
+        let names = &labels.taken[points.len()..];
         assert!(
             names
                 .iter()
