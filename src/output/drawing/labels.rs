@@ -182,13 +182,16 @@ mod tests {
 
     #[test]
     fn names_of_points_at_the_sides_stay_on_the_sheet() {
-        let at = |y: i32| [(20, y), (40, y), (280, y), (260, y)];
-        let points: Vec<_> = (0..7).flat_map(|row| at(100 + 12 * row)).collect();
+        // Where it would be cut it collides with no other.
+        let crowd = |column: i32| (0..20).map(move |row| (60 + 12 * column, 15 * row));
+        let mut points: Vec<_> = (0..9).flat_map(crowd).collect();
+        points.extend([(10, 100), (290, 100), (10, 120), (290, 120)]);
         let mut labels = Labels::among(&points, Vec::new(), (300, 300), 1);
-        for point in &points {
+        for point in points.iter().rev().take(4).chain([&(60, 105)]) {
             labels.put("upper_front", *point);
         }
         let names = &labels.taken[points.len()..];
+        assert_eq!(names.len(), 5);
         assert!(
             names
                 .iter()
